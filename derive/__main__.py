@@ -35,7 +35,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     from derive.check.records import read
     from derive.declare.quantities import MOMENTS
     from derive.flow import linked, recurrences
-    from derive.generate import functions, write
+    from derive.generate import write
 
     for moment in MOMENTS:
         outcome = "operations {0.operations[0]} -> {0.operations[1]}"
@@ -50,9 +50,9 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("flow", "balance", "{0} claims proved", linked.prove)
     timed("flow", "series", "{0} operations proved", recurrences.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
-    timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
     proved = timed("kernels", "certify", "", certificates.records, variants(), read())
+    proved += timed("both ends", "certify", "{0} functions", certificates.of_ends, proved)
     return timed("generated", "emit", "", write.files, proved)
 
 

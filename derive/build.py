@@ -13,6 +13,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
@@ -34,6 +35,7 @@ PARTS: dict[str, tuple[tuple[str, ...], ...]] = {
     "_kernels": ((),),
     "_flow": (*((*INTEGRATOR, f"-DLEVEL={kind}", *flags) for kind, flags in _HERE.items()), INTEGRATOR),
 }
+SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")  # asked once: of two threads at once, one gets nothing
 SHARED = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 
 
@@ -44,7 +46,7 @@ class NoBinaryError(Exception):
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
     """Compile the C source of a module beside it, unless its binary is up to date."""
     source = folder / f"{name}.c"
-    binary = folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
+    binary = folder / f"{name}{SUFFIX}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
     digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
@@ -99,9 +101,11 @@ def _commands(name: str, source: Path, target: Path) -> list[list[str]]:
 
 
 def build_all() -> str:
-    """Compile modules with outdated binaries; returns a line on what is in use."""
+    """Compile modules with outdated binaries, side by side; returns a line on what is in use."""
+    with ThreadPoolExecutor() as pool:
+        builds = [pool.submit(build, name=name) for name in PARTS]
     try:
-        return ", ".join(build(name=name).name for name in PARTS)
+        return ", ".join(made.result().name for made in builds)
     except NoBinaryError as error:
         return f"NumPy serves: {error}"
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ae06f6a4e1de32992edcf6654867d06fa94f642ba3868698586218bb01c07280
+# sha256 of the text below: 7125d7cb694447069dbf4b5fc11c00c199e3b6c4838ca54da3fbd09b2b931e65
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -8,7 +8,7 @@ of a level, such as ``baseline``, asks for the loops of lesser processors.
 
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import import_module
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from generated._evaluate import BLOCK, Array, evaluate, real
-from generated.tiers import BOUNDS, DIGEST
+from generated.tiers import BOUNDS, DIGEST, LIMIT
 
 Text = Callable[..., Array]
 CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
@@ -66,10 +66,14 @@ _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
-def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
+def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:
+    """The function behind a public one, from its NumPy text of every tier.
+
+    Of ``(alpha, out, where, accuracy)``, or with ``both_ends`` of ``(theta_1, theta_2, out, where, accuracy)``.
+    """
     form, loops = LEVELS[level]
-    cheapest = cache(partial(_cheapest, name, form))
+    cached = cache(partial(_cheapest, name, form))
+    numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
 
     def loop_of(tier: str) -> Any:
         """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
@@ -77,10 +81,24 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
 
     best = loop_of("best")
 
-    def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-        of = type(alpha)
-        if accuracy is not None and not isinstance(accuracy, _NUMBERS):
+    def cheapest(kind: str, accuracy: float) -> str:
+        if not isinstance(accuracy, _NUMBERS):
             raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
+        return cached(kind, accuracy)
+
+    def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
+        items, kind = real(args)
+        tier = "float32" if kind.char == "f" and "float32" in texts else "best"
+        if accuracy is not None:
+            tier = cheapest(kind.char, accuracy)
+        loop = loop_of(tier)
+        if loop is None or kind.char not in "df":
+            return numpy(texts[tier], items, kind, out, where)
+        arrays = [np.asarray(x, dtype=kind) for x in items]
+        return _masked(loop, arrays, out, where)
+
+    def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        of = type(alpha)
         simple = best is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
             loop = best
@@ -89,16 +107,12 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
             return loop(alpha) if out is None else loop(alpha, out)
         if _is_foreign(alpha):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
-        (x,), kind = real((alpha,))
-        tier = "float32" if kind.char == "f" and "float32" in texts else "best"
-        if accuracy is not None:
-            tier = cheapest(kind.char, accuracy)
-        loop = loop_of(tier)
-        if loop is None or kind.char not in "df":
-            return _numpy(texts[tier], x, kind, out, where)
-        return _masked(loop, np.asarray(x, dtype=kind), out, where)
+        return general((alpha,), out, where, accuracy)
 
-    return call
+    def of_ends(one: Any, two: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        return general((one, two), out, where, accuracy)
+
+    return of_ends if both_ends else of_alpha
 
 
 def _is_foreign(alpha: Any) -> bool:
@@ -127,27 +141,28 @@ def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
     raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
 
 
-def _masked(loop: Any, alpha: Array, out: Any, where: Any) -> Any:
+def _masked(loop: Any, args: Sequence[Array], out: Any, where: Any) -> Any:
     """A compiled loop where a mask is true; elsewhere `out` keeps what it holds, and without one there is NaN."""
     if where is True:
-        return loop(alpha) if out is None else loop(alpha, out)
+        return loop(*args) if out is None else loop(*args, out)
     mask = np.asarray(where, dtype=bool)
     if out is not None:
-        return loop(alpha, out, where=mask)
-    shape = np.broadcast_shapes(alpha.shape, mask.shape)
-    return loop(alpha, np.full(shape, np.nan, alpha.dtype), where=mask)[()]
+        return loop(*args, out, where=mask)
+    shape = np.broadcast_shapes(mask.shape, *(x.shape for x in args))
+    empty = np.full(shape, np.nan, args[0].dtype)
+    return loop(*args, empty, where=mask)[()]
 
 
 _NUMBERS = (int, float, np.integer, np.floating)
 _SCALARS = frozenset((float, np.float64, np.float32))
 
 
-def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any:
+def _numpy(name: str, text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
     """By blocks; those that lie in [0, pi/2], as a rule, need no masks."""
     body = partial(_clipped, text)
     if where is not True:
-        return evaluate(body, _inside, (0.5,), (x,), out, where)
-    alpha = np.asarray(x, dtype=kind)
+        return evaluate(name, body, _inside, (0.5,), tuple(items), out, where)
+    alpha = np.asarray(items[0], dtype=kind)
     result = np.empty(alpha.shape, kind)
     flat = alpha.reshape(-1)
     values = result.reshape(-1)
@@ -158,12 +173,29 @@ def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any
             if inside:
                 part = text(block.astype(np.float64, copy=False))
             else:
-                part = evaluate(body, _inside, (0.5,), (block,), None, True)
+                part = evaluate(name, body, _inside, (0.5,), (block,), None, True)
             values[start : start + BLOCK] = part
     if out is None:
         return result[()]
     np.copyto(out, result, casting="same_kind")
     return out
+
+
+def _numpy_of_ends(name: str, text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
+    """Where nothing presses on an arc its limit friction is infinite, without a flag."""
+
+    def body(theta_1: Array, theta_2: Array) -> Array:
+        with np.errstate(divide="ignore", over="ignore", under="ignore"):
+            return text(theta_1, theta_2)
+
+    return evaluate(name, body, _is_arc, (4.0, 5.0), tuple(items), out, where)
+
+
+def _is_arc(eps: float, theta_1: Array, theta_2: Array) -> Any:
+    alpha = 0.5 * theta_2 - 0.5 * theta_1
+    near = (theta_1 >= -LIMIT) & (theta_2 <= LIMIT)
+    ordered = theta_2 >= theta_1
+    return near & ordered & (alpha <= HALF_PI * (1.0 + 4.0 * eps))
 
 
 def _inside(eps: float, alpha: Array) -> Any:

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "39f778b9d703d02ce61a3759c94f979d5984ef56c6b44f2be246ef8b9132e4e6"
+#define DIGEST "da08385d9d438d4353e984471b741c1ffcd7d31da51348fe8bb4925fdf741782"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -82,6 +82,7 @@ static int processor(void)
 #define HALF_PI 0x1.921fb54442d18p+0
 #define END_double 0x1.921fb54442d1ep+0 /* pi/2 (1 + 4 eps), with the eps of the type */
 #define END_float 0x1.921fc1d5407bap+0
+#define LIMIT 65536.0 /* of an end of an arc, rad */
 #define LAST_double UINT64_C(0x3ff921fb54442d18) /* pattern of the largest number of the type that is not above pi/2 */
 #define LAST_float UINT32_C(0x3fc90fda)
 
@@ -105,6 +106,12 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define SELECT(condition, yes, no) ((condition) ? (yes) : (no))
 #define SMALLER(a, b) SELECT((a) < (b), a, b)
 #define LARGER(a, b) SELECT((a) > (b), a, b)
+/* The rounding error of a + b (TwoSum). */
+INLINE double lost(double a, double b)
+{
+    const double total = a + b, of_b = total - a;
+    return (a - (total - of_b)) + (b - of_b);
+}
 /* A polynomial by Horner's scheme; its coefficients come lowest first. */
 #define POLY1(x, c0, c1) FMA(c1, x, c0)
 #define POLY2(x, c0, ...) FMA(POLY1(x, __VA_ARGS__), x, c0)
@@ -218,7 +225,7 @@ INLINE double polar_moment_1e_6_fused(double alpha)
 #define polar_moment_1e_6_fused_KIND short
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * fused: proved within 0.504 ulp (certificates/polar_moment.json) */
+ * fused: proved within 0.504 ulp of float32 (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -297,7 +304,7 @@ INLINE double moment_of_inertia_1e_6_fused(double alpha)
 #define moment_of_inertia_1e_6_fused_KIND short
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
- * (certificates/moment_of_inertia.json) */
+ * of float32 (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -384,7 +391,7 @@ INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
 #define radial_weight_amplitude_1e_6_fused_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
- * (certificates/radial_weight_amplitude.json) */
+ * of float32 (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -464,7 +471,7 @@ INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
 }
 #define weight_moment_amplitude_1e_6_fused_KIND short
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp of float32
  * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_fused(double alpha)
 {
@@ -516,7 +523,7 @@ INLINE double resistance_factor_1e_6_fused(double alpha)
 }
 #define resistance_factor_1e_6_fused_KIND short
 
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp of float32
  * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_fused(double alpha)
 {
@@ -783,6 +790,546 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
     return FMA(FMA(t26, SELECT(t12, t18, t20 - (t22 - t21)), t27), t24, t25);
 }
 #define weight_moment_per_radial_weight_best_fused_KIND whole
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
+ * fused: proved within 8.56e-16 relative (certificates/radial_weight.json) */
+INLINE double radial_weight_best_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
+    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
+    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
+    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
+    const double t50 = radial_weight_amplitude_best_fused(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
+    return t50 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
+ * 1e-10, fused: proved within 6.47e-11 relative (certificates/radial_weight.json) */
+INLINE double radial_weight_1e_10_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return radial_weight_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
+ * float32, fused: proved within 0.502 ulp of float32 (certificates/radial_weight.json) */
+INLINE double radial_weight_float32_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return radial_weight_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, 1e-6,
+ * fused: proved within 3.99e-07 relative (certificates/radial_weight.json) */
+INLINE double radial_weight_1e_6_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
+    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return radial_weight_amplitude_1e_6_fused(t2) * t47 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, best, fused: proved within 8.47e-16 relative (certificates/weight_moment.json) */
+INLINE double weight_moment_best_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
+    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
+    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
+    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
+    const double t50 = weight_moment_amplitude_best_fused(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
+    return t50 * (t40 * t40 * -4.0 - -0.5) * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, 1e-10, fused: proved within 8.17e-12 relative (certificates/weight_moment.json) */
+INLINE double weight_moment_1e_10_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    const double t49 = weight_moment_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
+    return t49 * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, float32, fused: proved within 0.501 ulp of float32 (certificates/weight_moment.json) */
+INLINE double weight_moment_float32_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    const double t49 = weight_moment_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
+    return t49 * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, 1e-6, fused: proved within 4.96e-07 relative (certificates/weight_moment.json) */
+INLINE double weight_moment_1e_6_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
+    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return weight_moment_amplitude_1e_6_fused(t2) * t47 * (t40 * t40 * -4.0 - -0.5) * t45;
+}
+
+/* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
+ * fused: proved within 1.59e-15 relative (certificates/limit_friction.json) */
+INLINE double limit_friction_best_fused(double theta_1, double theta_2)
+{
+    const double t1 = weight_moment_per_radial_weight_best_fused(SMALLER((theta_2 - theta_1) * 0.5,
+        0x1.921fb54442d18p+0));
+    const double t2 = theta_1 + theta_2;
+    const double t3 = t2 * 0x1.45f306dc9c883p-3;
+    const double t4 = t3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t5 = t4 * 2.0 + 1.0;
+    const double t6 = t5 * -0x1.921fb54440000p+1;
+    const double t7 = t5 * -0x1.68c234c4c0000p-38;
+    const double t8 = t5 * -0x1.98a2e03700000p-76;
+    const double t9 = t5 * -0x1.cd129024e088ap-114;
+    const double t10 = lost(theta_1, theta_2);
+    const double t11 = t2 + t6;
+    const double t12 = lost(t2, t6);
+    const double t13 = t11 + t7;
+    const double t14 = lost(t11, t7);
+    const double t15 = t13 + t8;
+    const double t16 = lost(t13, t8);
+    const double t17 = t15 + t9;
+    const double t18 = lost(t15, t9);
+    const double t19 = t10 + t12;
+    const double t20 = lost(t10, t12);
+    const double t21 = t19 + t14;
+    const double t22 = lost(t19, t14);
+    const double t23 = t21 + t16;
+    const double t24 = lost(t21, t16);
+    const double t25 = t23 + t18;
+    const double t26 = lost(t23, t18);
+    const double t27 = t25 + t17;
+    const double t28 = lost(t25, t17);
+    const double t29 = t20 + t22;
+    const double t30 = t29 + t24;
+    const double t31 = t30 + t26;
+    const double t32 = t31 + t28;
+    const double t33 = t32 + t27;
+    const double t34 = lost(t20, t22) + lost(t29, t24) + lost(t30, t26) + lost(t31, t28) + lost(t32, t27);
+    const double t35 = LARGER(SMALLER(t33 + t34, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t36 = t4 * 0.5;
+    const double t37 = t36 - (t36 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t38 = t35 * 0.5;
+    const double t39 = t38 * t38;
+    const double t40 = (t39 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t39 + -0x1.6c16c16c16c17p-6;
+    const double t41 = (t39 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t39 + -0x1.2f49b46814157p-57;
+    const double t42 = ((t41 * t39 + 0x1.952c77030ad4ap-49) * t39 + -0x1.ae7f3e733b81fp-41) * t39;
+    const double t43 = ((t42 + 0x1.6124613a86d09p-33) * t39 + -0x1.ae64567f544e4p-26) * t39 + 0x1.71de3a556c734p-19;
+    const double t44 = ((t43 * t39 + -0x1.a01a01a01a01ap-13) * t39 + 0x1.1111111111111p-7) * t39;
+    const double t45 = t3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t46 = t45 * 2.0;
+    const double t47 = t46 * -0x1.921fb54440000p+1;
+    const double t48 = t46 * -0x1.68c234c4c0000p-38;
+    const double t49 = t46 * -0x1.98a2e03700000p-76;
+    const double t50 = t46 * -0x1.cd129024e088ap-114;
+    const double t51 = t2 + t47;
+    const double t52 = lost(t2, t47);
+    const double t53 = t51 + t48;
+    const double t54 = lost(t51, t48);
+    const double t55 = t53 + t49;
+    const double t56 = lost(t53, t49);
+    const double t57 = t55 + t50;
+    const double t58 = lost(t55, t50);
+    const double t59 = t10 + t52;
+    const double t60 = lost(t10, t52);
+    const double t61 = t59 + t54;
+    const double t62 = lost(t59, t54);
+    const double t63 = t61 + t56;
+    const double t64 = lost(t61, t56);
+    const double t65 = t63 + t58;
+    const double t66 = lost(t63, t58);
+    const double t67 = t65 + t57;
+    const double t68 = lost(t65, t57);
+    const double t69 = t60 + t62;
+    const double t70 = t69 + t64;
+    const double t71 = t70 + t66;
+    const double t72 = t71 + t68;
+    const double t73 = t72 + t67;
+    const double t74 = lost(t60, t62) + lost(t69, t64) + lost(t70, t66) + lost(t71, t68) + lost(t72, t67);
+    const double t75 = LARGER(SMALLER(t73 + t74, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t76 = t45 * 0.5;
+    const double t77 = t76 - (t76 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t78 = t75 * 0.5;
+    const double t79 = t78 * t78;
+    const double t80 = (t79 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t79 + -0x1.6c16c16c16c17p-6;
+    const double t81 = (t79 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t79 + -0x1.2f49b46814157p-57;
+    const double t82 = ((t81 * t79 + 0x1.952c77030ad4ap-49) * t79 + -0x1.ae7f3e733b81fp-41) * t79;
+    const double t83 = ((t82 + 0x1.6124613a86d09p-33) * t79 + -0x1.ae64567f544e4p-26) * t79 + 0x1.71de3a556c734p-19;
+    const double t84 = ((t83 * t79 + -0x1.a01a01a01a01ap-13) * t79 + 0x1.1111111111111p-7) * t79;
+    const double t85 = t1 * ((t44 + -0x1.5555555555555p-3) * t39 + 1.0);
+    const double t86 = t35 + ((t40 * t39 + -0x1.5555555555555p-2) * t39 + 1.0) * lost(t33, t34);
+    const double t87 = t86 * (t85 / ((t84 + -0x1.5555555555555p-3) * t79 + 1.0));
+    const double t88 = t75 + ((t80 * t79 + -0x1.5555555555555p-2) * t79 + 1.0) * lost(t73, t74);
+    return t87 * ((t37 * t37 * -4.0 - -0.5) * (t77 * t77 * 4.0 - 0.5) * 4.0) / t88;
+}
 #endif
 
 #undef FMA
@@ -862,7 +1409,7 @@ INLINE double polar_moment_1e_6_plain(double alpha)
 #define polar_moment_1e_6_plain_KIND whole
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * plain: proved within 0.504 ulp (certificates/polar_moment.json) */
+ * plain: proved within 0.504 ulp of float32 (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -930,7 +1477,7 @@ INLINE double moment_of_inertia_1e_6_plain(double alpha)
 #define moment_of_inertia_1e_6_plain_KIND short
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
- * (certificates/moment_of_inertia.json) */
+ * of float32 (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -1007,7 +1554,7 @@ INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
 #define radial_weight_amplitude_1e_6_plain_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.505 ulp
- * (certificates/radial_weight_amplitude.json) */
+ * of float32 (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
@@ -1077,7 +1624,7 @@ INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
 }
 #define weight_moment_amplitude_1e_6_plain_KIND short
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp of float32
  * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_plain(double alpha)
 {
@@ -1123,7 +1670,7 @@ INLINE double resistance_factor_1e_6_plain(double alpha)
 }
 #define resistance_factor_1e_6_plain_KIND short
 
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp of float32
  * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_plain(double alpha)
 {
@@ -1278,6 +1825,546 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
 }
 #define weight_moment_per_radial_weight_best_plain_KIND whole
 
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, best,
+ * plain: proved within 1.6e-15 relative (certificates/radial_weight.json) */
+INLINE double radial_weight_best_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
+    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
+    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
+    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
+    const double t50 = radial_weight_amplitude_best_plain(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
+    return t50 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
+ * 1e-10, plain: proved within 6.47e-11 relative (certificates/radial_weight.json) */
+INLINE double radial_weight_1e_10_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return radial_weight_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
+ * float32, plain: proved within 0.502 ulp of float32 (certificates/radial_weight.json) */
+INLINE double radial_weight_float32_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return radial_weight_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, 1e-6,
+ * plain: proved within 3.99e-07 relative (certificates/radial_weight.json) */
+INLINE double radial_weight_1e_6_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
+    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return radial_weight_amplitude_1e_6_plain(t2) * t47 * (t40 * t40 * 4.0 - 0.5) * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, best, plain: proved within 1.53e-15 relative (certificates/weight_moment.json) */
+INLINE double weight_moment_best_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
+    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
+    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
+    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
+    const double t50 = weight_moment_amplitude_best_plain(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
+    return t50 * (t40 * t40 * -4.0 - -0.5) * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, 1e-10, plain: proved within 8.17e-12 relative (certificates/weight_moment.json) */
+INLINE double weight_moment_1e_10_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    const double t49 = weight_moment_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
+    return t49 * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, float32, plain: proved within 0.501 ulp of float32 (certificates/weight_moment.json) */
+INLINE double weight_moment_float32_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
+    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
+    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    const double t49 = weight_moment_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
+    return t49 * t45;
+}
+
+/* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
+ * ends, 1e-6, plain: proved within 4.96e-07 relative (certificates/weight_moment.json) */
+INLINE double weight_moment_1e_6_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    const double t6 = theta_1 + theta_2;
+    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t8 = t7 * 2.0 + 1.0;
+    const double t9 = t8 * -0x1.921fb54440000p+1;
+    const double t10 = t8 * -0x1.68c234c4c0000p-38;
+    const double t11 = t8 * -0x1.98a2e03700000p-76;
+    const double t12 = t8 * -0x1.cd129024e088ap-114;
+    const double t13 = lost(theta_1, theta_2);
+    const double t14 = t6 + t9;
+    const double t15 = lost(t6, t9);
+    const double t16 = t14 + t10;
+    const double t17 = lost(t14, t10);
+    const double t18 = t16 + t11;
+    const double t19 = lost(t16, t11);
+    const double t20 = t18 + t12;
+    const double t21 = lost(t18, t12);
+    const double t22 = t13 + t15;
+    const double t23 = lost(t13, t15);
+    const double t24 = t22 + t17;
+    const double t25 = lost(t22, t17);
+    const double t26 = t24 + t19;
+    const double t27 = lost(t24, t19);
+    const double t28 = t26 + t21;
+    const double t29 = lost(t26, t21);
+    const double t30 = t28 + t20;
+    const double t31 = lost(t28, t20);
+    const double t32 = t23 + t25;
+    const double t33 = t32 + t27;
+    const double t34 = t33 + t29;
+    const double t35 = t34 + t31;
+    const double t36 = t35 + t30;
+    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
+    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t39 = t7 * 0.5;
+    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t41 = t38 * 0.5;
+    const double t42 = t41 * t41;
+    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
+    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
+    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
+    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
+    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
+    return weight_moment_amplitude_1e_6_plain(t2) * t47 * (t40 * t40 * -4.0 - -0.5) * t45;
+}
+
+/* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
+ * plain: proved within 2.27e-15 relative (certificates/limit_friction.json) */
+INLINE double limit_friction_best_plain(double theta_1, double theta_2)
+{
+    const double t1 = weight_moment_per_radial_weight_best_plain(SMALLER((theta_2 - theta_1) * 0.5,
+        0x1.921fb54442d18p+0));
+    const double t2 = theta_1 + theta_2;
+    const double t3 = t2 * 0x1.45f306dc9c883p-3;
+    const double t4 = t3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t5 = t4 * 2.0 + 1.0;
+    const double t6 = t5 * -0x1.921fb54440000p+1;
+    const double t7 = t5 * -0x1.68c234c4c0000p-38;
+    const double t8 = t5 * -0x1.98a2e03700000p-76;
+    const double t9 = t5 * -0x1.cd129024e088ap-114;
+    const double t10 = lost(theta_1, theta_2);
+    const double t11 = t2 + t6;
+    const double t12 = lost(t2, t6);
+    const double t13 = t11 + t7;
+    const double t14 = lost(t11, t7);
+    const double t15 = t13 + t8;
+    const double t16 = lost(t13, t8);
+    const double t17 = t15 + t9;
+    const double t18 = lost(t15, t9);
+    const double t19 = t10 + t12;
+    const double t20 = lost(t10, t12);
+    const double t21 = t19 + t14;
+    const double t22 = lost(t19, t14);
+    const double t23 = t21 + t16;
+    const double t24 = lost(t21, t16);
+    const double t25 = t23 + t18;
+    const double t26 = lost(t23, t18);
+    const double t27 = t25 + t17;
+    const double t28 = lost(t25, t17);
+    const double t29 = t20 + t22;
+    const double t30 = t29 + t24;
+    const double t31 = t30 + t26;
+    const double t32 = t31 + t28;
+    const double t33 = t32 + t27;
+    const double t34 = lost(t20, t22) + lost(t29, t24) + lost(t30, t26) + lost(t31, t28) + lost(t32, t27);
+    const double t35 = LARGER(SMALLER(t33 + t34, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t36 = t4 * 0.5;
+    const double t37 = t36 - (t36 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t38 = t35 * 0.5;
+    const double t39 = t38 * t38;
+    const double t40 = (t39 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t39 + -0x1.6c16c16c16c17p-6;
+    const double t41 = (t39 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t39 + -0x1.2f49b46814157p-57;
+    const double t42 = ((t41 * t39 + 0x1.952c77030ad4ap-49) * t39 + -0x1.ae7f3e733b81fp-41) * t39;
+    const double t43 = ((t42 + 0x1.6124613a86d09p-33) * t39 + -0x1.ae64567f544e4p-26) * t39 + 0x1.71de3a556c734p-19;
+    const double t44 = ((t43 * t39 + -0x1.a01a01a01a01ap-13) * t39 + 0x1.1111111111111p-7) * t39;
+    const double t45 = t3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t46 = t45 * 2.0;
+    const double t47 = t46 * -0x1.921fb54440000p+1;
+    const double t48 = t46 * -0x1.68c234c4c0000p-38;
+    const double t49 = t46 * -0x1.98a2e03700000p-76;
+    const double t50 = t46 * -0x1.cd129024e088ap-114;
+    const double t51 = t2 + t47;
+    const double t52 = lost(t2, t47);
+    const double t53 = t51 + t48;
+    const double t54 = lost(t51, t48);
+    const double t55 = t53 + t49;
+    const double t56 = lost(t53, t49);
+    const double t57 = t55 + t50;
+    const double t58 = lost(t55, t50);
+    const double t59 = t10 + t52;
+    const double t60 = lost(t10, t52);
+    const double t61 = t59 + t54;
+    const double t62 = lost(t59, t54);
+    const double t63 = t61 + t56;
+    const double t64 = lost(t61, t56);
+    const double t65 = t63 + t58;
+    const double t66 = lost(t63, t58);
+    const double t67 = t65 + t57;
+    const double t68 = lost(t65, t57);
+    const double t69 = t60 + t62;
+    const double t70 = t69 + t64;
+    const double t71 = t70 + t66;
+    const double t72 = t71 + t68;
+    const double t73 = t72 + t67;
+    const double t74 = lost(t60, t62) + lost(t69, t64) + lost(t70, t66) + lost(t71, t68) + lost(t72, t67);
+    const double t75 = LARGER(SMALLER(t73 + t74, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t76 = t45 * 0.5;
+    const double t77 = t76 - (t76 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t78 = t75 * 0.5;
+    const double t79 = t78 * t78;
+    const double t80 = (t79 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t79 + -0x1.6c16c16c16c17p-6;
+    const double t81 = (t79 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t79 + -0x1.2f49b46814157p-57;
+    const double t82 = ((t81 * t79 + 0x1.952c77030ad4ap-49) * t79 + -0x1.ae7f3e733b81fp-41) * t79;
+    const double t83 = ((t82 + 0x1.6124613a86d09p-33) * t79 + -0x1.ae64567f544e4p-26) * t79 + 0x1.71de3a556c734p-19;
+    const double t84 = ((t83 * t79 + -0x1.a01a01a01a01ap-13) * t79 + 0x1.1111111111111p-7) * t79;
+    const double t85 = t1 * ((t44 + -0x1.5555555555555p-3) * t39 + 1.0);
+    const double t86 = t35 + ((t40 * t39 + -0x1.5555555555555p-2) * t39 + 1.0) * lost(t33, t34);
+    const double t87 = t86 * (t85 / ((t84 + -0x1.5555555555555p-3) * t79 + 1.0));
+    const double t88 = t75 + ((t80 * t79 + -0x1.5555555555555p-2) * t79 + 1.0) * lost(t73, t74);
+    return t87 * ((t37 * t37 * -4.0 - -0.5) * (t77 * t77 * 4.0 - 0.5) * 4.0) / t88;
+}
+
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
  * its seam, its first piece alone. Else `refused` has the bits of NaN for what is outside the domain, which make a NaN
@@ -1308,10 +2395,10 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
 #define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
 #define LOOP_OF(T, KIND, PROGRAM, LOOP_NAME, LEVEL) LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL)
 #define LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL) \
-    TARGET_##LEVEL static int LOOP_NAME(const void *from, void *to, npy_intp count) \
+    TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
     { \
-        const T *in = from; \
-        T *out = to; \
+        const T *in = (const T *)args[0]; \
+        T *out = (T *)args[1]; \
         uint64_t outside = 0; \
         for (npy_intp start = 0, stop; start < count; start = stop) { \
             PATTERN_##T beyond = 0, above = 0; \
@@ -1328,6 +2415,33 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
                 RUN_##KIND(T, PROGRAM) \
             } \
             (void)above; \
+        } \
+        return outside != 0; \
+    }
+
+/* Of both ends of an arc: refused is what is none, or beyond LIMIT. */
+#define UNLESS(condition) bits(SELECT(condition, 0.0, NAN))
+#define LOOP_ENDS(T, NAME, FORM, LEVEL) LOOP_ENDS_OF(T, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
+#define LOOP_ENDS_OF(T, PROGRAM, LOOP_NAME, LEVEL) \
+    TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
+    { \
+        const T *first = (const T *)args[0], *second = (const T *)args[1]; \
+        T *out = (T *)args[2]; \
+        uint64_t outside = 0; \
+        double results[BLOCK]; \
+        for (npy_intp start = 0, stop; start < count; start = stop) { \
+            stop = count - start < BLOCK ? count : start + BLOCK; \
+            INDEPENDENT \
+            for (npy_intp i = start; i < stop; i++) results[i - start] = PROGRAM(first[i], second[i]); \
+            INDEPENDENT \
+            for (npy_intp i = start; i < stop; i++) { \
+                const double one = first[i], two = second[i]; \
+                const double alpha = 0.5 * two - 0.5 * one; \
+                const uint64_t refused = UNLESS(one >= -LIMIT) | UNLESS(two <= LIMIT) | UNLESS(two >= one) | \
+                                         UNLESS(alpha <= END_##T); \
+                out[i] = (T)number(bits(results[i - start]) | refused); \
+                outside |= refused & ~(UNLESS(one == one) | UNLESS(two == two)); \
+            } \
         } \
         return outside != 0; \
     }
@@ -1353,6 +2467,13 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
     LOOP(double, radial_weight_per_inertia_best, FORM, LEVEL) \
     LOOP(double, polar_moment_per_inertia_best, FORM, LEVEL) \
     LOOP(double, weight_moment_per_radial_weight_best, FORM, LEVEL) \
+    LOOP_ENDS(double, radial_weight_best, FORM, LEVEL) \
+    LOOP_ENDS(double, radial_weight_1e_10, FORM, LEVEL) \
+    LOOP_ENDS(double, radial_weight_1e_6, FORM, LEVEL) \
+    LOOP_ENDS(double, weight_moment_best, FORM, LEVEL) \
+    LOOP_ENDS(double, weight_moment_1e_10, FORM, LEVEL) \
+    LOOP_ENDS(double, weight_moment_1e_6, FORM, LEVEL) \
+    LOOP_ENDS(double, limit_friction_best, FORM, LEVEL) \
     LOOP(float, polar_moment_float32, FORM, LEVEL) \
     LOOP(float, moment_of_inertia_float32, FORM, LEVEL) \
     LOOP(float, radial_weight_amplitude_float32, FORM, LEVEL) \
@@ -1362,7 +2483,10 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
     LOOP(float, weight_moment_per_inertia_best, FORM, LEVEL) \
     LOOP(float, radial_weight_per_inertia_best, FORM, LEVEL) \
     LOOP(float, polar_moment_per_inertia_best, FORM, LEVEL) \
-    LOOP(float, weight_moment_per_radial_weight_best, FORM, LEVEL)
+    LOOP(float, weight_moment_per_radial_weight_best, FORM, LEVEL) \
+    LOOP_ENDS(float, radial_weight_float32, FORM, LEVEL) \
+    LOOP_ENDS(float, weight_moment_float32, FORM, LEVEL) \
+    LOOP_ENDS(float, limit_friction_best, FORM, LEVEL)
 LEVELS(LOOPS)
 
 /* The first unsafe float flag that this was compiled with, or NULL. */
@@ -1381,82 +2505,98 @@ INLINE const char *unsafe(void)
 #define UNSAFE(LEVEL, FORM) TARGET_##LEVEL static const char *unsafe_##LEVEL(void) { return unsafe(); }
 LEVELS(UNSAFE)
 
-typedef int (*Loop)(const void *, void *, npy_intp);
+typedef int (*Loop)(char *const *, npy_intp);
 
 /* NumPy's inner loop around one of ours: strided operands go through a block. Of the exceptions only `invalid` is
  * meant, for what is outside: an underflow is correctly rounded, and pieces that are not used may raise anything. */
 enum { RAISED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW };
 
-INLINE void walk(char **args, npy_intp const *count, npy_intp const *steps, Loop loop, size_t size)
+INLINE void walk(char **args, npy_intp const *count, npy_intp const *steps, Loop loop, npy_intp size, int inputs)
 {
     const int before = fetestexcept(RAISED);
-    int outside = 0;
-    if (steps[0] == (npy_intp)size && steps[1] == (npy_intp)size) {
-        outside = loop(args[0], args[1], *count);
+    int outside = 0, dense = 1;
+    for (int k = 0; k <= inputs; k++) dense &= steps[k] == size;
+    if (dense) {
+        outside = loop(args, *count);
     }
     else {
-        double in[BLOCK], out[BLOCK];
+        double blocks[3][BLOCK];
+        char *const places[] = {(char *)blocks[0], (char *)blocks[1], (char *)blocks[2]};
         for (npy_intp done = 0; done < *count; done += BLOCK) {
             const npy_intp n = *count - done < BLOCK ? *count - done : BLOCK;
-            const char *from = args[0] + done * steps[0];
-            char *to = args[1] + done * steps[1];
-            for (npy_intp i = 0; i < n; i++) memcpy((char *)in + i * size, from + i * steps[0], size);
-            outside |= loop(in, out, n);
-            for (npy_intp i = 0; i < n; i++) memcpy(to + i * steps[1], (char *)out + i * size, size);
+            char *to = args[inputs] + done * steps[inputs];
+            for (int k = 0; k < inputs; k++) {
+                const char *from = args[k] + done * steps[k];
+                for (npy_intp i = 0; i < n; i++) memcpy(places[k] + i * size, from + i * steps[k], size);
+            }
+            outside |= loop(places, n);
+            for (npy_intp i = 0; i < n; i++) memcpy(to + i * steps[inputs], places[inputs] + i * size, size);
         }
     }
     if (fetestexcept(RAISED) & ~before) feclearexcept(RAISED & ~before);
     if (outside) feraiseexcept(FE_INVALID);
 }
 
-static void walk_float(char **args, npy_intp const *count, npy_intp const *steps, void *loop)
-{
-    walk(args, count, steps, (Loop)loop, sizeof(float));
-}
+#define WALK(T, INPUTS) \
+    static void walk_##T##_##INPUTS(char **args, npy_intp const *count, npy_intp const *steps, void *loop) \
+    { \
+        walk(args, count, steps, (Loop)loop, sizeof(T), INPUTS); \
+    }
+WALK(float, 1)
+WALK(double, 1)
+WALK(float, 2)
+WALK(double, 2)
 
-static void walk_double(char **args, npy_intp const *count, npy_intp const *steps, void *loop)
-{
-    walk(args, count, steps, (Loop)loop, sizeof(double));
-}
-
-static PyUFuncGenericFunction walks[] = {walk_float, walk_double};
-static const char types[] = {NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE};
+/* By the number of inputs, less one. */
+static PyUFuncGenericFunction walks[][2] = {{walk_float_1, walk_double_1}, {walk_float_2, walk_double_2}};
+static const char types[][6] = {
+    {NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE},
+    {NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE},
+};
 
 /* A ufunc; where `loops[0]` is NULL it has no loop for float32. */
-typedef struct { const char *kernel, *tier; void *loops[2]; } Ufunc;
+typedef struct { const char *kernel, *tier; int inputs; void *loops[2]; } Ufunc;
 
 #define UFUNCS(LEVEL, FORM) \
     static Ufunc ufuncs_##LEVEL[] = { \
-    {"polar_moment", "best", {(void *)polar_moment_float32_##LEVEL##_float, (void *)polar_moment_best_##LEVEL##_double}}, \
-    {"polar_moment", "1e-10", {NULL, (void *)polar_moment_1e_10_##LEVEL##_double}}, \
-    {"polar_moment", "1e-6", {NULL, (void *)polar_moment_1e_6_##LEVEL##_double}}, \
-    {"moment_of_inertia", "best", {(void *)moment_of_inertia_float32_##LEVEL##_float, (void *)moment_of_inertia_best_##LEVEL##_double}}, \
-    {"moment_of_inertia", "1e-10", {NULL, (void *)moment_of_inertia_1e_10_##LEVEL##_double}}, \
-    {"moment_of_inertia", "1e-6", {NULL, (void *)moment_of_inertia_1e_6_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "best", {(void *)radial_weight_amplitude_float32_##LEVEL##_float, (void *)radial_weight_amplitude_best_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "1e-10", {NULL, (void *)radial_weight_amplitude_1e_10_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "1e-6", {NULL, (void *)radial_weight_amplitude_1e_6_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "best", {(void *)weight_moment_amplitude_float32_##LEVEL##_float, (void *)weight_moment_amplitude_best_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "1e-10", {NULL, (void *)weight_moment_amplitude_1e_10_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "1e-6", {NULL, (void *)weight_moment_amplitude_1e_6_##LEVEL##_double}}, \
-    {"resistance_factor", "best", {(void *)resistance_factor_float32_##LEVEL##_float, (void *)resistance_factor_best_##LEVEL##_double}}, \
-    {"resistance_factor", "1e-10", {NULL, (void *)resistance_factor_1e_10_##LEVEL##_double}}, \
-    {"resistance_factor", "1e-6", {NULL, (void *)resistance_factor_1e_6_##LEVEL##_double}}, \
-    {"dynamic_coefficient", "best", {(void *)dynamic_coefficient_best_##LEVEL##_float, (void *)dynamic_coefficient_best_##LEVEL##_double}}, \
-    {"weight_moment_per_inertia", "best", {(void *)weight_moment_per_inertia_best_##LEVEL##_float, (void *)weight_moment_per_inertia_best_##LEVEL##_double}}, \
-    {"radial_weight_per_inertia", "best", {(void *)radial_weight_per_inertia_best_##LEVEL##_float, (void *)radial_weight_per_inertia_best_##LEVEL##_double}}, \
-    {"polar_moment_per_inertia", "best", {(void *)polar_moment_per_inertia_best_##LEVEL##_float, (void *)polar_moment_per_inertia_best_##LEVEL##_double}}, \
-    {"weight_moment_per_radial_weight", "best", {(void *)weight_moment_per_radial_weight_best_##LEVEL##_float, (void *)weight_moment_per_radial_weight_best_##LEVEL##_double}}, \
-    {NULL, NULL, {NULL, NULL}}};
+    {"polar_moment", "best", 1, {(void *)polar_moment_float32_##LEVEL##_float, (void *)polar_moment_best_##LEVEL##_double}}, \
+    {"polar_moment", "1e-10", 1, {NULL, (void *)polar_moment_1e_10_##LEVEL##_double}}, \
+    {"polar_moment", "1e-6", 1, {NULL, (void *)polar_moment_1e_6_##LEVEL##_double}}, \
+    {"moment_of_inertia", "best", 1, {(void *)moment_of_inertia_float32_##LEVEL##_float, (void *)moment_of_inertia_best_##LEVEL##_double}}, \
+    {"moment_of_inertia", "1e-10", 1, {NULL, (void *)moment_of_inertia_1e_10_##LEVEL##_double}}, \
+    {"moment_of_inertia", "1e-6", 1, {NULL, (void *)moment_of_inertia_1e_6_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "best", 1, {(void *)radial_weight_amplitude_float32_##LEVEL##_float, (void *)radial_weight_amplitude_best_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "1e-10", 1, {NULL, (void *)radial_weight_amplitude_1e_10_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "1e-6", 1, {NULL, (void *)radial_weight_amplitude_1e_6_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "best", 1, {(void *)weight_moment_amplitude_float32_##LEVEL##_float, (void *)weight_moment_amplitude_best_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "1e-10", 1, {NULL, (void *)weight_moment_amplitude_1e_10_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "1e-6", 1, {NULL, (void *)weight_moment_amplitude_1e_6_##LEVEL##_double}}, \
+    {"resistance_factor", "best", 1, {(void *)resistance_factor_float32_##LEVEL##_float, (void *)resistance_factor_best_##LEVEL##_double}}, \
+    {"resistance_factor", "1e-10", 1, {NULL, (void *)resistance_factor_1e_10_##LEVEL##_double}}, \
+    {"resistance_factor", "1e-6", 1, {NULL, (void *)resistance_factor_1e_6_##LEVEL##_double}}, \
+    {"dynamic_coefficient", "best", 1, {(void *)dynamic_coefficient_best_##LEVEL##_float, (void *)dynamic_coefficient_best_##LEVEL##_double}}, \
+    {"weight_moment_per_inertia", "best", 1, {(void *)weight_moment_per_inertia_best_##LEVEL##_float, (void *)weight_moment_per_inertia_best_##LEVEL##_double}}, \
+    {"radial_weight_per_inertia", "best", 1, {(void *)radial_weight_per_inertia_best_##LEVEL##_float, (void *)radial_weight_per_inertia_best_##LEVEL##_double}}, \
+    {"polar_moment_per_inertia", "best", 1, {(void *)polar_moment_per_inertia_best_##LEVEL##_float, (void *)polar_moment_per_inertia_best_##LEVEL##_double}}, \
+    {"weight_moment_per_radial_weight", "best", 1, {(void *)weight_moment_per_radial_weight_best_##LEVEL##_float, (void *)weight_moment_per_radial_weight_best_##LEVEL##_double}}, \
+    {"radial_weight", "best", 2, {(void *)radial_weight_float32_##LEVEL##_float, (void *)radial_weight_best_##LEVEL##_double}}, \
+    {"radial_weight", "1e-10", 2, {NULL, (void *)radial_weight_1e_10_##LEVEL##_double}}, \
+    {"radial_weight", "1e-6", 2, {NULL, (void *)radial_weight_1e_6_##LEVEL##_double}}, \
+    {"weight_moment", "best", 2, {(void *)weight_moment_float32_##LEVEL##_float, (void *)weight_moment_best_##LEVEL##_double}}, \
+    {"weight_moment", "1e-10", 2, {NULL, (void *)weight_moment_1e_10_##LEVEL##_double}}, \
+    {"weight_moment", "1e-6", 2, {NULL, (void *)weight_moment_1e_6_##LEVEL##_double}}, \
+    {"limit_friction", "best", 2, {(void *)limit_friction_best_##LEVEL##_float, (void *)limit_friction_best_##LEVEL##_double}}, \
+    {NULL, NULL, 0, {NULL, NULL}}};
 LEVELS(UFUNCS)
 
 static PyObject *ufuncs(Ufunc *table)
 {
     PyObject *tiers = PyDict_New();
     for (; tiers && table->kernel; table++) {
-        const int first = table->loops[0] == NULL;
-        PyObject *ufunc = PyUFunc_FromFuncAndData(walks + first, table->loops + first, types + 2 * first, 2 - first,
-                                                  1, 1, PyUFunc_None, table->kernel, table->tier, 0);
+        const int first = table->loops[0] == NULL, inputs = table->inputs;
+        PyObject *ufunc = PyUFunc_FromFuncAndData(walks[inputs - 1] + first, table->loops + first,
+                                                  types[inputs - 1] + (inputs + 1) * first, 2 - first,
+                                                  inputs, 1, PyUFunc_None, table->kernel, table->tier, 0);
         PyObject *of_tier = PyDict_GetItemString(tiers, table->tier); /* borrowed */
         if (of_tier == NULL && (of_tier = PyDict_New()) != NULL) {
             const int failed = PyDict_SetItemString(tiers, table->tier, of_tier);

@@ -1,13 +1,10 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bede38e1cfdc146744536a080e90a5f9116a070c004da9e9c3f5dba46e487c71
+# sha256 of the text below: 4b0ad868ee8086a0e9b32c30586a2cd13ef3fd04c70e955f195682c3935e4d48
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from generated._evaluate import Array, evaluate, horner
 
@@ -51,10 +48,7 @@ def _frozen_angular_velocity(a: Array, b: Array, omega_0: Array, t: Array) -> Ar
     return np.where(t6, t5 / np.where(t6, y, 1.0), np.nan)
 
 
-def frozen_angular_velocity(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
-        where: ArrayLike = True
-) -> Any:
+def frozen_angular_velocity(a, b, omega_0, t, /, out=None, *, where=True):
     """Angular velocity of the paper's motion, for any sign of a and b and any initial velocity.
 
     omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)
@@ -86,8 +80,15 @@ def frozen_angular_velocity(
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.20) of the paper. Operations: 43 mul, 33 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 7
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
+
+    Examples
+    --------
+    >>> from generated.motion import frozen_angular_velocity
+    >>> print(f"{frozen_angular_velocity(1.0, 1.0, 0.0, 0.5):.6f}")
+    0.462117
     """
     return evaluate(
+        'frozen_angular_velocity',
         _frozen_angular_velocity,
         lambda eps, a, b, omega_0, t: (
             np.isfinite(a)
@@ -96,7 +97,7 @@ def frozen_angular_velocity(
             & ((t >= 0.0)
             & np.isfinite(t))
         ),
-        (1.0, 1.0, 0.0, 0.0),
+        (1.0, 1.0, 0.0, 0.5),
         (a, b, omega_0, t),
         out,
         where,
@@ -130,10 +131,7 @@ def _frozen_rotation(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
     return np.where(t5, np.where(t1, t6, np.where(t8, 1.0, np.log1p(t9) / t9) * G), np.nan)
 
 
-def frozen_rotation(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
-        where: ArrayLike = True
-) -> Any:
+def frozen_rotation(a, b, omega_0, t, /, out=None, *, where=True):
     """Rotation of the paper's motion, for any sign of a and b and any initial velocity.
 
     phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)
@@ -165,8 +163,15 @@ def frozen_rotation(
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (4.3) of the paper. Operations: 47 mul, 34 add, 1 sub, 4 div, 1 neg, 3 min, 3 max, 3 less, 12
     select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt.
+
+    Examples
+    --------
+    >>> from generated.motion import frozen_rotation
+    >>> print(f"{frozen_rotation(1.0, 1.0, 0.0, 0.5):.6f}")
+    0.120115
     """
     return evaluate(
+        'frozen_rotation',
         _frozen_rotation,
         lambda eps, a, b, omega_0, t: (
             np.isfinite(a)
@@ -175,7 +180,7 @@ def frozen_rotation(
             & ((t >= 0.0)
             & np.isfinite(t))
         ),
-        (1.0, 1.0, 0.0, 0.0),
+        (1.0, 1.0, 0.0, 0.5),
         (a, b, omega_0, t),
         out,
         where,
@@ -204,10 +209,7 @@ def _frozen_angular_acceleration(a: Array, b: Array, omega_0: Array, t: Array) -
     return np.where(t4, t5, np.nan)
 
 
-def frozen_angular_acceleration(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
-        where: ArrayLike = True
-) -> Any:
+def frozen_angular_acceleration(a, b, omega_0, t, /, out=None, *, where=True):
     """Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity.
 
     (a - b omega_0**2)/y**2 with y = exp(b phi)
@@ -239,8 +241,15 @@ def frozen_angular_acceleration(
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.16) of the paper. Operations: 43 mul, 31 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 8
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
+
+    Examples
+    --------
+    >>> from generated.motion import frozen_angular_acceleration
+    >>> print(f"{frozen_angular_acceleration(1.0, 1.0, 0.0, 0.5):.6f}")
+    0.786448
     """
     return evaluate(
+        'frozen_angular_acceleration',
         _frozen_angular_acceleration,
         lambda eps, a, b, omega_0, t: (
             np.isfinite(a)
@@ -249,7 +258,7 @@ def frozen_angular_acceleration(
             & ((t >= 0.0)
             & np.isfinite(t))
         ),
-        (1.0, 1.0, 0.0, 0.0),
+        (1.0, 1.0, 0.0, 0.5),
         (a, b, omega_0, t),
         out,
         where,
@@ -264,9 +273,7 @@ def _frozen_arrest_time(a: Array, b: Array, omega_0: Array) -> Array:
     return -(np.where(t3, 1.0, np.arctan(t4) / t4) / a * omega_0)
 
 
-def frozen_arrest_time(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
+def frozen_arrest_time(a, b, omega_0, /, out=None, *, where=True):
     """Time at which a braked motion stops.
 
     t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)
@@ -294,8 +301,15 @@ def frozen_arrest_time(
     Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.20) of the paper. Operations: 3 mul, 4 div, 2 neg, 1 less, 2 select, 2 abs, 1 arctan, 2 sqrt.
+
+    Examples
+    --------
+    >>> from generated.motion import frozen_arrest_time
+    >>> print(f"{frozen_arrest_time(-1.0, 1.0, 0.5):.6f}")
+    0.463648
     """
     return evaluate(
+        'frozen_arrest_time',
         _frozen_arrest_time,
         lambda eps, a, b, omega_0: (
             ((a < 0.0)
@@ -305,7 +319,7 @@ def frozen_arrest_time(
             & ((omega_0 >= 0.0)
             & np.isfinite(omega_0))
         ),
-        (-1.0, 1.0, 0.0),
+        (-1.0, 1.0, 0.5),
         (a, b, omega_0),
         out,
         where,
@@ -319,9 +333,7 @@ def _frozen_arrest_rotation(a: Array, b: Array, omega_0: Array) -> Array:
     return -(0.5 * np.where(t2, 1.0, np.log1p(t3) / t3) / a * omega_0 * omega_0)
 
 
-def frozen_arrest_rotation(
-    a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
+def frozen_arrest_rotation(a, b, omega_0, /, out=None, *, where=True):
     """Rotation at which a braked motion stops.
 
     phi = ln(1 + b omega_0**2/(-a))/(2 b)
@@ -349,8 +361,15 @@ def frozen_arrest_rotation(
     Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (4.3) of the paper. Operations: 7 mul, 3 div, 2 neg, 1 less, 2 select, 1 abs, 1 log1p.
+
+    Examples
+    --------
+    >>> from generated.motion import frozen_arrest_rotation
+    >>> print(f"{frozen_arrest_rotation(-1.0, 1.0, 0.5):.6f}")
+    0.111572
     """
     return evaluate(
+        'frozen_arrest_rotation',
         _frozen_arrest_rotation,
         lambda eps, a, b, omega_0: (
             ((a < 0.0)
@@ -360,7 +379,7 @@ def frozen_arrest_rotation(
             & ((omega_0 >= 0.0)
             & np.isfinite(omega_0))
         ),
-        (-1.0, 1.0, 0.0),
+        (-1.0, 1.0, 0.5),
         (a, b, omega_0),
         out,
         where,

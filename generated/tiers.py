@@ -1,8 +1,9 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cbe69ca3616ecae57f74393a3668f812b3f65c7c83ae338171dbf4a6f5c2340e
+# sha256 of the text below: 26f6ffad9d56ea087ceeb0047e0a0896acf37110b4243e1deb0673c860de00c8
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "39f778b9d703d02ce61a3759c94f979d5984ef56c6b44f2be246ef8b9132e4e6"
+DIGEST = "da08385d9d438d4353e984471b741c1ffcd7d31da51348fe8bb4925fdf741782"
+LIMIT = 65536.0  # of an end of an arc, rad
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).
 # What is not here is sampled only.
@@ -57,5 +58,20 @@ BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {
     'weight_moment_per_radial_weight': {
         'best': {'fused': (2.1094237467877973e-16, 0.95), 'plain': (8.881784197001252e-16, 4.0),
             'numpy': (8.881784197001252e-16, 4.0)},
+    },
+    'radial_weight': {
+        'best': {'fused': (8.56e-16, None), 'plain': (1.6e-15, None), 'numpy': (1.6e-15, None)},
+        '1e-10': {'fused': (6.47e-11, None), 'plain': (6.47e-11, None)},
+        'float32': {'fused': (5.984306335449219e-08, 0.502), 'plain': (5.984306335449219e-08, 0.502)},
+        '1e-6': {'fused': (3.99e-07, None), 'plain': (3.99e-07, None)},
+    },
+    'weight_moment': {
+        'best': {'fused': (8.47e-16, None), 'plain': (1.53e-15, None)},
+        '1e-10': {'fused': (8.17e-12, None), 'plain': (8.17e-12, None)},
+        'float32': {'fused': (5.97238540649414e-08, 0.501), 'plain': (5.97238540649414e-08, 0.501)},
+        '1e-6': {'fused': (4.96e-07, None), 'plain': (4.96e-07, None)},
+    },
+    'limit_friction': {
+        'best': {'fused': (1.59e-15, None), 'plain': (2.27e-15, None), 'numpy': (2.27e-15, None)},
     },
 }

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
+    from slipcircle.workbench.studies.problem import Interval
     from slipcircle.workbench.studies.study import Study
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
@@ -48,6 +49,7 @@ _PLACES = {
     "Critical": "workbench.stability.search",
     "Dimensionless": "core",
     "Energy": "core",
+    "Interval": "workbench.studies.problem",
     "LayeredSection": "layers",
     "Motion": "core",
     "Plan": "core",
@@ -81,6 +83,7 @@ __all__ = [
     "Critical",
     "Dimensionless",
     "Energy",
+    "Interval",
     "LayeredSection",
     "Motion",
     "Plan",

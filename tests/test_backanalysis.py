@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.optimize import least_squares
+from scipy.optimize import least_squares, minimize_scalar
 
-from slipcircle import Scene, Unattainable, backanalyse, grid, load, solve
+from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, solve
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
 
 VAIONT = load("vaiont")
@@ -160,6 +160,49 @@ def test_what_scipy_integrates() -> None:
         assert s.motion.run_out == pytest.approx(400.0, rel=1e-9)
 
 
+def test_intervals_count_as_uniform_distributions() -> None:
+    """Vaiont as it was reported: against SciPy's minimum of chi-square with the moments of even samples."""
+    intervals: dict[str, Any] = {"run_out": Interval(300.0, 450.0), "peak_velocity": Interval(20.0, 30.0),
+                 "duration": Interval(0.0, 45.0)}  # fmt: skip
+    samples = {n: np.linspace(ends.low, ends.high, 100_001) for n, ends in intervals.items()}
+
+    def chi_square(degrees: float) -> float:
+        outcomes = solve(replace(VAIONT, friction=math.tan(math.radians(degrees)))).outcomes
+        return sum(((outcomes[n] - x.mean()) / x.std()) ** 2 for n, x in samples.items())
+
+    best = minimize_scalar(chi_square, bounds=(10.0, 18.0), method="bounded", options={"xatol": 1e-9})
+    found = backanalyse(VAIONT, **intervals)
+    assert found.value == pytest.approx(best.x, rel=1e-5)
+    assert found.solutions[0].chi_square == pytest.approx(best.fun, rel=1e-4)
+    step = 1e-2
+    curvature = (chi_square(best.x + step) - 2 * best.fun + chi_square(best.x - step)) / step**2
+    assert found.standard_error == pytest.approx(math.sqrt(2 / curvature), rel=0.05)  # linear, as the errors are
+    assert found.intervals == intervals
+
+
+REPORTED = {"run_out": (300.0, 450.0), "peak_velocity": (20.0, 30.0), "duration": (0.0, 45.0)}
+
+
+@pytest.mark.parametrize(
+    ("degrees", "missed", "slow", "climb"),
+    [(10.0, {"run_out"}, 348, 229), (13.6, set[str](), 249, 135), (14.0, set[str](), 238, 126)],
+)
+def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str], slow: int, climb: int) -> None:
+    """Which of the reported ranges it misses by more than a tenth."""
+    motion = solve(replace(VAIONT, friction=math.tan(math.radians(degrees))))
+    outside = {n for n, (low, high) in REPORTED.items() if not 0.9 * low <= motion.outcomes[n] <= 1.1 * high}
+    assert outside == missed
+    assert (round(motion.slow_run_out), round(motion.journey.rise)) == (slow, climb)
+
+
+def test_one_interval_is_met_in_its_middle() -> None:
+    found = backanalyse(VAIONT, run_out=Interval(350.0, 450.0))
+    assert found.motion.run_out == pytest.approx(400.0, rel=1e-9)
+    assert found.standard_error == pytest.approx(
+        backanalyse(VAIONT, run_out=(400.0, 100.0 / math.sqrt(12))).standard_error, rel=1e-12
+    )
+
+
 # --- mistakes and the command line ---------------------------------------------------------------------------------
 
 
@@ -176,6 +219,9 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
         ({}, "nothing observed"),
         ({"run_out": 0.0}, "other than 0"),
         ({"run_out": (400.0, 0.0)}, "standard error"),
+        ({"run_out": Interval(450.0, 300.0)}, r"run_out = Interval\(low=450.0, .* in m, the lower end first"),
+        ({"duration": Interval(-45.0, -20.0)}, r"duration = Interval\(low=-45.0.* positive number"),
+        ({"duration": "30 to 45 s"}, "duration = '30 to 45 s': must be"),
         ({"run_out": (400.0, 1.0), "duration": 30.0}, "for all observations, or for none"),
         ({"run_out": 400.0, "field": "nose"}, "nose: is no number of a scene"),
         ({"run_out": 400.0, "bounds": (1.0, 0.0)}, "the lower one first"),
@@ -223,3 +269,12 @@ def test_command(said: Any, records: Any, refused: Any) -> None:
     assert f" +- {errors['radius']:.2g}" in out
     assert "correlation of friction and radius" in out
     assert "(observed 400 +- 20)" in out
+
+
+def test_the_command_says_which_intervals_are_met(said: Any, records: Any) -> None:
+    argv = "backanalyse vaiont --run-out-m 300:450 --peak-velocity-m-s 20:30 --duration-s 0:45"
+    out = " ".join(said(argv).split())
+    for text in ("436.8 (inside 300 to 450)", "18.23 (outside 20 to 30)", "37.64 (inside 0 to 45)"):
+        assert text in out
+    (record,) = records(argv)
+    assert record["intervals"] == {"run_out": [300.0, 450.0], "peak_velocity": [20.0, 30.0], "duration": [0.0, 45.0]}

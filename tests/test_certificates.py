@@ -1,5 +1,6 @@
 """The checker of certificates: its exact functions, its analysis of rounding, what it proves and what it refuses."""
 
+import json
 import math
 import pickle
 import random
@@ -9,13 +10,14 @@ from itertools import pairwise
 from operator import add, mul, neg, sub, truediv
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from flint import arb, ctx
 
-from derive.approximate import certificates
+from derive.approximate import certificates, programs
 from derive.approximate.programs import Variant, variants
-from derive.check import certify, patches, records, rounding, truth
+from derive.check import certify, ends, losses, patches, records, rounding, truth
 from derive.check.proof import ProofError
 from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
@@ -310,3 +312,95 @@ def test_a_refusal_passes_between_processes() -> None:
     refusal = records.rejected("bound", RECORDS[0], 2.5, "at most 1")
     passed = pickle.loads(pickle.dumps(refusal))
     assert (type(passed), str(passed), passed.check) == (type(refusal), str(refusal), "bound")
+
+
+# --- both ends -----------------------------------------------------------------------------------------------------
+
+ENDS = read(both_ends=True)
+WAYS = ["cos psi", "-cos psi", "sin psi", "-sin psi", "tan psi"]
+
+
+def of_ends(kernel: str = "radial_weight", tier: str = "best", form: str = "plain") -> Record:
+    (found,) = [r for r in ENDS if (r["kernel"], r["tier"], r["form"]) == (kernel, tier, form)]
+    return deepcopy(found)
+
+
+@pytest.mark.parametrize("direction", WAYS)
+def test_directions_are_what_they_say(direction: str) -> None:
+    """Of either sign, all around and turned ten thousand times, by the operations that certificates list."""
+    listed = ends.operations(("r^1 cos u", direction), "best", "")
+    part = Program("one", ("alpha",), (Op("input", (), "alpha"), Op("const", (), 1.0)), (1,))
+    program = programs.inlined("direction", listed, part)
+    for middle in (*np.linspace(-9.1, 9, 61), -65000.3, 65000.3):
+        one, two = float(middle - 0.25), float(middle + 0.25)
+        with mpmath.workdps(40):
+            wanted = getattr(mpmath, direction.strip("-")[:3])((3 * mpmath.pi - mpmath.mpf(one) - mpmath.mpf(two)) / 2)
+        assert float(program.run(one, two)) == pytest.approx(
+            float(-wanted if direction[0] == "-" else wanted), rel=2e-15
+        )
+
+
+def test_both_ends_have_their_certificates_and_the_checker_proves_them() -> None:
+    wanted = {(v.kernel, v.tier, v.form) for v in programs.variants_of_ends()}
+    assert {(r["kernel"], r["tier"], r["form"]) for r in ENDS} == wanted
+    for record in ENDS:
+        assert 0.98 * record["bound"] <= losses.prove(record, RECORDS) <= record["bound"]
+
+
+@pytest.mark.parametrize("tier", ["1e-10", "1e-6"])
+def test_a_part_at_its_goal_serves_both_ends(tier: str) -> None:
+    """As one of a moment of one's own may be; the run must not stop for what the sine adds."""
+    part = find("radial_weight_amplitude", tier, "plain") | {"bound": records.TIERS[tier].other}
+    turned = losses.certificate("radial_weight", ("r^1 cos u", "cos psi"), tier, "plain", part)
+    assert turned["bound"] > part["bound"]
+    records.check_goals(turned)
+
+
+def test_what_the_reduction_loses_is_bounded_by_what_is_left() -> None:
+    """The nearest that n pi comes to a multiple of 2**-52, by another way: convergents would be as good."""
+    with mpmath.workdps(60):
+        for n in (2, 3, 355, 38025):
+            scaled = mpmath.pi * n * 2**52
+            left = float(abs(scaled - mpmath.nint(scaled)) / 2**52)
+            assert float(losses.distance(n, 52)) == pytest.approx(left, rel=1e-9)
+        assert abs(sum(map(mpmath.mpf, ends.PI)) - mpmath.pi) < mpmath.mpf(2) ** -164
+    assert losses.reduction_loss() < 2.0**-58
+
+
+def spoilt(record: Record, index: int, value: Any) -> Record:
+    record["operations"][index] = value
+    return sealed(record)
+
+
+ENDS_FAULTS: list[tuple[Callable[[Record], Record], str]] = [
+    (lambda r: spoilt(r, constants(r)[3], ["const", [], "0x1.0p+0"]), "program"),
+    (lambda r: spoilt(r, 2, ["add", [1, 0], None]), "program"),
+    (lambda r: sealed(r | {"definition": ["r^1 cos u", "sin psi"]}), "program"),
+    (lambda r: r | {"form": "fused"}, "program"),
+    (lambda r: r | {"bound": 0.97 * r["bound"]}, "bound"),
+    (lambda r: r | {"bound": 1e-14}, "goal"),
+    (lambda r: sealed(json.loads(json.dumps(r).replace(find("radial_weight_amplitude", form="plain")["sha256"], "0"))),
+     "part"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("fault", "check"), ENDS_FAULTS)
+def test_a_false_certificate_of_both_ends_is_refused(fault: Callable[[Record], Record], check: str) -> None:
+    with pytest.raises(ProofError) as refusal:
+        losses.prove(fault(of_ends()), RECORDS)
+    assert refusal.value.check == check
+
+
+@pytest.mark.parametrize(("where", "name", "wrong"), [
+    (ends, "COTANGENT", (1.0, -1 / 3, 1 / 45, -2 / 945, -1 / 4725)), (ends, "COTANGENT", (1.0, -1 / 3)),
+    (losses, "TERMS", {"best": 9}), (losses, "PASSES", 1), (losses, "PASSES", 2), (losses, "PI", ends.PI[:3]),
+    (losses, "PI", (*ends.PI[:3], 8.6718101301237e-35)), (losses, "LIMIT", 2.0**20),
+])  # fmt: skip
+def test_a_bug_in_the_operations_costs_the_bound(where: Any, name: str, wrong: Any, monkeypatch: Any) -> None:
+    """A sign in a series, one that is too short, too few passes, a part of pi, ends too far away."""
+    for bound in (losses.reduction_loss, losses.sinc_loss, losses.cotangent_loss, losses.slope_gap):
+        bound.cache_clear()
+        monkeypatch.setattr(losses, bound.__name__, bound.__wrapped__)
+    monkeypatch.setattr(where, name, wrong)
+    with pytest.raises((ProofError, ArithmeticError)):
+        losses.prove(of_ends(), RECORDS)

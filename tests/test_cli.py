@@ -242,6 +242,8 @@ def test_no_command_is_silent(terminal: bool, monkeypatch: pytest.MonkeyPatch, c
         ("backanalyse vaiont", 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
         ("backanalyse vaiont --duration-s -5", 1, "duration = -5.0: must be a positive number"),
         ("backanalyse vaiont --run-out-m abc", 2, "abc: must be a number, or one with its error"),
+        ("backanalyse vaiont --run-out-m 0.3:0.45km", 2, "--run-out-m: 0.3:0.45km: must be a number, or"),
+        ("backanalyse vaiont --run-out-m 450:300", 1, "run_out = Interval(low=450.0, high=300.0): must be a"),
         ("cost polar", 1, "scene 'polar' is unknown; known are layered-slope"),
         ("", 2, "required: COMMAND"),
         ("run", 2, "required: SCENE"),

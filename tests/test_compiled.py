@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from derive.approximate.programs import Variant, variants
+from derive.approximate.programs import Variant, variants, variants_of_ends
 from derive.code.text import seam
 from generated import _compiled, kernels, tiers
 from tests.support.kernels import COMPILED, FITTED, LEVELS, needs_binary
@@ -21,7 +21,9 @@ HALF_PI = np.pi / 2
 PROVED = [
     (name, tier, form) for name, tiers_of in tiers.BOUNDS.items() for tier, forms in tiers_of.items() for form in forms
 ]
-each_variant = pytest.mark.parametrize("key", [key for key in PROVED if key[2] != "numpy"], ids="-".join)
+COMPILED_KEYS = [key for key in PROVED if key[2] != "numpy"]
+each_variant = pytest.mark.parametrize("key", [key for key in COMPILED_KEYS if key[0] in FITTED], ids="-".join)
+of_both_ends = pytest.mark.parametrize("key", [key for key in COMPILED_KEYS if key[0] not in FITTED], ids="-".join)
 each_level = pytest.mark.parametrize("level", list(LEVELS))
 
 
@@ -31,7 +33,7 @@ each_level = pytest.mark.parametrize("level", list(LEVELS))
 @cache
 def fitted() -> dict[tuple[str, str, str], Variant]:
     """Every program by its kernel, tier and form."""
-    return {(v.kernel, v.tier, v.form): v for v in variants()}
+    return {(v.kernel, v.tier, v.form): v for v in (*variants(), *variants_of_ends())}
 
 
 @cache
@@ -72,6 +74,31 @@ def test_the_same_bits_as_exact_arithmetic(key: tuple[str, str, str]) -> None:
             np.testing.assert_array_equal(bits(loop(alpha)), bits(expected))
             np.testing.assert_array_equal(bits(loop(alpha[order])), bits(expected[order]))
             np.testing.assert_array_equal(bits(loop(around)), bits(at_seam))
+
+
+@needs_binary
+@of_both_ends
+def test_the_same_bits_of_both_ends(key: tuple[str, str, str]) -> None:
+    """At every level that runs the program, also with one end for all; NumPy's plain one too."""
+    variant = fitted()[key]
+    single = variant.tier == "float32"
+    kind = np.float32 if single else np.float64
+    rng = np.random.default_rng(20241124)
+    one = np.concatenate([rng.uniform(-7, 7, 3000), rng.uniform(-6e4, 6e4, 500), -(10 ** rng.uniform(-9, 0, 500))])
+    two = one + rng.uniform(0, 3.14, one.size)
+    two[3500:] = np.pi + one[3500:]
+    one, two = one.astype(kind), two.astype(kind)
+    with np.errstate(all="ignore"):
+        expected = variant.program.run(one.astype(float), two.astype(float)).astype(kind)
+        spread = variant.program.run(np.full(40, 4.0), np.linspace(4, 7, 40).astype(kind).astype(float)).astype(kind)
+    for form, loops in (LEVELS[x] for x in COMPILED):
+        if form == variant.form:
+            loop = loops["best" if single else variant.tier][variant.kernel]
+            np.testing.assert_array_equal(bits(loop(one, two)), bits(expected))
+            np.testing.assert_array_equal(bits(loop(kind(4.0), np.linspace(4, 7, 40).astype(kind))), bits(spread))
+    if variant.form == "plain" and (variant.kernel, variant.tier, "numpy") not in fitted():
+        text = kernels.TEXTS[variant.kernel][variant.tier]
+        np.testing.assert_array_equal(bits(text(one.astype(float), two.astype(float)).astype(kind)), bits(expected))
 
 
 # --- NumPy's manners -----------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,7 @@ from mpmath import mpf
 from scipy.integrate import solve_ivp
 
 from generated import walk as in_numpy
-from slipcircle import Arc, Scene, solve
+from slipcircle import Arc, Pulse, Scene, solve
 from slipcircle.__main__ import main
 from slipcircle.core import Status, numpy_only
 
@@ -30,6 +31,10 @@ def brake(damping: float) -> dict[str, float]:
     inertia = float(ARC.dimensionless.moment_of_inertia)
     viscosity = damping * inertia * (2e4 / 9.81) * 0.1 * SPEED_UNIT / (2 * 1.201)
     return {"viscosity": viscosity, "thickness": 0.1}
+
+
+def turning(friction: Any, arc: Any = ARC, effects: Any = (), **further: Any) -> Scene:
+    return Scene(arc, friction, {"rotation": {}, **dict(effects)}, **further)
 
 
 def scene(damping: float, friction: object = MU, **further: object) -> Scene:
@@ -146,3 +151,66 @@ def test_a_creep_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "infinite, 99 % of the run-out in" in text
     assert main(["run", str(tmp_path / "creep.toml"), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)[0]["duration"] is None
+
+
+# --- the slow run-out ----------------------------------------------------------------------------------------------
+
+
+def test_the_slow_run_out_is_where_ever_stronger_viscosity_lets_it_creep_to() -> None:
+    """Softening beyond its length, water, and a slope that faces left; the strongest brakes creep to the limit."""
+    law = {"law": "linear", "peak": 0.3, "residual": 0.2, "length": 0.5}
+    water = {"pore_pressure": {"ratio": 0.2}, "cohesion": {"cohesion": 2e3}}
+    mirrored = Arc(6.34, math.pi * 3 - ARC.theta_2, math.pi * 3 - ARC.theta_1, 2e4)
+    for arc, friction in product((ARC, mirrored), (MU, law)):
+        slow = solve(turning(friction, arc, water)).slow_run_out
+        viscous = [turning(friction, arc, water | {"viscosity": brake(d)}) for d in (0.3, 4.0, 64.0)]
+        crept = [solve(each).run_out for each in viscous]
+        assert slow == pytest.approx(crept[-1], rel=1e-13)
+        assert crept[0] > 1.05 * slow
+
+
+def test_the_slow_run_out_of_constant_friction_is_a_closed_form() -> None:
+    """R (psi_0 - delta), with tan(delta) = mu C_r/C_theta; a free mass without centripetal stress goes twice as far."""
+    closed = 6.34 * float(EQUILIBRIUM)
+    motion = solve(turning(MU))
+    assert motion.slow_run_out == pytest.approx(closed, rel=1e-14)
+    assert motion.run_out == pytest.approx(2 * closed, rel=1e-12)
+    assert solve(turning(np.array([MU, 3.0]))).slow_run_out == pytest.approx([closed, 0.0], rel=1e-14)
+    assert solve(turning(3.0, initial_velocity=5.0)).slow_run_out == 0.0
+
+
+def test_the_slow_run_out_ends_before_a_short_ridge_of_friction() -> None:
+    """Friction that holds the mass for a hundredth of a radian alone: it rests where it first does."""
+
+    def law(slip: Any) -> Any:
+        return 0.4 + 1.6 * np.exp(-(((slip - 0.02) / 0.008) ** 2))
+
+    slow = solve(turning(law)).slow_run_out
+    limit = float(FALL / PRESS) * math.tan(float(ARC.dip) - slow / 6.34)
+    assert slow < 0.02
+    assert law(slow) == pytest.approx(limit, rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("fields", "reason"),
+    [
+        ({"effects": {"rotation": {}, "shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 5.0)}}}, "time"),
+        ({"friction": {"law": "rate_weakening", "peak": 0.5, "residual": 0.4, "velocity": 0.1}}, "speed"),
+        ({"effects": {}, "end_time": 1.0}, "nothing holds it"),
+    ],
+)
+def test_no_slow_run_out_is_explained(fields: dict[str, Any], reason: str) -> None:
+    motion = solve(replace(turning(MU), **fields))
+    assert math.isnan(motion.slow_run_out)
+    assert reason in motion.no_slow_run_out
+
+
+def test_the_slow_run_out_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "vaiont"]) == 0
+    text = capsys.readouterr().out
+    assert "run-out if moved slowly                 348.2 m" in text
+    assert "moved slowly it would rest at 348.2 m; free, at 677.3 m" in " ".join(text.split())
+    assert main(["run", "vaiont-rate", "--verbose"]) == 0
+    assert "not given: forces depend on a friction law of speed" in capsys.readouterr().out
+    assert main(["run", "vaiont-rate", "vaiont", "--json"]) == 0
+    assert [m["slow_run_out"] for m in json.loads(capsys.readouterr().out)] == [None, pytest.approx(348.2332, rel=1e-6)]

@@ -23,7 +23,7 @@ from derive.check.records import TIERS, read
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta
-from derive.generate import emit_c, functions, write
+from derive.generate import emit_c, write
 
 # Quantity, check, the number found and the number wanted.
 SENTENCE = r"^{}: .*{}.*: found \S.*, wanted \S.*$"
@@ -54,24 +54,6 @@ def test_a_definition_that_is_not_the_checker_s(monkeypatch: pytest.MonkeyPatch)
         fires(lambda: shapes.agree(right), right.name, "the checker's definition")
     finally:
         truth.at_zero.cache_clear()
-
-
-@pytest.mark.parametrize(("part", "quantity"), [
-    ("turn", "radial_weight"), ("angle", "theta_m"), ("slope", "radial_weight"), ("limit", "limit_friction"),
-])  # fmt: skip
-def test_a_rounding_error_that_is_carried_wrong(part: str, quantity: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """By a factor, in the slope of a direction, of an amplitude, or in what the rounding of an angle takes."""
-    assert len(functions.prove_carried()) == 5
-    lost, right = functions._EPSILON, functions._carried
-    if part == "turn":
-        monkeypatch.setattr(functions, "_carried", lambda d: right(d).subs(lost, -lost))
-    elif part == "slope":
-        monkeypatch.setattr(functions, "_carried", lambda d: right(d).subs(functions._DELTA, functions._DELTA / 2))
-    elif part == "limit":
-        monkeypatch.setattr(functions, "_LIMIT", functions._LIMIT.subs(lost, 2 * lost))
-    else:
-        monkeypatch.setattr(functions, "_ENDS", functions._ENDS | {lost: functions._ENDS[lost] * 2})
-    fires(functions.prove_carried, quantity, "exact angles" if part != "angle" else "lost")
 
 
 @pytest.mark.parametrize("tier", TIERS)

@@ -196,6 +196,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "estimate": ("vaiont", {}, lambda motion: motion.error_estimate),
     "warnings": ("vaiont", {}, lambda motion: motion.warnings),
     "summary": ("vaiont", {}, repr),
+    "velocity": ("vaiont", {}, lambda motion: motion.velocity_class),
     "parameters": ("vaiont", {"friction": [0.1, 0.2]}, lambda motion: motion[0]),
     "sensitivity": ("vaiont", {}, lambda motion: motion.sensitivity()),
 }

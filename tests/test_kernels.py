@@ -7,6 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from flint import arb, ctx
 from numpy.typing import NDArray
 
 from derive.algebra.integrate import quadrature
@@ -17,7 +18,6 @@ from tests.support import oracle, vaiont
 from tests.support.kernels import SEAM, angles, errors
 
 Floats = NDArray[np.float64]
-BOUND = 16.0
 
 
 @cache
@@ -61,24 +61,52 @@ def test_accuracy() -> None:
     assert error <= proved, f"{name}({at!r}) is wrong by {error:.1f} ulp"
 
 
-@pytest.mark.parametrize("name", oracle.WHOLE)
-def test_weights(name: str) -> None:
-    """The error of the amplitude as NumPy computes it plus 2 ulp of the amplitude, for every arc; no warning."""
-    of_alpha, (first, second) = oracle.WHOLE[name], np.array(arcs()).T
-    halves = (second - first) / 2
-    with np.errstate(all="raise"):
-        values = getattr(kernels, name)(first, second)
-        amplitudes = _compiled.kernel(of_alpha, kernels.TEXTS[of_alpha], "numpy")(halves)
-    for value, amplitude, half, arc in zip(values.tolist(), amplitudes.tolist(), halves.tolist(), arcs(), strict=True):
-        error = oracle.ulps(value, *oracle.whole(name, *arc))
-        of_amplitude = oracle.ulps(amplitude, oracle.kernel(of_alpha, half))
-        assert error <= min(BOUND, of_amplitude) + 2, f"{name}{arc}: {error:.2f} ulp, amplitude {of_amplitude:.2f}"
+# Arcs turned ten thousand times, next to level and to the x axis by all of a double's places, and half discs that end
+# within 2**-60 of the x axis.
+FAR = [(x, x + size) for x in (-65530.0, 3.3e3, 65530.0) for size in (1e-9, 0.4, 3.0)]
+NEAR = [(float(m * np.pi / 2 - h + e), float(m * np.pi / 2 + h)) for m in range(-5, 7)
+        for h in (1e-5, 0.1, 0.5, 1.5) for e in (0.0, 2.2e-16, 1e-9)]  # fmt: skip
+DISCS = [(k * 2.0**-60, np.pi - k * 2.0**-60) for k in range(106, 500, 7)]
 
 
-def test_limit_friction() -> None:
-    """At most 16 ulp, for every arc that is one; for a bisector along the x axis it is infinite."""
-    solid = np.array([x for x in arcs() if x[1] > x[0] and abs(x[0] + x[1]) > 1e-290])
+ENDS = [*oracle.WHOLE, "limit_friction"]
+
+
+def of_ends(name: str, theta_1: float, theta_2: float) -> arb:
+    """J_r, J_theta or mu_eq, by quadrature of the raw definitions."""
+    if name in oracle.WHOLE:
+        return oracle.whole(name, theta_1, theta_2)[0]
+    return oracle.limit_friction(theta_1, theta_2)
+
+
+@pytest.mark.parametrize(("name", "tier"), [(name, tier) for name in ENDS for tier in BOUNDS[name]])
+def test_both_ends(name: str, tier: str) -> None:
+    """Within the proved bound at every level, for every arc, level ones and very thin ones too; no warning."""
+    kind = np.float32 if tier == "float32" else np.float64
+    ends = np.array([*arcs(), *FAR, *NEAR, *DISCS]).astype(kind)
+    first, second = ends.astype(float).T
+    solid = (second > first) & (second - first < 3.1416) & (abs(first + second) > 1e-290)
+    ends = ends[solid]  # on the x axis mu_eq is infinite
+    exact = [of_ends(name, *arc) for arc in ends.astype(float).tolist()]
+    for level, (form, _) in _compiled.LEVELS.items():
+        function = _compiled.kernel(name, kernels.TEXTS[name], level, both_ends=True)
+        forms = BOUNDS[name][tier]
+        bound, _ = forms.get(form, forms["plain"])
+        with np.errstate(all="raise"):
+            values = function(*ends.T, accuracy=None if tier == "best" else bound)
+        least = 2.0**-149 if tier == "float32" else 2.0**-1000
+        for value, of_arc, arc in zip(values.tolist(), exact, ends.tolist(), strict=True):
+            with ctx.workprec(300):
+                error = abs(oracle.exact(value) - of_arc)
+                assert error <= bound * abs(of_arc) + least, f"{name}, {level}, {tier}: of {arc} {value}"
+
+
+@pytest.mark.parametrize("level", _compiled.LEVELS)
+def test_on_the_x_axis_nothing_presses(level: str) -> None:
+    """J_r is 0 and the limit friction infinite; of no arc at all both moments are 0."""
+    radial, moment, limit = (_compiled.kernel(name, kernels.TEXTS[name], level, both_ends=True) for name in ENDS)
     with np.errstate(all="raise"):
-        values = kernels.limit_friction(*solid.T)
-    for value, arc in zip(values.tolist(), solid.tolist(), strict=True):
-        assert oracle.ulps(value, oracle.limit_friction(*arc)) <= BOUND, f"limit_friction{arc}"
+        assert radial(-1.0, 1.0) == 0.0
+        assert np.isinf(limit(-1.0, 1.0))
+        assert radial(4.0, 4.0) == moment(4.0, 4.0) == 0.0
+        assert limit(4.0, 4.0) == pytest.approx(1 / np.tan(4.0), rel=1e-15)

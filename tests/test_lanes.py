@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, Section, solve
+from slipcircle import load as load_scene
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.tables.interpolation import between_kinks
@@ -118,3 +119,16 @@ def test_tables_begin_where_the_motion_does() -> None:
         ends = (coefficients[:-1, :, 0, lane] * powers).sum(axis=1)
         np.testing.assert_allclose(ends, np.exp(breaks[1:, lane]), rtol=3e-13)
         assert np.abs(coefficients[:, 1, 0, lane]).max() < 3.0
+
+
+def test_lanes_of_circles_and_of_strengths_broadcast() -> None:
+    scene = load_scene("layered-slope")
+    radius = np.asarray(scene.numbers["radius"], float) * np.array([[1.0], [1.001]])
+    of_soils = {name: np.asarray(c, float) for name, c in scene.numbers.items() if name.endswith(".cohesion")}
+    shares = np.array([1.0, 1.1, 1.2])
+    many = solve(with_parameters(scene, {"radius": radius} | {name: c * shares for name, c in of_soils.items()}))
+    assert many.shape == (2, 3)
+    assert np.unique(many.run_out).size == 6
+    for i, j in np.ndindex(many.shape):
+        one = {"radius": radius[i, 0]} | {name: c * shares[j] for name, c in of_soils.items()}
+        assert many.run_out[i, j] == pytest.approx(solve(with_parameters(scene, one)).run_out, rel=1e-9)

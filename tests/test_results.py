@@ -16,7 +16,7 @@ from slipcircle import Arc, Motion, Scene, Status, Study, ensemble, kernels, loa
 from slipcircle.base.kinds import Array
 from slipcircle.base.text import digits_left, shown
 from slipcircle.core import ANSWERED
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, RESULTS, to_error
+from slipcircle.workbench.common.quantities import HISTORY, JOURNEY, OUTCOMES, RESULTS, SINGLE, to_error
 from slipcircle.workbench.studies.ensemble import grid
 
 VAIONT = load("vaiont")
@@ -144,7 +144,7 @@ def test_pickled_it_is_the_same(study: Study) -> None:
 def test_a_dictionary_has_every_result() -> None:
     motion, lanes = solve(VAIONT), many()
     found = motion.to_dict()
-    assert [*found] == [*(q.name for q in RESULTS), "status", "reason"]
+    assert [*found] == [*(q.name for q in (*RESULTS, *SINGLE, *JOURNEY)), "status", "reason"]
     assert (found["run_out"], found["peak_velocity"]) == (motion.run_out, motion.peak.velocity)
     assert (found["status"], found["reason"]) == ("RESTS", "")
     assert {np.shape(v) for v in lanes.to_dict().values()} == {(2, 3)}

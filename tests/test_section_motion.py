@@ -1,6 +1,7 @@
 """Motions of real sections: an arc's where the ground is its chord, energy, factors of safety, from file to picture."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -39,8 +40,6 @@ def test_what_is_not_solved_is_told() -> None:
     deep = Section([[-10, 10], [0, 0], [10, 10]], [0.2, 2.0], 4.0, 20e3)
     with pytest.raises(ValueError, match="half a circle"):
         Scene(deep, 0.3)
-    with pytest.raises(AttributeError, match="needs a Section"):
-        solve(Scene(Arc(60.0, 4.0, 5.0, 2e4), 0.9)).journey  # noqa: B018
 
 
 def test_a_travel_angle_is_that_of_the_centroids_way() -> None:
@@ -50,6 +49,57 @@ def test_a_travel_angle_is_that_of_the_centroids_way() -> None:
         way = section.placed(section.centroid, rotation) - section.centroid
         assert section.journey(rotation).travel_angle == pytest.approx(math.atan2(-way[1], -way[0]), rel=1e-12)
     assert section.journey(0.0).travel_angle == pytest.approx(section.journey(1e-9).travel_angle, rel=1e-8)
+
+
+@pytest.mark.parametrize(("degrees", "up", "across"), [(10.0, 229.0, 631.0), (13.6, 135.0, 464.0), (15.4, 97.0, 377.0)])
+def test_the_toe_of_vaiont_climbs_the_opposite_bank(degrees: float, up: float, across: float) -> None:
+    """The lower end of the arc, theta_2, turned about the centre by the run-out over R."""
+    motion = solve(replace(load("vaiont"), friction=math.tan(math.radians(degrees))))
+    ends = (math.radians(276.9), math.radians(276.9) + motion.run_out / 1492.6)
+    x, y = ([1492.6 * of(end) for end in ends] for of in (math.cos, math.sin))
+    assert motion.journey.rise == pytest.approx(y[1] - y[0], rel=1e-12)
+    assert motion.journey.run_out == pytest.approx(x[1] - x[0], rel=1e-12)
+    assert (motion.journey.rise, motion.journey.run_out) == pytest.approx((up, across), abs=0.5)
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_an_arc_travels_like_the_section_under_its_chord(mirrored: bool) -> None:
+    """The section's centroid is that of a polygon and a segment; both ways a slope may face, forth and back."""
+    ends = 3.7, 5.1
+    if mirrored:
+        ends = 3 * math.pi - ends[1], 3 * math.pi - ends[0]
+    arc = Arc(50.0, *ends, 2e4)
+    chord = sorted([50.0 * math.cos(end), 50.0 * math.sin(end)] for end in ends)
+    (left, low), (right, high) = chord
+    slope = (high - low) / (right - left)
+    ground = [[left - 100.0, low - 100.0 * slope], [right + 100.0, high + 100.0 * slope]]
+    section = Section(ground, [0.0, 0.0], 50.0, 2e4)
+    for rotation in (-0.2, 0.0, 0.3):
+        for one, other in zip(arc.journey(rotation), section.journey(rotation), strict=True):
+            assert one == pytest.approx(other, rel=1e-10, abs=1e-11)
+    lanes = Arc(50.0, np.array([ends[0]] * 2), ends[1], 2e4).journey(np.array([0.3, 0.1]))
+    assert lanes.rise[1] == pytest.approx(arc.journey(0.1).rise, rel=1e-14)
+
+
+def test_velocity_classes_of_a_mass_that_slows_down_evenly() -> None:
+    """Frozen, with constant friction: v = v_0 - a t, so that the time in a class is its range of speeds over a."""
+    scene = Scene(Arc(50.0, 3.7, 5.1, 2e4), 1.5, initial_velocity=8.0)
+    motion = solve(scene)
+    rate = 8.0 / motion.duration
+    limits = [0.0, 16e-3 / 31556952, 1.6 / 31556952, 13.0 / 2629746, 1.8 / 3600, 3.0 / 60, 5.0, 8.0]
+    assert [*motion.velocity_times][3:] == pytest.approx(np.diff(limits)[3:] / rate, rel=2e-2)  # limits are rounded
+    assert motion.velocity_times.extremely_rapid == pytest.approx(3.0 / rate, rel=1e-12)
+    assert motion.velocity_times.rapid == pytest.approx((0.05 - 5e-4) / rate, rel=1e-11)
+    assert sum(motion.velocity_times) == pytest.approx(motion.duration, rel=1e-12)
+    for velocity, name in ((4.9, "very rapid"), (0.04, "rapid"), (4e-4, "moderate"), (4e-9, "very slow"), (0.0, "")):
+        assert solve(replace(scene, initial_velocity=velocity)).velocity_class == name
+
+
+def test_velocity_times_of_swings_leave_out_standstills() -> None:
+    """Against the share of fine even samples; phases of both directions count."""
+    motion = solve(load("vaiont-shaken"))
+    speeds = np.abs(motion.at(np.linspace(0.0, motion.duration, 200_001)).velocity)
+    assert motion.velocity_times.extremely_rapid == pytest.approx(np.mean(speeds > 5.0) * motion.duration, abs=1e-3)
 
 
 def test_the_motion_of_a_file_slides_along_the_circle_of_its_search(records: Any) -> None:

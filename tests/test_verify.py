@@ -304,6 +304,8 @@ def test_pages_name_every_claim_and_verdict() -> None:
     assert all(any(line.startswith(f"{x.id}: ") and x.printed in line for line in lines) for x in rows())
     assert all(f"{claim.id}: " in " ".join(text.splitlines()) for claim in CLAIMS)
     assert f"{len(CLAIMS)} claims: " in text
+    readme = (Path(__file__).parents[1] / "README.md").read_text("utf-8")
+    assert lines[-1] in readme.splitlines()
     assert all(verdict in text for verdict in VERDICTS)
     tables = [re.findall(r"^\| .*", part, re.MULTILINE) for part in report("markdown").split("## All claims")]
     assert [len(lines) - 2 for lines in tables] == [len(FAILING), len(CLAIMS)]

@@ -53,12 +53,6 @@ class Exp(Function):
     """exp, which SymPy does not turn into a power."""
 
 
-class RoundingError(Function):
-    """The rounding error of x + y (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
-
-    nargs = 2
-
-
 class Primitive(Function):
     """A function with a definition and a separate way to compute it."""
 
@@ -72,13 +66,12 @@ class Primitive(Function):
 
 
 def unfold(expression: Expr) -> Expr:
-    """Replace every primitive by its definition, Horner's schemes by polynomials, and rounding errors by zero."""
+    """Replace every primitive by its definition, and Horner's schemes by polynomials."""
 
     def polynomial(x: Expr, *coefficients: Expr) -> Expr:
         return Add(*(c * x**n for n, c in enumerate(coefficients)))
 
     expression = expression.replace(Horner, polynomial)
-    expression = expression.replace(RoundingError, lambda x, y: Integer(0))
     expression = expression.replace(log1p, lambda x: log(1 + x))
     expression = expression.replace(expm1, lambda x: exp(x) - 1)
     return expression.replace(lambda e: isinstance(e, Primitive), lambda e: unfold(e.definition()))

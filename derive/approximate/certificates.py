@@ -12,8 +12,8 @@ from operator import itemgetter
 import numpy as np
 from flint import arb, ctx
 
-from derive.approximate.programs import Variant
-from derive.check import certify, truth
+from derive.approximate.programs import Variant, variants_of_ends
+from derive.check import certify, losses, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code.operations import Floats
 from derive.progress import track
@@ -69,6 +69,7 @@ README = [
     "Tier best: in ulp of the exact value, float32: in ulp of float32, 1e-10 and 1e-6: relative.",
     "bound_to_quarter_pi: up to pi/4 only. Both from alpha = 2**-320 on; bound_underflow: below, in ulp but at least",
     "2**-1074 (1e-10 and 1e-6: in units of bound times exact plus 2**-1074); 0 where nothing underflows.",
+    "Of both ends, within 65536 rad: relative, best too, and 2**-1000 more; a call is of the part with that digest.",
     "The witness is the worst input that a search from the worst boxes found, not a proof. Constants are hexadecimal.",
 ]
 
@@ -131,6 +132,21 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
             for record in track(certificates, "kernels certified", len(new)):
                 proved[record["sha256"]] = record
     return [proved[digest] for digest in by_digest]
+
+
+def of_ends(proved: Iterable[Record]) -> list[Record]:
+    """The records of the functions of both ends, from those of their functions of alpha."""
+    parts = {record["sha256"]: record for record in proved}
+    certified = []
+    for v in variants_of_ends():
+        assert v.part
+        part = plain(v.part)
+        of_part = parts[part["sha256"]]
+        record = losses.certificate(v.kernel, v.definition, v.tier, v.form, of_part)
+        record["bound"] = round_up(record["bound"])
+        check_goals(record)
+        certified.append(record)
+    return certified
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:

@@ -6,17 +6,20 @@ correction(b), the line without rounding, so that the small correction needs no 
 every x, and one chosen.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
 from sympy import Expr
 
+from derive.algebra.integrate import derive
 from derive.approximate import shapes
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
+from derive.check import ends
 from derive.code.program import Builder, Program, Value, without_dead
+from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,7 @@ class Variant:
     tier: str
     form: str
     program: Program
+    part: "Variant | None" = None  # of a function of both ends its function of alpha
 
 
 class Pair(NamedTuple):
@@ -314,4 +318,59 @@ def variants() -> tuple[Variant, ...]:
     every: list[Variant] = []
     for kernel in shapes.kernels():
         every += of(kernel, shapes.records()[kernel.definition])
+    return tuple(every)
+
+
+# --- both ends -------------------------------------------------------------------------------------------------------
+
+ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
+
+
+def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    """The moments that turn with the bisector, and the limit friction: name, kernel and what certificates call it."""
+    for moment in MOMENTS:
+        if not moment.amplitude:
+            continue
+        kernel, _ = moment.kernel
+        direction = str(derive(moment).direction)
+        words = direction.replace("(", " ").rstrip(")")
+        yield moment.name, kernel, (*moment.definition, words)
+    ratio = next(kernel for kernel in shapes.kernels() if kernel.name == LIMIT_FRICTION)
+    yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
+
+
+def inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Program:
+    """The program of operations that call this part."""
+    code = Builder()
+    values: list[Value] = []
+    for kind, args, value in operations:
+        operands = [values[k] for k in args]
+        if kind == "call":
+            values += code.inline(part, {"alpha": operands[0]})
+        elif kind == "const":
+            values.append(code.value(float.fromhex(value)))
+        elif kind == "integer":
+            (x,) = operands
+            values.append(x + ROUND - ROUND)
+        else:
+            values.append(code.put(kind, *operands, value=value))
+    result = values[-1]
+    inputs = ("theta_1", "theta_2")
+    whole = Program(name, inputs, tuple(code.ops), (result.place,))
+    return without_dead(whole)
+
+
+@cache
+def variants_of_ends() -> tuple[Variant, ...]:
+    """Every function of both ends in every tier that has a sine; float32 runs what is nearest above it."""
+    every = []
+    for name, kernel, definition in functions_of_ends():
+        for part in variants():
+            if part.kernel != kernel or part.tier not in ends.TERMS:
+                continue
+            listed = ends.operations(definition, part.tier, "")
+            program = inlined(name, listed, part.program)
+            every.append(Variant(name, definition, part.tier, part.form, program, part))
+            if part.tier == "1e-10":
+                every.append(replace(every[-1], tier="float32"))
     return tuple(every)

@@ -20,10 +20,10 @@ from typing import NamedTuple
 
 from flint import arb
 
-from derive.check import rounding, truth
+from derive.check import losses, rounding, truth
 from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
-from derive.check.records import TIERS, Record, assumptions, check_goals, digest, read, rejected
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected, unit
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import BITS, TOP, working
 
@@ -219,17 +219,21 @@ def checked(record: Record) -> tuple[str, bool]:
     tier = record["tier"]
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"
     try:
-        proved = prove(record)
+        if of_both_ends(record):
+            proved = losses.prove(record, read())
+        else:
+            proved = prove(record)
     except ProofError as refusal:
         return f"{name} REJECTED: {refusal}", False
     seconds = time.perf_counter() - start
-    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-    return f"{name} {numbers}  {TIERS[tier].unit:<14} {seconds:>7.2f}", True
+    near = record.get("bound_to_quarter_pi", math.nan)
+    numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {near:>9.3g}"
+    return f"{name} {numbers}  {unit(record):<14} {seconds:>7.2f}", True
 
 
 def prove_all() -> bool:
     """Prove every certificate and print a table; true if none is rejected."""
-    records = read()
+    records = read() + read(both_ends=True)
     start = time.perf_counter()
     accepted = bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")

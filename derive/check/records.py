@@ -11,6 +11,7 @@ from derive.check.proof import ProofError
 Record = dict[str, Any]
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
+ENDS = 3e-15  # relative error of a function of both ends in its best tier
 LOG_ULPS = 4  # what np.log is assumed to keep
 
 
@@ -26,6 +27,10 @@ class Tier:
 
     def goal(self, record: Record) -> float:
         """The largest bound that a certificate may have."""
+        if of_both_ends(record) and self.bits == 53:
+            return ENDS
+        if of_both_ends(record) and not self.bits:
+            return 2 * self.other  # the part may take all that its own goal allows
         if record["form"] != "fused":
             return self.other
         if len(record["definition"]) > 1:
@@ -66,9 +71,21 @@ def assumptions(record: Record) -> list[str]:
     return [f"np.log within {LOG_ULPS} ulp"] * called
 
 
-def read(folder: Path = FOLDER) -> list[Record]:
-    """The records of all certificate files."""
+def of_both_ends(record: Record) -> bool:
+    """Whether it is of a function of both ends of an arc, such as C(alpha) cos(psi)."""
+    return str(record["definition"][-1]).endswith("psi")
+
+
+def unit(record: Record) -> str:
+    """The unit of its bound: of both ends, that of the best tier is relative, too."""
+    tier = TIERS[record["tier"]]
+    is_relative = of_both_ends(record) and tier.bits == 53
+    return "relative" if is_relative else tier.unit
+
+
+def read(folder: Path = FOLDER, both_ends: bool = False) -> list[Record]:
+    """The records of all certificate files, of functions of alpha or of both ends."""
     records: list[Record] = []
     for path in sorted(folder.glob("*.json")):
         records += json.loads(path.read_text("utf-8"))["certificates"]
-    return records
+    return [record for record in records if of_both_ends(record) == both_ends]

@@ -47,11 +47,17 @@ def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
     power = int(match[1])
     turned = bool(match[2])
     order = power if turned else power + 1
+    term = folded(order, a, s, c, h)
+    return (s - c * term if turned else a - term) * fmpq(2, power + 1)
+
+
+def folded(order: int, a: Any, s: Any, c: Any, h: Any) -> Any:
+    """T_order, as `exactly` takes its arguments."""
     depth, term = (1, c * h) if order % 2 else (0, a)
     while depth < order:
         depth += 2
         term = (s * c + (depth - 2) * c * c * term) / (depth - 1)
-    return (s - c * term if turned else a - term) * fmpq(2, power + 1)
+    return term
 
 
 @contextmanager

@@ -6,6 +6,7 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -25,10 +26,10 @@ class Function:
     parameters: tuple[tuple[str, str], ...]
     returns: str
     domain: str  # in words
-    inside: str  # in Python, over the arguments and `eps` of their type
-    safe: tuple[float, ...]  # a point inside, which replaces arguments outside
     accuracy: str
-    tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
+    inside: str = ""  # in Python, over the arguments and `eps` of their type; without tiers
+    safe: tuple[float, ...] = ()  # a point inside, of the example, which replaces arguments outside
+    tiers: Mapping[str, Program] = field(default_factory=dict)  # what NumPy runs at each tier of what is certified
 
 
 PYTHON = Language(
@@ -53,6 +54,7 @@ class PythonText:
 
     def __init__(self) -> None:
         self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
+        self.reader.scope["lost"] = partial(self.reader.builder.put, "lost")
         self.parts: list[Part] = []
 
     def body(self, program: Program, name: str = "", space: str = "np") -> str:
@@ -97,6 +99,7 @@ def numpydoc(
     parameters: Iterable[tuple[str, str, str]],
     returns: tuple[str, str],
     *notes: str,
+    examples: Sequence[str] = (),
     width: int = 112,
 ) -> str:
     """The docstring of a function; parameters are named, typed and described."""
@@ -118,12 +121,22 @@ def numpydoc(
         "Notes",
         "-----",
         *notes,
-        '"""',
     ]
+    if examples:
+        lines += ["", "Examples", "--------", *examples]
+    lines.append('"""')
     return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
 
 
-def function(f: Function, text: PythonText) -> str:
+def _example(f: Function, place: str) -> tuple[str, ...]:
+    """A call and what it prints: so few digits are the same on every processor."""
+    p = f.program
+    value = p.run(*f.safe)
+    given = ", ".join(map(str, f.safe))
+    return (f">>> from {place} import {p.name}", f'>>> print(f"{{{p.name}({given}):.6f}}")', f"{float(value):.6f}")
+
+
+def function(f: Function, text: PythonText, place: str) -> str:
     """A public function: signature, numpydoc docstring, and the call of its body."""
     p = f.program
     parameters = [(name, "array_like", words) for name, words in f.parameters]
@@ -139,32 +152,39 @@ def function(f: Function, text: PythonText) -> str:
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
+        examples=_example(f, place),
     )
     if f.tiers:
         return _tiered(f, text, doc)
     names = ", ".join(p.inputs)
-    typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
     args = f"{names}," if len(p.inputs) == 1 else names
     inside = f.inside.replace(") & ", ")\n            & ")
     return (
         f"{text.body(p)}\n\n"
-        f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
-        f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
+        f"def {p.name}({names}, /, out=None, *, where=True):\n{doc}"
+        f"    return evaluate(\n        {p.name!r},\n        _{p.name},\n"
+        f"        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
     )
 
 
 def _tiered(f: Function, text: PythonText, doc: str) -> str:
-    """A kernel of alpha: the text of each tier, and a function that leaves the choice to `_compiled`."""
+    """A certified function: the text of each tier, and a function that leaves the choice to `_compiled`."""
     name = f.program.name
+    inputs = f.program.inputs
+    space = "xp"
+    more = ""
+    if len(inputs) > 1:
+        space = "np"
+        more = ", both_ends=True"
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
-    texts = "".join(f"{text.body(of, bodies[tier], 'xp')}\n\n" for tier, of in f.tiers.items())
+    texts = "".join(f"{text.body(of, bodies[tier], space)}\n\n" for tier, of in f.tiers.items())
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
+    names = ", ".join(inputs)
     return (
-        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
-        f"def {name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
-        f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
-        f"    return _call_{name}(alpha, out, where, accuracy)\n"
+        f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"]{more})\n\n\n'
+        f"def {name}({names}, /, out=None, *, where=True, accuracy=None):\n{doc}"
+        f"    return _call_{name}({names}, out, where, accuracy)\n"
     )
 
 
@@ -179,12 +199,31 @@ def _fill(line: str, width: int = 112) -> str:
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(docstring: str, functions: Sequence[Function]) -> str:
-    """A module of public functions."""
+def module(docstring: str, functions: Sequence[Function], place: str = "generated") -> str:
+    """A module of public functions, which are imported from ``place``."""
     text = PythonText()
     tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    code = "".join(f"\n\n{function(f, text)}" for f in functions)
+    code = "".join(f"\n\n{function(f, text, place)}" for f in functions)
     return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
+
+
+def stub(functions: Sequence[Function]) -> str:
+    """The types of a module's functions, apart: with them `help` has no line for a signature."""
+    tables = ""
+    code = ""
+    for f in functions:
+        typed = ", ".join(f"{x}: ArrayLike" for x in f.program.inputs)
+        last = ""
+        if f.tiers:
+            tables = "TEXTS: dict[str, dict[str, Text]]\n"
+            last = "    accuracy: float | None = None,\n"
+        code += (
+            f"\ndef {f.program.name}(\n    {typed},\n    /,\n    out: Out = None,\n    *,\n"
+            f"    where: ArrayLike = True,\n{last}) -> Any: ...\n"
+        )
+    code = f"__all__: list[str]\n{tables}{code}"
+    imports = _imports(code).replace("import numpy as np\n", "")
+    return f"{imports}\n\n{code}"
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
@@ -213,15 +252,15 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 
 # Imports of generated modules, in this order.
 _IMPORTS = (
-    "from __future__ import annotations",  # help() then shows ArrayLike, and not what it stands for
+    "from __future__ import annotations",
     "",
     "from typing import Any",
     "",
     "import numpy as np",
-    "from numpy.typing import ArrayLike, NDArray",
+    "from numpy.typing import ArrayLike",
     "",
     "from generated._compiled import Text, kernel",
-    "from generated._evaluate import Array, evaluate, horner",
+    "from generated._evaluate import Array, Out, evaluate, horner, lost",
 )
 
 

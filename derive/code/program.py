@@ -16,8 +16,8 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_sort_key, nan
 
-from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select
-from derive.code.operations import OPERATIONS, two_sum
+from derive.algebra.remainders import Exp, Horner, Primitive, Select
+from derive.code.operations import OPERATIONS
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | {Exp: "exp"}
@@ -146,8 +146,6 @@ class _Lowering(Builder):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e is nan or (e.is_number and not e.has(Function)):
             return self.const(e)
-        if isinstance(e, RoundingError):
-            return self.value(two_sum(*map(self.add, e.args))[1])
         if isinstance(e, Primitive):
             return self.add(e.lower())
         if isinstance(e, Horner):
@@ -241,22 +239,15 @@ class _Lowering(Builder):
         return result
 
 
-def program(
-    name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr | Program] | None = None
-) -> Program:
+def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr] | None = None) -> Program:
     """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
 
     Stable primitives are lowered as they are met; equal subexpressions are computed once. ``let`` gives intermediate
-    values by symbol, in order, as expressions or as programs of what is known by then; one may replace an input of the
-    same name from there on.
+    values by symbol, in order; one may replace an input of the same name from there on.
     """
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
-        if isinstance(value, Program):
-            known = {e.name: v for e, v in low.done.items() if e.is_Symbol}
-            (result,) = low.inline(value, known)
-        else:
-            result = low.add(value)
+        result = low.add(value)
         low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
         low.done[symbol] = result
     results = tuple(low.add(e).place for e in outputs)

@@ -108,6 +108,8 @@ QUOTIENTS = (
              "radial_weight_amplitude", "limit friction over tan(psi)"),
 )  # fmt: skip
 
+LIMIT_FRICTION = QUOTIENTS[-1].name  # over tan(psi)
+
 # Closed forms as the paper prints them.
 PRINTED = {
     "polar_moment": "(2*alpha - sin(2*alpha)/2 - log(Abs(tan(pi/4 + alpha/2)))*cos(alpha)**3)/3",

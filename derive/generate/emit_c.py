@@ -11,6 +11,7 @@ import numpy as np
 
 from derive.approximate.programs import Code, Variant, logarithm
 from derive.approximate.search import DIVISION
+from derive.check.ends import LIMIT
 from derive.code import emit
 from derive.code.emit import identifier
 from derive.code.operations import OPERATIONS
@@ -64,12 +65,12 @@ class CText:
     def body(self, name: str, program: Program, parts: Sequence[Part] = ()) -> str:
         """The inline function of one program."""
         lines, (result,) = statements(program, C, [*parts, *self.parts])
-        (argument,) = program.inputs
         code = textwrap.indent("\n".join([*lines, f"return {result};", ""]), "    ")
         python = re.sub(r"const double (\w+ = )", r"\1", code).replace(";\n", "\n")
         python = re.sub(r"-?0x[0-9a-f.]+p[-+]\d+", r"hexadecimal('\g<0>')", python)
-        self.reader.check(program, name, f"def {name}({argument}):\n{python}")
-        return f"INLINE double {name}(double {argument})\n{{\n{code}}}\n"
+        self.reader.check(program, name, f"def {name}({', '.join(program.inputs)}):\n{python}")
+        arguments = ", ".join(f"double {x}" for x in program.inputs)
+        return f"INLINE double {name}({arguments})\n{{\n{code}}}\n"
 
     def functions(self, name: str, program: Program) -> str:
         """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
@@ -108,13 +109,14 @@ def pattern(limit: float, number: str, included: bool = True) -> str:
 
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
     """The extension module of these variants: their fused and plain programs, each under its comment."""
-    programs = {(v.kernel, v.tier, v.form): v.program for v in variants if v.form != "numpy"}
-    bodies = {form: _bodies(form, programs, words or {}) for form in FORMS}
-    loops, table = _loops_and_table(_tiers(programs))
+    written = [v for v in variants if v.form != "numpy"]
+    bodies = {form: _bodies(form, [v for v in written if v.form == form], words or {}) for form in FORMS}
+    loops, table = _loops_and_table(written)
     polynomials = (f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST))
     marks = {
         "PROCESSOR": emit.PROCESSOR,
         "HALF_PI": HALF_PI.hex(),
+        "LIMIT": repr(LIMIT),
         "END_double": END["double"].hex(),
         "END_float": END["float"].hex(),
         "LAST_double": pattern(HALF_PI, "double"),
@@ -127,44 +129,42 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
     return emit.filled("_kernels.c", marks)
 
 
-def _loops_and_table(tiers: Sequence[tuple[str, str]]) -> tuple[list[str], list[str]]:
+def _loops_and_table(variants: Sequence[Variant]) -> tuple[list[str], list[str]]:
     """A loop for each tier in double and one in float for each kernel, and the table of ufuncs that names them."""
+    tiers = {(v.kernel, v.tier): v for v in variants}
     double_loops = []
     float_loops = []
     rows = []
-    for kernel, tier in tiers:
+    for (kernel, tier), variant in tiers.items():
         if tier == "float32":
             continue
+        loop = "LOOP_ENDS" if variant.part else "LOOP"
         name = identifier(kernel, tier)
-        double_loops.append(f"LOOP(double, {name}, FORM, LEVEL)")
+        double_loops.append(f"{loop}(double, {name}, FORM, LEVEL)")
         of_float = "NULL"
         if tier == "best":
             single = identifier(kernel, "float32") if (kernel, "float32") in tiers else name
-            float_loops.append(f"LOOP(float, {single}, FORM, LEVEL)")
+            float_loops.append(f"{loop}(float, {single}, FORM, LEVEL)")
             of_float = f"(void *){single}_##LEVEL##_float"
         of_double = f"(void *){name}_##LEVEL##_double"
-        rows.append(f'{{"{kernel}", "{tier}", {{{of_float}, {of_double}}}}},')
-    table = ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, {NULL, NULL}}};"]
+        inputs = len(variant.program.inputs)
+        rows.append(f'{{"{kernel}", "{tier}", {inputs}, {{{of_float}, {of_double}}}}},')
+    table = ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, 0, {NULL, NULL}}};"]
     return double_loops + float_loops, table
 
 
-Programs = Mapping[tuple[str, str, str], Program]  # by kernel, tier and form
-
-
-def _tiers(programs: Programs) -> list[tuple[str, str]]:
-    """The kernels and tiers, in their order."""
-    return list(dict.fromkeys((kernel, tier) for kernel, tier, _ in programs))
-
-
-def _bodies(form: str, programs: Programs, words: Mapping[tuple[str, str, str], str]) -> str:
+def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str]) -> str:
     """The inline functions of one form, each under its comment."""
     c = CText(form)
     text = f"#undef FMA\n#define FMA(a, b, c) {FORMS[form]}\n\n{c.text}"
-    for kernel, tier in _tiers(programs):
-        key = (kernel, tier, form)
-        name = f"{identifier(kernel, tier)}_{form}"
-        comment = _comment(words.get(key, ""))
-        text += f"\n{comment}{c.functions(name, programs[key])}"
+    for v in variants:
+        name = f"{identifier(v.kernel, v.tier)}_{form}"
+        comment = _comment(words.get((v.kernel, v.tier, form), ""))
+        if v.part:
+            part = Part(f"{identifier(v.part.kernel, v.part.tier)}_{form}", v.part.program)
+            text += f"\n{comment}{c.body(name, v.program, [part])}"
+        else:
+            text += f"\n{comment}{c.functions(name, v.program)}"
     return text
 
 

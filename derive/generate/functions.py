@@ -3,28 +3,25 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
-from sympy import Expr, Integer, Min, N, Rational, atanh, cos, diff, pi, sin
+from sympy import Expr, Min, Rational, atanh, cos, pi, sin
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
-from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
-from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import prove_equal, stable
-from derive.approximate.programs import variants
-from derive.check.records import Record
+from derive.algebra.integrate import closed_forms, derive
+from derive.algebra.rules import stable
+from derive.approximate.programs import Variant, functions_of_ends, variants, variants_of_ends
+from derive.check.ends import LIMIT
+from derive.check.records import Record, of_both_ends, unit
 from derive.code.emit import Function
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
-from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
+from derive.declare.symbols import alpha
 
-HALF_PI = repr(float(N(pi / 2, 40)))
 PAPER = "the paper"
 ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
 # alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
-_ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: Min(alpha, pi / 2)}
 
@@ -40,7 +37,7 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # Programs of the fitted tiers, or of the stable form where nothing is fitted.
         symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
-        tiers = _tiers(name)
+        tiers = _tiers(name, variants())
         every.append(
             Function(
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
@@ -50,22 +47,12 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
                 (_ALPHA,),
                 f"{symbol}.",
                 _ALPHA_DOMAIN,
-                _ALPHA_INSIDE,
-                (0.0,),
-                _accuracy(name, [r for r in proved if r["kernel"] == name]),
-                tiers,
+                _accuracy(name, proved),
+                safe=(0.5,),
+                tiers=tiers,
             )
         )
-    friction = _of_ends(
-        "limit_friction",
-        _LIMIT,
-        "weight_moment_per_radial_weight",
-        "mu_eq: friction coefficient at limit equilibrium.",
-        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-        f"eq. (3.21) of {PAPER}",
-        ACCURACY,
-    )
-    return [*every, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
+    return [*every, *_of_ends(proved)]
 
 
 def _source(x: Moment | Elementary | Quotient) -> str:
@@ -75,29 +62,32 @@ def _source(x: Moment | Elementary | Quotient) -> str:
     return f"eq. ({x.equation}) of {PAPER}"
 
 
-def _tiers(name: str) -> dict[str, Program]:
+def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
     """What NumPy runs at each tier of a fitted kernel."""
-    return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
+    return {v.tier: v.program for form in ("plain", "numpy") for v in among if (v.kernel, v.form) == (name, form)}
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """The proved bounds of a kernel, in words."""
-    if not proved:
+    mine = [r for r in proved if r["kernel"] == name]
+    if not mine:
         return ACCURACY
-    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in proved}
+    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
+    (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
+    fused = bounds["best", "fused"]
     plain = bounds["best", "plain"]
+    in_numpy = bounds.get(("best", "numpy"), plain)
     cheap = "".join(
         f"; accuracy={tier}: {bound:.3g} relative"
         for (tier, form), bound in bounds.items()
         if form == "fused" and tier[0] == "1"
     )
+    single = ""
     if ("float32", "fused") in bounds:
         single = f"; float32: {bounds['float32', 'fused']:.3g} ulp"
-    else:
-        single = ""
     return (
-        f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
-        f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
+        f"proved, rounding included: {fused:.3g} {unit_of_best} compiled with FMA, {plain:.3g} without, "
+        f"{in_numpy:.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
     )
 
 
@@ -109,9 +99,10 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         kernel = r["kernel"]
         tier = r["tier"]
         form = r["form"]
-        bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
+        interval = "both ends" if of_both_ends(r) else "0 <= alpha <= pi/2"
+        bound = f"{r['bound']:.3g} {unit(r)} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
-        texts[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
+        texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
 
 
@@ -131,83 +122,37 @@ _ARC = (
     ("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
     ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
 )
-_ARC_DOMAIN = "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)"
-_ARC_INSIDE = (
-    f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
-)
-# alpha and theta_m as difference and sum, with their rounding errors.
-_DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
-_ENDS = {
-    alpha: Min((theta_2 - theta_1) / 2, pi / 2),
-    _DELTA: RoundingError(theta_2, -theta_1) / 2,
-    theta_m: (theta_1 + theta_2) / 2,
-    _EPSILON: RoundingError(theta_1, theta_2) / 2,
-}
+_ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within {LIMIT:.0f} rad of 0"
 
 
-def _turned(function: type[sp.Function]) -> Expr:
-    """sin or cos of the exact theta_m, to first order in its rounding error."""
-    return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
-
-
-# (C_theta/C_r) tan(psi); alpha's rounding error is neglected, as the quotient is O(1) with a slope of O(alpha).
-_LIMIT = _KERNEL * _turned(cos) / _turned(sin)
-
-
-def _direction(d: Derivation) -> Expr:
-    """In theta_m."""
-    return d.direction.subs(PSI, 3 * pi / 2 - theta_m)
-
-
-def _carried(d: Derivation) -> Expr:
-    """J_r or J_theta with the rounding errors of alpha and theta_m carried to first order."""
-    sign, direction = _direction(d).as_coeff_Mul()
-    return sign * (_KERNEL + _DELTA * stable(diff(d.amplitude, alpha)).form) * _turned(type(direction))
-
-
-def prove_carried() -> list[str]:
-    """Prove that these are of the exact angles, to first order in what the rounding of alpha and theta_m takes."""
-    claims = []
-    errors = {alpha: _DELTA, theta_m: _EPSILON}
-    for angle, error in errors.items():
-        claims.append(f"{angle}: the sum of which {error} is lost")
-        rounded = _ENDS[angle].replace(Min, lambda *x: next(y for y in x if not y.is_number))
-        prove_zero(rounded - _ENDS[error].replace(RoundingError, lambda x, y: x + y), claims[-1])
-    forms = {"limit_friction": (_LIMIT, sp.Function("ratio")(alpha), cos(theta_m) / sin(theta_m))}
-    for d in map(derive, MOMENTS):
-        if d.moment.amplitude:
-            forms[d.moment.name] = (_carried(d), d.amplitude, _direction(d))
-    for name, (form, kernel, direction) in forms.items():
-        claims.append(f"{name}: of the exact angles, to first order")
-        carried = {x: error for x, error in errors.items() if form.has(error)}
-        exact = (kernel * direction).subs({x: x + error for x, error in carried.items()})
-        difference = form.subs(_KERNEL, kernel) - exact
-        for zero in (difference, *(diff(difference, error) for error in carried.values())):
-            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), Integer(0), claims[-1])
-    return claims
-
-
-def _of_ends(name: str, form: Expr, kernel: str, summary: str, formula: str, source: str, accuracy: str) -> Function:
-    """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
-    made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
-    symbol = summary.partition(":")[0]
-    return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
-
-
-def _weight(d: Derivation) -> Function:
-    """J_r or J_theta."""
-    m = d.moment
-    name, symbol = d.moment.kernel
-    return _of_ends(
-        m.name,
-        _carried(d),
-        name,
-        f"{m.symbol}: {m.help}, dimensionless.",
-        f"{m.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
-        "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        _source(m),
-        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
-    )
+def _of_ends(proved: Sequence[Record]) -> list[Function]:
+    """J_r, J_theta and mu_eq."""
+    moments = {m.name: m for m in MOMENTS}
+    every = []
+    for name, *_ in functions_of_ends():
+        tiers = _tiers(name, variants_of_ends())
+        if name in moments:
+            m = moments[name]
+            symbol = m.symbol
+            _, amplitude = m.kernel
+            turned = f"{amplitude}(alpha) {derive(m).direction}"
+            words = (
+                f"{symbol}: {m.help}, dimensionless.",
+                f"{symbol} = {turned}, alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.",
+                _source(m),
+            )
+        else:
+            symbol = "mu_eq"
+            words = (
+                "mu_eq: friction coefficient at limit equilibrium.",
+                "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
+                f"eq. (3.21) of {PAPER}",
+            )
+        best = tiers["best"]
+        returns = f"{symbol}."
+        accuracy = _accuracy(name, proved)
+        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, safe=(4.0, 5.0), tiers=tiers))
+    return every
 
 
 def motion() -> list[Function]:
@@ -231,9 +176,9 @@ def motion() -> list[Function]:
                 tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
                 "Dimensionless.",
                 f"{domain}, until the solution runs to infinity" if timed else domain,
-                " & ".join(conditions),
-                (1.0, 1.0, 0.0, 0.0) if timed else (-1.0, 1.0, 0.0),
                 dynamics.ACCURACY,
+                " & ".join(conditions),
+                (1.0, 1.0, 0.0, 0.5) if timed else (-1.0, 1.0, 0.5),
             )
         )
     return every

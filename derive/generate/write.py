@@ -14,9 +14,10 @@ from sympy import Expr, __version__, degree
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
-from derive.approximate.programs import variants
+from derive.approximate.programs import variants, variants_of_ends
+from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record
+from derive.check.records import Record, unit
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
@@ -32,7 +33,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels = functions.kernels(proved)
     closed = closed_forms()
-    c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
+    c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
     integrator = restricted.integrator()
     walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
     c_flow = emit.filled("_flow.c", layout.c() | series.c() | walk)
@@ -43,6 +44,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_evaluate.py": emit.filled("_evaluate.py"),
         "effects.py": effects.module(),
         "flow.py": module.module(),
+        "kernels.pyi": emit.stub(kernels),
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,
@@ -69,7 +71,9 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
         "motion.py": emit.module(
             "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
             functions.motion(),
+            "generated.motion",
         ),
+        "motion.pyi": emit.stub(functions.motion()),
         "printed.py": emit.raw_module(
             "The paper's own forms, as printed, for comparison only: they cancel and overflow.", printed
         ),
@@ -85,7 +89,7 @@ def header(name: str, text: str) -> str:
     written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
-    if name.endswith(".py"):
+    if name.endswith((".py", ".pyi")):
         return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n"
     return ""
 
@@ -97,10 +101,11 @@ def digest_of(text: str) -> str:
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """The proved bounds for the run time, and the C source to which they apply."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
-    ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
+    # The relative error of one in [1, 2), where they are the measure.
+    ulps = {"ulp": 2.0**-52, "ulp of float32": 2.0**-23}
     for record in records:
         bound = record["bound"]
-        ulp = ulps.get(record["tier"])
+        ulp = ulps.get(unit(record))
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
@@ -108,7 +113,7 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]
     return (
         '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
-        f'DIGEST = "{digest}"\n\n'
+        f'DIGEST = "{digest}"\nLIMIT = {LIMIT!r}  # of an end of an arc, rad\n\n'
         "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
         "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"

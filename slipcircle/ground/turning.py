@@ -1,7 +1,8 @@
 """Where a rotation about the centre brings the mass of a section."""
 
+from collections.abc import Callable
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -9,33 +10,17 @@ from slipcircle.base.kinds import Floats
 from slipcircle.ground.plane import Vectors
 
 
-class Journey(NamedTuple):
-    """Where a rotation brings the mass, m and rad."""
-
-    toe: Any
-    run_out: Any
-    fall: Any
-    travel_angle: Any
-
-    @property
-    def toe_x(self) -> Any:
-        return self.toe[..., 0][()]
-
-    @property
-    def toe_y(self) -> Any:
-        return self.toe[..., 1][()]
-
-
 class TurningMass:
     """What becomes of the points of a section as its mass turns."""
 
     ground: Any
     level: Any
-    centre: Any
-    facing: Any
     entry: Any
     exit: Any
+    centre: Any
+    facing: Any
     centroid: Any
+    placed: Callable[..., Any]
 
     @cached_property
     def surface(self) -> Floats:
@@ -59,39 +44,6 @@ class TurningMass:
             turned = self.placed(self.surface, rotation)
             depths.append(_greatest_depth(turned, level))
         return max(depths)
-
-    def placed(self, points: Any, rotation: Any) -> Any:
-        """Points (..., 2) of the mass after a rotation, m."""
-        turn = np.multiply(rotation, self.facing)
-        from_centre = np.subtract(points, self.centre)
-        x, y = Vectors.of(from_centre)
-        cosine = np.cos(turn)
-        sine = np.sin(turn)
-        turned_x = x * cosine - y * sine
-        turned_y = x * sine + y * cosine
-        turned = Vectors(turned_x, turned_y)
-        return np.asarray(self.centre) + turned.points
-
-    def journey(self, rotation: Any) -> Journey:
-        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run.
-
-        The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
-        """
-        toe = self.placed(self.exit, rotation)
-        moved = Vectors.of(toe - self.exit)
-        run_out = moved.x * self.facing
-        centroid = self.placed(self.centroid, rotation)
-        fallen = Vectors.of(self.centroid - centroid)
-        half_rotation = np.multiply(rotation, 0.5)
-        at_half = self.placed(self.centroid, half_rotation)
-        from_centre = np.subtract(at_half, self.centre)
-        half_way = Vectors.of(from_centre)
-        moves_back = np.less(rotation, 0.0)
-        sign = np.where(moves_back, 1.0, -1.0)
-        fall = sign * self.facing * half_way.x
-        run = sign * half_way.y
-        travel_angle = np.arctan2(fall, run)
-        return Journey(toe, run_out, fallen.y, travel_angle)
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:

@@ -151,7 +151,7 @@ class RotationTables(NamedTuple):
         def of_sample(value: Any) -> Any:
             if np.ndim(value) == 0:
                 return value
-            return value[sample]
+            return np.ravel(value)[sample]
 
         def term(name: str) -> Any:
             added = self.terms.get(name, 0.0)

@@ -123,24 +123,32 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
-        """Of results that depend on the geometry alone."""
+        """Of results that depend on the geometry alone: of one circle for all lanes, or of each lane's own."""
         shapes = [super().shape, np.shape(self.crack)]
         for top in self.tops:
             shape = np.shape(top)
             is_line = len(shape) > 1
             shapes.append(shape[:-2] if is_line else shape)
-        return np.broadcast_shapes(*shapes)
+        of_geometry = np.broadcast_shapes(*shapes)
+        if np.prod(of_geometry) == 1:
+            return of_geometry
+        return np.broadcast_shapes(of_geometry, self._shape_of_numbers)
 
     @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
         """The broadcast shape of the geometry and of all numbers of soils."""
+        return np.broadcast_shapes(self.shape, self._shape_of_numbers)
+
+    @property
+    def _shape_of_numbers(self) -> tuple[int, ...]:
+        """The broadcast shape of all numbers of soils and surcharges."""
         numbers = []
         for soil in self.soils:
             numbers += [getattr(soil, name) for name in LANE_NUMBERS]
         for _, _, left, right in self.surcharge:
             numbers += [left, right]
         shapes = [np.shape(number) for number in numbers if number is not None]
-        return np.broadcast_shapes(self.shape, *shapes)
+        return np.broadcast_shapes(*shapes)
 
     @cached_property
     def datums(self) -> tuple[Any, ...]:

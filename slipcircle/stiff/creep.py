@@ -32,10 +32,14 @@ Integrate = Callable[[Floats, Samples | None], Floats]  # final cells of those t
 
 CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K from which on a mass creeps
 LEFT = 0.01  # of the run-out, when the mass is said to have arrived
-POSITIONS = 64  # over half a turn at which the net moment is looked at, and up to the equilibrium
+POSITIONS = 64  # up to the equilibrium, at which the net moment is looked at
+# Shares of half a turn at which it is looked at: even ones, and smaller ones for laws of a short slip.
+EVEN = np.linspace(0.0, 1.0, 65)
+FINE = np.geomspace(1e-6, 1.0, 193)
+AHEAD = np.union1d(EVEN, FINE)
 MARGIN = 1.25  # of the time that is tried first
 SAMPLES = (64, 2048)  # at least and at most, between which the time of arrival is narrowed down
-SECTIONS = 16  # into which the interval of its root is divided, again and again
+SECTIONS = np.linspace(0.0, 1.0, 17)  # shares at which the interval of its root is divided, again and again
 COLUMNS = 20_000  # evaluated at once
 SLOW = 1e-8  # omega* at which the viscous moment is compared with that at rest
 NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is taken; of a time that is to be improved
@@ -103,6 +107,26 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
     cells[ix.END_TIME, which] = np.inf
     cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
     return cells
+
+
+def slow_rotation(problem: Problem) -> Floats:
+    """The rotation at which a mass rests that is moved slowly from its start; NaN without an equilibrium.
+
+    That is the first root of the net moment at rest; 0 where the mass stands at its start.
+    """
+    lanes = np.arange(problem.lanes)
+    cells = problem.cells()
+    place = problem.program.places["driving_moment"]
+    direction = _direction(cells[place])
+    cells[ix.DIRECTION] = direction
+    now = Now(problem, lanes, cells)
+    start = np.zeros((1, lanes.size))
+    (net,) = _net(now, start)
+    stands = net <= 0.0
+    ahead = _ahead(now)
+    left = np.where(stands, 0.0, ahead.left)
+    is_endless = np.isinf(left)
+    return np.where(is_endless, np.nan, direction * left)
 
 
 def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:
@@ -174,7 +198,7 @@ def _ahead(now: Now) -> Ahead:
     count = now.lanes.size
     low = np.zeros(count)
     high = np.full(count, np.pi)
-    low, high, falls = _bracket(now, low, high, POSITIONS)
+    low, high, falls = _bracket(now, low, high, AHEAD)
     high = np.where(falls, high, low)
     while np.any(high - low > np.spacing(high)):
         low, high, _ = _bracket(now, low, high, SECTIONS)
@@ -193,9 +217,8 @@ def _ahead(now: Now) -> Ahead:
     )
 
 
-def _bracket(now: Now, low: Floats, high: Floats, sections: int) -> tuple[Floats, Floats, Any]:
+def _bracket(now: Now, low: Floats, high: Floats, shares: Floats) -> tuple[Floats, Floats, Any]:
     """The first section between two distances in which the net moment falls through zero, and whether it does."""
-    shares = np.linspace(0.0, 1.0, sections + 1)
     width = high - low
     edges = low + shares[:, None] * width
     net = _net(now, edges)

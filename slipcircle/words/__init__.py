@@ -1,5 +1,6 @@
 """What is said of a scene and its motion: equation, warnings, summary, error estimate."""
 
 from slipcircle.words.summary import standing
+from slipcircle.words.velocity import VelocityTimes
 
-__all__ = ["standing"]
+__all__ = ["VelocityTimes", "standing"]

@@ -19,6 +19,12 @@ def columns(table: str) -> dict[str, list[str]]:
     return {label: cells for label, *cells in found if label}
 
 
+def blocks(text: str, kind: str) -> list[str]:
+    """The code blocks of a kind in a document; in the book they may have a caption."""
+    found = re.findall(r"^```(?:\{code-block\} )?(\w*)\n(?::\w+: [^\n]*\n\n)?(.*?)^```", text, re.DOTALL | re.MULTILINE)
+    return [code for block, code in found if block == kind]
+
+
 def tree(text: str) -> Any:
     """The page as XML, which it must be as well."""
     assert text.startswith("<!DOCTYPE html>\n")

@@ -1,5 +1,6 @@
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -7,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Out = NDArray[Any] | None  # where a result goes
 EPS = 2.0**-52  # of float64
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
@@ -17,6 +19,13 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
     for c in coefficients[-2::-1]:
         result = result * x + c
     return result
+
+
+def lost(a: Any, b: Any) -> Any:
+    """The rounding error of a + b (TwoSum)."""
+    total = a + b
+    of_b = total - a
+    return (a - (total - of_b)) + (b - of_b)
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
@@ -36,20 +45,22 @@ def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
 
 
 def evaluate(
+    name: str,
     body: Callable[..., Array],
     inside: Callable[..., Any],
     safe: tuple[float, ...],
     args: tuple[Any, ...],
-    out: NDArray[Any] | None,
+    out: Out,
     where: Any,
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
 
     ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, replaces
-    arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them.
+    arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them; ``name``
+    is that of the function.
     """
     if where is True and out is None and all(type(x) is float for x in args):
-        return _evaluate_numbers(body, inside, args)
+        return _evaluate_numbers(name, body, inside, args)
     items, kind = real(args)
     eps = float(np.finfo(kind).eps)
     arrays = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
@@ -64,20 +75,34 @@ def evaluate(
             for *values, part in blocks:
                 invalid |= _block(body, inside, eps, safe, values, part)
     if invalid:
-        np.subtract(np.inf, np.inf)  # NumPy's own `invalid`, handled as np.errstate says
+        _raise_invalid(name)
     if out is None:
         return result[()]
     np.copyto(out, result, where=arrays[-1], casting="same_kind")
     return out
 
 
-def _evaluate_numbers(body: Callable[..., Array], inside: Callable[..., Any], args: tuple[float, ...]) -> Any:
+def _raise_invalid(name: str) -> None:
+    """NumPy's own `invalid`, handled as np.errstate says, in the name of the function."""
+    said = f"invalid value encountered in {name}"
+    handling = np.geterr()["invalid"]
+    if handling == "raise":
+        raise FloatingPointError(said)
+    if handling == "warn":
+        warnings.warn(said, RuntimeWarning, stacklevel=4)
+    else:
+        np.subtract(np.inf, np.inf)
+
+
+def _evaluate_numbers(
+    name: str, body: Callable[..., Array], inside: Callable[..., Any], args: tuple[float, ...]
+) -> Any:
     """Of Python's numbers the same without arrays, which would take most of the time."""
     values = [np.float64(x) for x in args]
     with np.errstate(invalid="ignore", under="ignore"):
         result = np.float64(body(*values) if inside(EPS, *values) else np.nan)
     if result != result and all(x == x for x in args):
-        np.subtract(np.inf, np.inf)
+        _raise_invalid(name)
     return result
 
 

@@ -59,6 +59,7 @@
 #define HALF_PI @HALF_PI@
 #define END_double @END_double@ /* pi/2 (1 + 4 eps), with the eps of the type */
 #define END_float @END_float@
+#define LIMIT @LIMIT@ /* of an end of an arc, rad */
 #define LAST_double @LAST_double@ /* pattern of the largest number of the type that is not above pi/2 */
 #define LAST_float @LAST_float@
 
@@ -82,6 +83,12 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define SELECT(condition, yes, no) ((condition) ? (yes) : (no))
 #define SMALLER(a, b) SELECT((a) < (b), a, b)
 #define LARGER(a, b) SELECT((a) > (b), a, b)
+/* The rounding error of a + b (TwoSum). */
+INLINE double lost(double a, double b)
+{
+    const double total = a + b, of_b = total - a;
+    return (a - (total - of_b)) + (b - of_b);
+}
 /* A polynomial by Horner's scheme; its coefficients come lowest first. */
 #define POLY1(x, c0, c1) FMA(c1, x, c0)
 @POLYNOMIALS@
@@ -118,10 +125,10 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
 #define LOOP_OF(T, KIND, PROGRAM, LOOP_NAME, LEVEL) LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL)
 #define LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL) \
-    TARGET_##LEVEL static int LOOP_NAME(const void *from, void *to, npy_intp count) \
+    TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
     { \
-        const T *in = from; \
-        T *out = to; \
+        const T *in = (const T *)args[0]; \
+        T *out = (T *)args[1]; \
         uint64_t outside = 0; \
         for (npy_intp start = 0, stop; start < count; start = stop) { \
             PATTERN_##T beyond = 0, above = 0; \
@@ -138,6 +145,33 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
                 RUN_##KIND(T, PROGRAM) \
             } \
             (void)above; \
+        } \
+        return outside != 0; \
+    }
+
+/* Of both ends of an arc: refused is what is none, or beyond LIMIT. */
+#define UNLESS(condition) bits(SELECT(condition, 0.0, NAN))
+#define LOOP_ENDS(T, NAME, FORM, LEVEL) LOOP_ENDS_OF(T, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
+#define LOOP_ENDS_OF(T, PROGRAM, LOOP_NAME, LEVEL) \
+    TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
+    { \
+        const T *first = (const T *)args[0], *second = (const T *)args[1]; \
+        T *out = (T *)args[2]; \
+        uint64_t outside = 0; \
+        double results[BLOCK]; \
+        for (npy_intp start = 0, stop; start < count; start = stop) { \
+            stop = count - start < BLOCK ? count : start + BLOCK; \
+            INDEPENDENT \
+            for (npy_intp i = start; i < stop; i++) results[i - start] = PROGRAM(first[i], second[i]); \
+            INDEPENDENT \
+            for (npy_intp i = start; i < stop; i++) { \
+                const double one = first[i], two = second[i]; \
+                const double alpha = 0.5 * two - 0.5 * one; \
+                const uint64_t refused = UNLESS(one >= -LIMIT) | UNLESS(two <= LIMIT) | UNLESS(two >= one) | \
+                                         UNLESS(alpha <= END_##T); \
+                out[i] = (T)number(bits(results[i - start]) | refused); \
+                outside |= refused & ~(UNLESS(one == one) | UNLESS(two == two)); \
+            } \
         } \
         return outside != 0; \
     }
@@ -160,49 +194,57 @@ INLINE const char *unsafe(void)
 #define UNSAFE(LEVEL, FORM) TARGET_##LEVEL static const char *unsafe_##LEVEL(void) { return unsafe(); }
 LEVELS(UNSAFE)
 
-typedef int (*Loop)(const void *, void *, npy_intp);
+typedef int (*Loop)(char *const *, npy_intp);
 
 /* NumPy's inner loop around one of ours: strided operands go through a block. Of the exceptions only `invalid` is
  * meant, for what is outside: an underflow is correctly rounded, and pieces that are not used may raise anything. */
 enum { RAISED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW };
 
-INLINE void walk(char **args, npy_intp const *count, npy_intp const *steps, Loop loop, size_t size)
+INLINE void walk(char **args, npy_intp const *count, npy_intp const *steps, Loop loop, npy_intp size, int inputs)
 {
     const int before = fetestexcept(RAISED);
-    int outside = 0;
-    if (steps[0] == (npy_intp)size && steps[1] == (npy_intp)size) {
-        outside = loop(args[0], args[1], *count);
+    int outside = 0, dense = 1;
+    for (int k = 0; k <= inputs; k++) dense &= steps[k] == size;
+    if (dense) {
+        outside = loop(args, *count);
     }
     else {
-        double in[BLOCK], out[BLOCK];
+        double blocks[3][BLOCK];
+        char *const places[] = {(char *)blocks[0], (char *)blocks[1], (char *)blocks[2]};
         for (npy_intp done = 0; done < *count; done += BLOCK) {
             const npy_intp n = *count - done < BLOCK ? *count - done : BLOCK;
-            const char *from = args[0] + done * steps[0];
-            char *to = args[1] + done * steps[1];
-            for (npy_intp i = 0; i < n; i++) memcpy((char *)in + i * size, from + i * steps[0], size);
-            outside |= loop(in, out, n);
-            for (npy_intp i = 0; i < n; i++) memcpy(to + i * steps[1], (char *)out + i * size, size);
+            char *to = args[inputs] + done * steps[inputs];
+            for (int k = 0; k < inputs; k++) {
+                const char *from = args[k] + done * steps[k];
+                for (npy_intp i = 0; i < n; i++) memcpy(places[k] + i * size, from + i * steps[k], size);
+            }
+            outside |= loop(places, n);
+            for (npy_intp i = 0; i < n; i++) memcpy(to + i * steps[inputs], places[inputs] + i * size, size);
         }
     }
     if (fetestexcept(RAISED) & ~before) feclearexcept(RAISED & ~before);
     if (outside) feraiseexcept(FE_INVALID);
 }
 
-static void walk_float(char **args, npy_intp const *count, npy_intp const *steps, void *loop)
-{
-    walk(args, count, steps, (Loop)loop, sizeof(float));
-}
+#define WALK(T, INPUTS) \
+    static void walk_##T##_##INPUTS(char **args, npy_intp const *count, npy_intp const *steps, void *loop) \
+    { \
+        walk(args, count, steps, (Loop)loop, sizeof(T), INPUTS); \
+    }
+WALK(float, 1)
+WALK(double, 1)
+WALK(float, 2)
+WALK(double, 2)
 
-static void walk_double(char **args, npy_intp const *count, npy_intp const *steps, void *loop)
-{
-    walk(args, count, steps, (Loop)loop, sizeof(double));
-}
-
-static PyUFuncGenericFunction walks[] = {walk_float, walk_double};
-static const char types[] = {NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE};
+/* By the number of inputs, less one. */
+static PyUFuncGenericFunction walks[][2] = {{walk_float_1, walk_double_1}, {walk_float_2, walk_double_2}};
+static const char types[][6] = {
+    {NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE},
+    {NPY_FLOAT, NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE},
+};
 
 /* A ufunc; where `loops[0]` is NULL it has no loop for float32. */
-typedef struct { const char *kernel, *tier; void *loops[2]; } Ufunc;
+typedef struct { const char *kernel, *tier; int inputs; void *loops[2]; } Ufunc;
 
 @UFUNCS@
 
@@ -210,9 +252,10 @@ static PyObject *ufuncs(Ufunc *table)
 {
     PyObject *tiers = PyDict_New();
     for (; tiers && table->kernel; table++) {
-        const int first = table->loops[0] == NULL;
-        PyObject *ufunc = PyUFunc_FromFuncAndData(walks + first, table->loops + first, types + 2 * first, 2 - first,
-                                                  1, 1, PyUFunc_None, table->kernel, table->tier, 0);
+        const int first = table->loops[0] == NULL, inputs = table->inputs;
+        PyObject *ufunc = PyUFunc_FromFuncAndData(walks[inputs - 1] + first, table->loops + first,
+                                                  types[inputs - 1] + (inputs + 1) * first, 2 - first,
+                                                  inputs, 1, PyUFunc_None, table->kernel, table->tier, 0);
         PyObject *of_tier = PyDict_GetItemString(tiers, table->tier); /* borrowed */
         if (of_tier == NULL && (of_tier = PyDict_New()) != NULL) {
             const int failed = PyDict_SetItemString(tiers, table->tier, of_tier);

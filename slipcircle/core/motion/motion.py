@@ -48,6 +48,11 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
     run_out : float
         Displacement along the arc at the end, m.
+    slow_run_out : float
+        Displacement along the arc at which a mass that is moved slowly from its start rests, m.
+        NaN with `no_slow_run_out`.
+    no_slow_run_out : str
+        Why there is no slow run-out; empty unless forces depend on time, speed or heat, or nothing holds the mass.
     outcomes : mapping
         Greatest displacement (`reach`), `run_out`, `peak_velocity` and `duration`.
     reach : State
@@ -150,6 +155,24 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         return self.outcomes["run_out"]
 
     @cached_property
+    def slow_run_out(self) -> Numbers:
+        """Displacement at which the net moment at rest vanishes, for laws of slip, water and layers, m.
+
+        However slowly a mass creeps, it rests there: with constant friction and no water at R (psi_0 - delta). A free
+        mass arrives with speed and rests about twice as far from the start. Its initial velocity is ignored.
+        """
+        if self._problem.other_than_position:
+            return self._shaped(np.full(self._problem.lanes, np.nan))
+        rotation = self._shaped(room("creep").slow_rotation(self._problem))
+        return self._known(self._radius * rotation)
+
+    @property
+    def no_slow_run_out(self) -> str:
+        if other := self._problem.other_than_position:
+            return f"forces depend on {other}"
+        return "nothing holds it" if np.any(np.isnan(self.slow_run_out)) else ""
+
+    @cached_property
     def end(self) -> State:
         return self._final_state(self._duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
 
@@ -201,10 +224,21 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def journey(self) -> Any:
-        """Position at the end, for a `Section`: toe and its horizontal run-out, drop of the centroid, travel angle."""
+        """Where it ends: rise and horizontal travel of toe and centroid, travel angle."""
         return self.plan.scene.arc.journey(self.end.rotation)
 
     # --- along the way, of a single motion ---------------------------------------------------------------------------
+
+    @property
+    def velocity_class(self) -> str:
+        """Class of the peak velocity by Cruden and Varnes (1996), such as "extremely rapid"; empty without a motion."""
+        name: str = room("velocity").velocity_class(self)
+        return name
+
+    @cached_property
+    def velocity_times(self) -> Any:
+        """How long it moves in each velocity class, s."""
+        return room("velocity").velocity_times(self)
 
     @property
     def lift_off(self) -> tuple[float, ...]:

@@ -64,9 +64,18 @@ class Problem:
     @property
     def may_creep(self) -> bool:
         """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
+        return "viscosity" in self.recipe.effects and not self.other_than_position
+
+    @property
+    def other_than_position(self) -> str:
+        """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
         recipe = self.recipe
-        of_position = not recipe.moving and "thermal_pressurisation" not in recipe.effects
-        return "viscosity" in recipe.effects and of_position and {"slip"}.issuperset(depends_on(recipe.laws))
+        if recipe.moving:
+            return "what changes in time"
+        if "thermal_pressurisation" in recipe.effects:
+            return "frictional heat"
+        others = set(depends_on(recipe.laws)) - {"slip"}
+        return f"a friction law of {min(others)}" if others else ""
 
     def with_outputs(self, outputs: Names) -> "Problem":
         """The same lanes with a program that computes further outputs, too."""

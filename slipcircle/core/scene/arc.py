@@ -105,6 +105,7 @@ class Arc(Mass, Generic[Numbers]):
     width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
+    centre = (0.0, 0.0)  # an arc has no other position
 
     if TYPE_CHECKING:  # one array makes an ensemble
 
@@ -318,6 +319,19 @@ class Arc(Mass, Generic[Numbers]):
         return self.sagitta
 
     @cached_property
+    def exit(self) -> Any:
+        angle = choose(np.greater(self.facing, 0.0), self.theta_2, self.theta_1)
+        return _point(self.radius, np.sin(angle), np.cos(angle))
+
+    @cached_property
+    def centroid(self) -> Any:
+        """Of the segment between arc and chord: C_theta over its area from the centre, x and y, m."""
+        alpha = self.half_angle
+        area = alpha - np.sin(alpha) * np.cos(alpha)
+        distance = self.radius * kernels.weight_moment_amplitude(alpha) / area
+        return _point(distance, *self._middle)
+
+    @cached_property
     def limit_friction_angle(self) -> Any:
         """Friction angle at limit equilibrium (3.21), rad."""
         return np.arctan(self.dimensionless.limit_friction)
@@ -378,3 +392,8 @@ class GivenArc(Arc[Numbers]):
     @cached_property
     def normal_load(self) -> Any:
         return self.dimensionless.radial_weight_per_inertia
+
+
+def _point(distance: Any, sine: Any, cosine: Any) -> Any:
+    """A point at a distance from the centre in a direction, x and y, m."""
+    return np.stack([distance * cosine, distance * sine], axis=-1)

@@ -59,6 +59,37 @@ class MomentCoefficients(NamedTuple):
     cover: Any  # the stress of which r_u is a share, over the static normal stress
 
 
+class Journey(NamedTuple):
+    """Where a rotation brings the mass.
+
+    Attributes
+    ----------
+    toe : ndarray
+        x and y of the lower end of the slip surface, m; of an `Arc` from the centre of its circle.
+    run_out, rise
+        Of the toe, horizontally down-slope and upwards, m.
+    travel, fall
+        Of the centroid, horizontally down-slope and downwards, m.
+    travel_angle
+        Of the centroid's way, fall over travel, rad.
+    """
+
+    toe: Any
+    run_out: Any
+    rise: Any
+    travel: Any
+    fall: Any
+    travel_angle: Any
+
+    @property
+    def toe_x(self) -> Any:
+        return self.toe[..., 0][()]
+
+    @property
+    def toe_y(self) -> Any:
+        return self.toe[..., 1][()]
+
+
 Farther = Callable[[], Tables]
 
 
@@ -84,6 +115,8 @@ class Mass:
         That of its soils, in place of the scene's.
     given : mapping or None
         Coefficients in place of computed ones.
+    centre, exit, centroid : array
+        x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
     """
 
     radius: Any
@@ -94,6 +127,9 @@ class Mass:
     facing: Any
     dimensionless: Any
     moment_coefficients: Any
+    centre: Any
+    exit: Any
+    centroid: Any
     quantities: ClassVar[Mapping[str, int]]
     rounding: ClassVar[float] = 4 * EPS
     own_effects: ClassVar[Names] = ()
@@ -138,13 +174,48 @@ class Mass:
         """The same with some lanes of what its numbers do not tell; ``of_lanes(value, axes of one)`` selects them."""
         return self
 
-    def journey(self, rotation: Any) -> Any:
-        """Where a rotation brings it."""
-        raise AttributeError("journey: needs a Section, as an Arc has no position")
-
     def drowned(self, *rotations: float) -> float:
         """How far below a water level the ground over it comes, where that is deepest, m."""
         return 0.0
+
+    # --- where a rotation about the centre brings it ------------------------------------------------------------------
+
+    def placed(self, points: Any, rotation: Any) -> Any:
+        """Points (..., 2) of the mass after a rotation, m."""
+        turn = np.multiply(rotation, self.facing)
+        from_centre = np.subtract(points, self.centre)
+        x = from_centre[..., 0]
+        y = from_centre[..., 1]
+        cosine = np.cos(turn)
+        sine = np.sin(turn)
+        turned_x = x * cosine - y * sine
+        turned_y = x * sine + y * cosine
+        turned = np.stack([turned_x, turned_y], axis=-1)
+        return np.asarray(self.centre) + turned
+
+    def journey(self, rotation: Any) -> Journey:
+        """Where a rotation brings toe and centroid.
+
+        The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
+        """
+        toe = self.placed(self.exit, rotation)
+        toe_moved = toe - self.exit
+        moved = self.placed(self.centroid, rotation) - self.centroid
+        half_rotation = np.multiply(rotation, 0.5)
+        half_way = self.placed(self.centroid, half_rotation)
+        from_centre = np.subtract(half_way, self.centre)
+        moves_back = np.less(rotation, 0.0)
+        sign = np.where(moves_back, 1.0, -1.0)
+        fall = sign * self.facing * from_centre[..., 0]
+        run = sign * from_centre[..., 1]
+        return Journey(
+            toe=toe,
+            run_out=toe_moved[..., 0] * self.facing,
+            rise=toe_moved[..., 1][()],
+            travel=moved[..., 0] * self.facing,
+            fall=-moved[..., 1],
+            travel_angle=np.arctan2(fall, run),
+        )
 
     # --- what follows ------------------------------------------------------------------------------------------------
 

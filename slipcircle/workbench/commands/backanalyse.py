@@ -27,8 +27,8 @@ def options(parser: argparse.ArgumentParser) -> None:
             option,
             type=values.observed,
             dest=name,
-            metavar="X[+-S]",
-            help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20",
+            metavar="X[+-S]|LOW:HIGH",
+            help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20; or an interval: 300:450",
         )
     parser.add_argument(
         "--field",
@@ -81,8 +81,8 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
             cells[f"correlation of {one} and {other}"] = f"{solution.correlation[i, j]:+z.3f}"
     motion = solution.motion
     for name, quantity in OUTCOMES.items():
-        computed = shown(float(quantity.read(motion)), digits_left(motion.error_estimate))
-        cells[quantity.heading] = computed + _observation(*fit.observed.get(name, (None, None)))
+        value = float(quantity.read(motion))
+        cells[quantity.heading] = shown(value, digits_left(motion.error_estimate)) + _observation(fit, name, value)
     if fit.method == FITTED:
         weighted = all(sigma for _, sigma in fit.observed.values())
         label = f"chi-square, degrees of freedom {fit.degrees_of_freedom}" if weighted else "misfit"
@@ -90,9 +90,14 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
     return cells | {"swings": f"{len(motion.phases) - 1}", "numerical error": f"{solution.error_estimate:.1e}"}
 
 
-def _observation(value: float | None, sigma: float | None) -> str:
-    """An observation in brackets, with its standard error if it has one."""
-    if value is None:
+def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
+    """An observation in brackets, with its standard error if it has one; whether a value is inside an interval."""
+    if name not in fit.observed:
         return ""
+    if name in fit.intervals:
+        low, high = fit.intervals[name]
+        side = "inside" if low <= computed <= high else "outside"
+        return f" ({side} {shown(low, 6)} to {shown(high, 6)})"
+    value, sigma = fit.observed[name]
     error = f" +- {sigma:.2g}" if sigma else ""
     return f" (observed {shown(value, 6)}{error})"

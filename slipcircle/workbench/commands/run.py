@@ -55,9 +55,8 @@ def _parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
     columns = [tabulate(motion) for motion in motions]
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
     for motion in motions:
-        if difference := tables.difference_words(motion):
-            of_scene = f"{motion.plan.scene.name}: " if len(scenes) > 1 else ""
-            notes.append(of_scene + difference)
+        of_scene = f"{motion.plan.scene.name}: " if len(scenes) > 1 else ""
+        notes += [of_scene + words for words in tables.motion_words(motion)]
     yield Part(["", *(scene.name for scene in scenes)], tables.beside(columns), note="; ".join(notes))
     if verbose:
         yield from filter(None, map(tables.stretches_part, motions))

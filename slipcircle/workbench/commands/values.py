@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.studies.problem import Interval, Observed
 
 MOST_TIMES = 1_000_000
 
@@ -33,13 +34,16 @@ def count(text: str) -> int:
     return int(value)
 
 
-def observed(text: str) -> float | tuple[float, float]:
-    """400, or 400+-20."""
+def observed(text: str) -> Observed:
+    """400, 400+-20, or an interval, 300:450."""
     value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
     try:
+        if ":" in text:
+            return Interval(*map(float, text.split(":")))
         return (float(value), float(error[0])) if len(error) == 1 else float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text}: must be a number, or one with its error: 400+-20") from None
+    except (TypeError, ValueError):
+        forms = "a number, or one with its error: 400+-20, or an interval: 300:450, in the unit of the option"
+        raise argparse.ArgumentTypeError(f"{text}: must be {forms}") from None
 
 
 def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:

@@ -15,10 +15,16 @@ from numpy.typing import NDArray
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
 from slipcircle.layers import LayeredSection, stretches
+from slipcircle.words import VelocityTimes
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
+
+
+def words(name: str, unit: str = "") -> str:
+    """The name of a quantity or a status in words."""
+    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
 @dataclass(frozen=True)
@@ -33,6 +39,7 @@ class Quantity:
     solved: bool = False  # a result to which `Motion.error_estimate` applies
     key: bool = False  # in every summary
     point: bool = False  # a point, x and y
+    sparse: bool = False  # printed where it is not zero
 
     def read(self, motion: Any) -> Any:
         """The value in SI units; an array for an ensemble."""
@@ -54,8 +61,12 @@ class Quantity:
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
+        if isinstance(value, str) or (self.sparse and not value):
+            return value or ""
         if self.name == "travel_angle" and not motion.moves:
             return "-"
+        if self.name == "slow_run_out" and motion.no_slow_run_out:
+            return f"not given: {motion.no_slow_run_out}"
         if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
@@ -107,8 +118,24 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_stress", "Pa", "mean normal stress at the peak velocity", "peak.normal_stress", solved=True),
     Quantity("end_stress", "Pa", "mean normal stress at the end", "end.normal_stress", solved=True),
 )
-# Of sections, which have a position.
+# Of single motions: of an ensemble it takes a hundred times as long as to solve it.
+SINGLE: tuple[Quantity, ...] = (
+    Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True),
+    Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
+    *(
+        Quantity(f"time_{name}", "s", f"time {words(name)}", f"velocity_times.{name}", sparse=True)
+        for name in VelocityTimes._fields
+    ),
+)
 JOURNEY: tuple[Quantity, ...] = (
+    Quantity("toe_run_out", "m", "horizontal run-out of the toe", "journey.run_out", solved=True),
+    Quantity("toe_rise", "m", "rise of the toe", "journey.rise", solved=True),
+    Quantity("centroid_travel", "m", "horizontal travel of the centroid", "journey.travel", solved=True),
+    Quantity("fall", "m", "fall of the centroid", "journey.fall", solved=True),
+    Quantity("travel_angle", "rad", "travel angle of the centroid", "journey.travel_angle", degrees=True, solved=True),
+)
+# Of sections, which have a position.
+POSITION: tuple[Quantity, ...] = (
     Quantity("area", "m^2", "area of the section", "plan.scene.arc.area"),
     Quantity("mass_per_metre", "kg/m", "mass per metre of width", "plan.scene.arc.mass_per_metre"),
     Quantity("chord", "m", "chord of the slip circle under the mass", "plan.scene.arc.chord"),
@@ -116,17 +143,16 @@ JOURNEY: tuple[Quantity, ...] = (
     Quantity("entry", "m", "upper end of the slip surface, x and y", "plan.scene.arc.entry", point=True),
     Quantity("exit", "m", "lower end of the slip surface, x and y", "plan.scene.arc.exit", point=True),
     Quantity("centroid", "m", "centroid at the start, x and y", "plan.scene.arc.centroid", point=True),
-    Quantity("toe_run_out", "m", "horizontal run-out of the toe", "journey.run_out", solved=True),
     Quantity("toe_x", "m", "x of the toe at the end", "journey.toe_x", solved=True),
     Quantity("toe_y", "m", "y of the toe at the end", "journey.toe_y", solved=True),
-    Quantity("fall", "m", "fall of the centroid", "journey.fall", solved=True),
-    Quantity("travel_angle", "rad", "travel angle of the centroid", "journey.travel_angle", degrees=True, solved=True),
 )
 
 
 def results(motion: Any) -> tuple[Quantity, ...]:
     """The quantities that a motion has."""
-    return (*RESULTS, *JOURNEY) if hasattr(motion, "journey") else RESULTS
+    of_one = () if motion.shape else SINGLE
+    of_section = POSITION if "ground" in motion.plan.scene.arc.quantities else ()
+    return (*RESULTS, *of_one, *of_section, *JOURNEY)
 
 
 def end_words(motion: Any) -> dict[str, str]:
@@ -156,11 +182,21 @@ def factors(motion: Any) -> dict[str, Any]:
 def summary(motion: Any) -> dict[str, str]:
     """Key results of a single motion by label, with the factors of safety by every method that is possible."""
     column = {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
+    if motion.moves and not motion.no_slow_run_out:
+        column |= {q.label: q.text(motion) for q in SINGLE if q.key}
     known = factors(motion)
     column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
     if known[OF_MOTION] < 1.0 <= known.get("bishop", 0.0):
         column["at the start"] = "stable by Bishop, moves by the paper's method"
     return column
+
+
+def slow_words(motion: Any) -> str:
+    """The two ends between which a slide may come to rest, in a sentence; empty where there is no slow one."""
+    slow, free = motion.slow_run_out, motion.run_out
+    return (
+        f"moved slowly it would rest at {slow:.4g} m; free, at {free:.4g} m" if slow > 0.0 and motion.arrested else ""
+    )
 
 
 def factor_text(factor: float | None) -> str:
@@ -208,7 +244,7 @@ def record(motion: Any) -> dict[str, Any]:
             "law": law if isinstance(law, Mapping) else {"law": motion.plan.law},
             "dimensionless": scene.arc.dimensionless,
         }
-        | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
+        | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
         | {"factor_of_safety_method": OF_MOTION}
         | states
         | ({"stability": stability.record()} if stability else {})
@@ -249,11 +285,6 @@ def plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [plain(v) for v in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
-
-
-def words(name: str, unit: str = "") -> str:
-    """The name of a quantity or a status in words."""
-    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
 def to_error(value: float, error: float) -> str:

@@ -17,7 +17,7 @@ from generated.definitions import CLOSED, QUOTIENTS
 from slipcircle.base.kinds import Floats
 from slipcircle.workbench.cost.rows import Row, judged, medians
 
-KERNELS = tuple(kernels.TEXTS)
+KERNELS = (*CLOSED, *QUOTIENTS)
 SIZE = 10_000  # elements of the timed arrays, which stay in the cache
 POINTS = 10_000  # at which errors are seen
 _DECADES = {"float64": -96.0, "float32": -12.0}  # below which moments, alpha**3 or smaller, underflow

@@ -36,7 +36,7 @@ from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import Part, beside, difference_words, interval, motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import Part, beside, interval, motion_column, motion_words, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -199,7 +199,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     rows = []
     for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
-    yield Part([], rows, "Results", difference_words(motion))
+    yield Part([], rows, "Results", "; ".join(motion_words(motion)))
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
@@ -262,7 +262,7 @@ def _energy(motion: Motion) -> Part:
 def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
     """A number of the result, in full precision as attribute and with six digits as text; other values as in tables."""
     value, end = quantity.read(motion), end_words(motion).get(quantity.label)
-    if isinstance(value, bool) or np.ndim(value):
+    if isinstance(value, bool | str) or np.ndim(value) or np.isnan(value):
         return end or text or quantity.text(motion)
     if end:
         return _data(float(value), escaped(end))

@@ -21,6 +21,7 @@ from slipcircle.workbench.common.quantities import (
     factors,
     foreland_words,
     results,
+    slow_words,
     stretch_records,
     summary,
     time_text,
@@ -105,11 +106,17 @@ def difference_words(motion: Motion) -> str:
     return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""
 
 
+def motion_words(motion: Motion) -> list[str]:
+    """Sentences about a motion that follow its table."""
+    return [*filter(None, (slow_words(motion), difference_words(motion)))]
+
+
 def motion_column(motion: Motion) -> dict[str, str]:
     """All results of a motion by their labels, key results first."""
     plan, critical = motion.plan, stability_of(motion.plan.scene)
     column = motion_summary(motion)
-    column |= {q.label: q.text(motion) for q in results(motion) if q.label not in column}
+    printed = {q.label: q.text(motion) for q in results(motion) if q.label not in column}
+    column |= {label: text for label, text in printed.items() if text}
     if height := toe_words(motion):
         column["toe at the end"] = f"{height}: the method continues the circle there"
     if critical is not None:

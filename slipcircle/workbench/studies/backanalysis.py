@@ -16,7 +16,7 @@ from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.fits import fits
-from slipcircle.workbench.studies.problem import Bounds, Observed, SearchProblem, observations, search_problem
+from slipcircle.workbench.studies.problem import Bounds, Interval, Observed, SearchProblem, observations, search_problem
 from slipcircle.workbench.studies.roots import extreme, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
@@ -107,7 +107,9 @@ class BackAnalysis:
     units : dict of str
         Unit of each field, that of its key in a scene file.
     observed : dict
-        Value and standard error (None if not given) of each observation.
+        Value and standard error (None if not given) of each observation; of an interval its middle.
+    intervals : dict of Interval
+        The observations that are intervals.
     solutions : tuple of Solution
         Ordered by the number of swings, or, for a fit, the best one first.
     method : str
@@ -119,7 +121,8 @@ class BackAnalysis:
     observed: dict[str, tuple[float, float | None]]
     solutions: tuple[Solution, ...]
     method: str
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[str, ...]
+    intervals: Mapping[str, Interval]
 
     @property
     def value(self) -> float:
@@ -158,9 +161,9 @@ def backanalyse(
     ----------
     scene : Scene
         Its values of the fields are ignored.
-    reach, run_out, peak_velocity, duration : float or tuple of float, optional
-        Observed value, or value and standard error; m, m, m/s, s; signs as in `Motion`. At least one. A single
-        observation is met exactly by one field, several in the sense of least squares.
+    reach, run_out, peak_velocity, duration : float, tuple of float or Interval, optional
+        Observed value, value and standard error, or `Interval`; m, m, m/s, s; signs as in `Motion`. At least one. A
+        single observation is met exactly by one field, several in the sense of least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
@@ -180,28 +183,28 @@ def backanalyse(
     Notes
     -----
     Run-out and peak velocity decrease with friction as long as the mass does not turn back. With low friction it
-    swings, and the same run-out then has several solutions; motions that turn back more than 12 times are not
-    considered. For several fields, all distinct minima that fit about as well as the best one are given. There may be
-    others.
+    swings, and a run-out has several solutions; motions that turn back more than 12 times are not considered. Of
+    several fields, all minima that were reached and fit about as well as the best are given.
 
     Examples
     --------
     >>> from slipcircle import backanalyse, load
-    >>> analysis = backanalyse(load("vaiont"), run_out=400.0)
-    >>> round(analysis.value, 4)
+    >>> round(backanalyse(load("vaiont"), run_out=400.0).value, 4)
     15.2147
     """
     checked(scene, "backanalyse")
-    observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
+    given = {"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration}
+    observed = observations(given)
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     problem = search_problem(scene, field, bounds, observed)
     units = {f.key: f.unit for f in problem.fields}
+    intervals = {name: value for name, value in given.items() if isinstance(value, Interval)}
     if len(problem.fields) == len(observed) == 1:
         exact = _exact(problem)
-        return BackAnalysis(units, observed, tuple(exact), ROOT, tuple(_range_warnings(problem, exact[0])))
+        return BackAnalysis(units, observed, tuple(exact), ROOT, tuple(_range_warnings(problem, exact[0])), intervals)
     solutions, warnings = _fitted(problem)
-    return BackAnalysis(units, observed, tuple(solutions), FITTED, tuple(warnings))
+    return BackAnalysis(units, observed, tuple(solutions), FITTED, tuple(warnings), intervals)
 
 
 def _exact(problem: SearchProblem) -> list[Solution]:

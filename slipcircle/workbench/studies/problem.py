@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +14,39 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, law_depends
 from slipcircle.derivatives import DIP, parameter_value
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
 Kinds = NDArray[Any]  # of what kind each motion is
-Observed = float | tuple[float, float]
+
+
+class Interval(NamedTuple):
+    """What was observed lies between two values, as likely in one place as in another.
+
+    In a back-analysis it counts as its middle with the standard error of a uniform distribution, its width over
+    sqrt(12).
+
+    Attributes
+    ----------
+    low, high : float
+        SI units, the lower one first.
+    """
+
+    low: float
+    high: float
+
+    @property
+    def middle(self) -> float:
+        return (self.low + self.high) / 2
+
+    @property
+    def standard_error(self) -> float:
+        """Of a uniform distribution; negative where the ends are reversed."""
+        return (self.high - self.low) / math.sqrt(12.0)
+
+
+Observed = float | tuple[float, float] | Interval
 Observations = Mapping[str, tuple[float, float | None]]
 Bounds = tuple[float, float]
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
@@ -142,7 +170,8 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
             found[name] = seen, sigma
         else:
             allowed = "a positive number" if is_duration else "a number other than 0"
-            mistakes.append(f"{name} = {value!r}: must be {allowed}, or it and its positive standard error")
+            also = f"it and its positive standard error, or an Interval in {OUTCOMES[name].unit}, the lower end first"
+            mistakes.append(f"{name} = {value!r}: must be {allowed}, {also}")
     if not found and not mistakes:
         mistakes.append(f"nothing observed: give one of {', '.join(given)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
@@ -155,6 +184,8 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
 def _observation(given: Any) -> tuple[float, float | None]:
     """A value and its standard error; NaN for what is neither a number nor a pair of them."""
     try:
+        if isinstance(given, Interval):
+            return given.middle, given.standard_error
         if isinstance(given, tuple | list):
             seen, sigma = given
             return float(seen), float(sigma)

@@ -1,0 +1,86 @@
+"""The velocity classes of Cruden and Varnes (1996), and how long a mass moves in each."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+
+# Least velocities of the classes above the slowest, m/s: 16 mm and 1.6 m a year, 13 m a month, 1.8 m an hour, 3 m a
+# minute, 5 m a second.
+LIMITS = (5e-10, 5e-8, 5e-6, 5e-4, 5e-2, 5.0)
+SAMPLES = 401  # of a phase, closer at its ends
+SECTIONS = np.linspace(0.0, 1.0, 17)  # shares at which the interval of a crossing is divided, again and again
+ROUNDS = 12
+
+
+class VelocityTimes(NamedTuple):
+    """How long a mass moves in each velocity class, s."""
+
+    extremely_slow: float
+    very_slow: float
+    slow: float
+    moderate: float
+    rapid: float
+    very_rapid: float
+    extremely_rapid: float
+
+
+CLASSES = tuple(name.replace("_", " ") for name in VelocityTimes._fields)
+
+
+def velocity_class(motion: Any) -> str:
+    """The class of the peak velocity of a single motion; empty if it does not move."""
+    if not motion.moves:
+        return ""
+    place = np.searchsorted(LIMITS, motion.peak.velocity, side="right")
+    return CLASSES[int(place)]
+
+
+def velocity_times(motion: Any) -> VelocityTimes:
+    """How long a single motion is in each class, s, standstills apart; of one that creeps until its settling time."""
+    above = np.zeros(len(CLASSES) + 1)  # times above the least velocity of each class, the slowest first
+    phases = motion.phases if motion.moves else ()
+    angle = np.linspace(0.0, np.pi, SAMPLES)
+    share = (1.0 - np.cos(angle)) / 2
+    for phase in phases:
+        length = phase.end - phase.start
+        times = phase.start + length * share
+        peak = np.clip(motion.peak.time, phase.start, phase.end)
+        times = np.unique([*times, peak])
+        above[0] += length
+        for place, limit in enumerate(LIMITS, 1):
+            above[place] += _time_above(motion, times, limit)
+    in_class = above[:-1] - above[1:]
+    return VelocityTimes(*in_class.tolist())
+
+
+def _time_above(motion: Any, times: Floats, limit: float) -> float:
+    """Time between the first and the last of some times during which a motion is faster than a limit, s."""
+    faster = _speed(motion, times) > limit
+    before = faster[:-1]
+    after = faster[1:]
+    crosses = before != after
+    lengths = np.diff(times)
+    whole = np.sum(lengths[before & after])
+    begins_faster = before[crosses]
+    start = times[:-1][crosses]
+    end = times[1:][crosses]
+    low = start
+    high = end
+    every = np.arange(start.size)
+    for _ in range(ROUNDS if start.size else 0):
+        width = high - low
+        inside = low[:, None] + width[:, None] * SECTIONS
+        is_faster = _speed(motion, inside) > limit
+        has_passed = is_faster != begins_faster[:, None]
+        has_passed[:, -1] = True
+        first = np.maximum(has_passed.argmax(axis=1), 1)
+        low = inside[every, first - 1]
+        high = inside[every, first]
+    parts = np.where(begins_faster, high - start, end - high)
+    return float(whole + np.sum(parts))
+
+
+def _speed(motion: Any, times: Floats) -> Floats:
+    return np.abs(motion.at(times).velocity)
