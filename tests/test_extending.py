@@ -103,9 +103,9 @@ def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool)
 
 def check_schema(schema: str, guide: str) -> None:
     """What is new is checked and described."""
-    definitions = json.loads(schema)["$defs"]
-    assert definitions["suction"]["required"] == ["suction_kPa"]
-    assert "friction_inverse_square" in definitions
+    whole = json.loads(schema)
+    assert whole["properties"]["suction"]["required"] == ["suction_kPa"]
+    assert "friction_inverse_square" in whole["$defs"]
     assert "adds -suction* to u" in guide
     assert "suction* = suction/sigma_ref" in guide
     assert 'law = "inverse_square"' in guide

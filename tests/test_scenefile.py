@@ -14,7 +14,7 @@ import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
 from slipcircle.workbench.common.files import write as write_file
-from slipcircle.workbench.files.keys import tables_of
+from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.schema import schema
 from slipcircle.workbench.outputs.guide import guide
@@ -146,7 +146,7 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
         return "\n".join([*lines, ""])
 
     pulse = "[shaking]\npulse = 'half-sine'\namplitude_g = 0.1\nduration_s = 2\n"  # a pulse needs more than its name
-    effects = [pulse if n == "shaking" else table(n, definition(whole["properties"][n])) for n in EFFECTS]
+    effects = [pulse if n == "shaking" else table(n, whole["properties"][n]) for n in EFFECTS]
     for law in whole["properties"]["friction"]["anyOf"]:
         text = "\n".join([ARC, table("friction", definition(law)), *effects])
         scene, uncertain = written(file, text), written(file, text.replace(" 0.5\n", f" {drawn}\n"))
@@ -325,6 +325,10 @@ def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
     for text, said in MISTAKES:
         if not said.startswith(beyond) and not re.search(r"= (nan|inf|1{57})", said):
             assert not valid(tomllib.loads(text)), said
+
+
+def tables_of(law: str) -> dict[str, Table]:
+    return fitted(WITH_ARC, {"friction": {"law": law}})
 
 
 def test_every_key_has_a_title_and_says_what_is_allowed() -> None:

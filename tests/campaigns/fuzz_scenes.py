@@ -25,7 +25,7 @@ from typing import Any
 from generated.effects import LAWS
 from slipcircle.__main__ import main
 from slipcircle.base import VERSION
-from slipcircle.workbench.files.keys import tables_of
+from slipcircle.workbench.files.keys import WITH_ARC, fitted
 from slipcircle.workbench.files.scenefile import find, shipped
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -121,7 +121,7 @@ def document(rng: Random) -> dict[str, Any]:
     found = copy.deepcopy(rng.choice(BASES))
     if rng.random() < 0.6:
         law = rng.choice([*LAWS])
-        tables = tables_of(law)
+        tables = fitted(WITH_ARC, {"friction": {"law": law}})
         arc = {"radius_m": 10 ** rng.uniform(0, 4), "theta_1_deg": rng.uniform(180, 250),
                "theta_2_deg": rng.uniform(255, 340), "unit_weight_kN_m3": rng.uniform(10, 30)}  # fmt: skip
         found = {"arc": arc} if rng.random() < 0.7 else section(rng)

@@ -10,9 +10,8 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any
 
-from generated.effects import LAWS
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
-from slipcircle.workbench.files.keys import VARYING, Key, Table, law_table
+from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
 from slipcircle.workbench.files.numbers import numbers
 
 _UNITS = ("_deg", "_kPa", "_m_s2", "_m_s", "_s", "_m")  # at the end of a key
@@ -76,17 +75,18 @@ class Document:
         """Read a table with those inside it."""
         arguments = self.arguments.setdefault(path, {})
         table = self._tables[path]
-        inner = self._tables_in(path)
+        if table.is_of_unknown_law:
+            content = {"law": content["law"]}
         for name, value in content.items():
-            full = _joined(path, name)
-            if name in inner and isinstance(value, dict):
+            full = joined(path, name)
+            if name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
-            elif name in inner:
+            elif name in table.tables:
                 title = self._tables[full].title
                 self._report(full, f"{full} = {shown(value)}: must be {self._heading(full)}: {title}")
             elif name in table.keys:
                 key = table.keys[name]
-                self.typed[_joined(path, key.name)] = full
+                self.typed[joined(path, key.name)] = full
                 arguments[key.name] = self._argument(full, key, value, content, table)
             else:
                 meant, advice = _advice(path, name, self._tables)
@@ -95,15 +95,6 @@ class Document:
         self._note_missing(path, content)
         self._check_sets(path, content)
         self._check_choices(path, content)
-
-    def _tables_in(self, path: str) -> dict[str, str]:
-        """Subtables of a table by their names, with their paths."""
-        inside = {}
-        for full in self._tables:
-            parent, _, name = full.rpartition(".")
-            if full and parent == path:
-                inside[name] = full
-        return inside
 
     def _heading(self, path: str) -> str:
         """Heading of a table of a file, or of each table in a list."""
@@ -138,9 +129,9 @@ class Document:
         """Collect required keys and tables missing in a table; they are reported once all misspelt keys are known."""
         for name, key in self._tables[path].keys.items():
             if key.required and name not in content:
-                self._missing[_joined(path, name)] = f"{key.title}, {key.allowed}"
-        for name, full in self._tables_in(path).items():
-            table = self._tables[full]
+                self._missing[joined(path, name)] = f"{key.title}, {key.allowed}"
+        for name, table in self._tables[path].tables.items():
+            full = joined(path, name)
             if table.required and name not in content:
                 self._missing[full] = f"{table.title}, {self._heading(full)}"
 
@@ -148,7 +139,7 @@ class Document:
         """Check that a table has all keys of exactly one of its sets."""
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
-        misspelt = any(key.startswith(_joined(path, "")) for key in self._meant)
+        misspelt = any(key.startswith(joined(path, "")) for key in self._meant)
         if not sets or present in map(set, sets) or misspelt:
             return
         fault = "something is missing"
@@ -165,7 +156,7 @@ class Document:
             if len(present) > 1:
                 self._report(path, f"{path}: {' and '.join(present)} exclude each other; remove one")
         for choice in (*table.one_of, table.any_of):
-            paths = [_joined(path, key) for key in choice]
+            paths = [joined(path, key) for key in choice]
             if not choice or any(key in content for key in choice):
                 continue
             if self._meant.isdisjoint(paths):
@@ -184,16 +175,11 @@ def shown(value: Any) -> str:
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
-def _joined(path: str, name: str) -> str:
-    """The path of a key or a table inside a table."""
-    return f"{path}.{name}" if path else name
-
-
 def _question(key: Key, entry: Any, table: Table) -> str:
     """Additional advice on a wrong value: the key's title, and the word, unit or angle that was probably meant."""
     title = f": {key.title}"
     if "|" in key.kind or key.name == "law":
-        choice = LAWS if key.name == "law" else key.kind.split("|")
+        choice = table.laws or key.kind.split("|")
         for word in get_close_matches(str(entry), choice, 1):
             title += f"; did you mean {word}?"
         return title
@@ -226,18 +212,17 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
         parent, _, key = table.rpartition(".")
         within[parent].append(key)
     here = within[path]
-    if path == "friction":
-        laws = [law for law in LAWS if unknown in law_table(law).keys]
-        if laws:
-            law = tables[path].keys["law"].kind
-            return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
+    laws = [law for law, table in tables[path].laws.items() if unknown in table.keys]
+    if laws:
+        law = tables[path].keys["law"].kind
+        return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
     key = _similar(unknown, here, tables[path])
     if key:
-        return _joined(path, key), f"did you mean {key}?"
+        return joined(path, key), f"did you mean {key}?"
     for table in tables:
         for key in get_close_matches(unknown, within[table], 1, 0.9):
             place = f" in [{table}]" if table else " above the first table"
-            return _joined(table, key), f"did you mean {key}{place}?"
+            return joined(table, key), f"did you mean {key}{place}?"
     if not here:
         return "", "this table has no keys"
     return "", f"known are {', '.join(here)}"

@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -114,17 +115,61 @@ class Key(NamedTuple):
 class Table(NamedTuple):
     """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``.
 
-    Of ``sets`` of keys all of one and none of the others. A table that ``repeats`` holds others: "named", by any name,
-    or "numbered" from 1, which the file has as a list [[...]].
+    Of ``sets`` of keys all of one and none of the others. It may hold other ``tables``, by name. Where there are
+    ``laws``, its key ``law`` chooses the one whose keys it has, by default the first. One that ``repeats`` stands for
+    many: "named", by any name, or "numbered" from 1, which the file has as a list [[...]].
     """
 
     title: str
-    keys: Mapping[str, Key]
+    keys: Mapping[str, Key] = {}
     one_of: tuple[tuple[str, ...], ...] = ()
     any_of: tuple[str, ...] = ()
     required: bool = False
     sets: tuple[tuple[str, ...], ...] = ()
     repeats: str = ""
+    tables: Mapping[str, Any] = {}
+    laws: Mapping[str, Any] = {}
+
+    def of_law(self, given: Any) -> "Table":
+        """The table with the keys of a law, or one like it; where none is, ``law`` is its only key."""
+        names = tuple(self.laws)
+        near = get_close_matches(str(given), names, 1)
+        if not near:
+            law = self.laws[names[0]].keys["law"]._replace(kind="|".join(names))
+            return self._replace(keys={"law": law})
+        chosen: Table = self.laws[near[0]]
+        return chosen._replace(title=self.title, required=self.required, laws=self.laws)
+
+    @property
+    def is_of_unknown_law(self) -> bool:
+        """Whether `of_law` knew no law; parameters of an unknown law cannot be checked."""
+        return bool(self.laws) and self.keys["law"].kind not in self.laws
+
+
+def joined(path: str, name: str) -> str:
+    """The path of a key or a table inside a table."""
+    return f"{path}.{name}" if path else name
+
+
+def tables_in(content: Any, name: str) -> dict[str, Any]:
+    """The tables inside a table of a file."""
+    table = content.get(name)
+    return {k: one for k, one in table.items() if isinstance(one, Mapping)} if isinstance(table, Mapping) else {}
+
+
+def fitted(table: Table, content: Any = None, path: str = "") -> dict[str, Table]:
+    """A table and all inside it by their paths, fitted to a file: its laws, and one for each that repeats there."""
+    given = content if isinstance(content, Mapping) else {}
+    if table.laws:
+        table = table.of_law(given.get("law", next(iter(table.laws))))
+    found = {path: table}
+    for name, inner in table.tables.items():
+        if inner.repeats:
+            each = inner._replace(repeats="", required=False)
+            inner = Table(inner.title, required=inner.required, repeats=inner.repeats)
+            inner = inner._replace(tables=dict.fromkeys(tables_in(given, name), each))
+        found |= fitted(inner, given.get(name), joined(path, name))
+    return found
 
 
 def declare(
@@ -238,19 +283,26 @@ def table_of(
     return Table(title, by_name, tuple(alternatives), tuple(needed))
 
 
-def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
-    law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", name)
-    return table_of(LAWS[name].help, LAWS[name].parameters, {"law": law})
+def _laws(names: tuple[str, ...]) -> dict[str, Table]:
+    """A table for each law."""
+    found = {}
+    for name in names:
+        law = Key("law", "friction law", f"one of {', '.join(names)}", name != "constant", name)
+        found[name] = table_of(LAWS[name].help, LAWS[name].parameters, {"law": law})
+    return found
 
 
-def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
-    """Every table that a scene file may have, by its path."""
-    by_rate = {"friction.rate": law_table(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
-    return {
-        "": table_of("a scene of slipcircle", _TOP, _TEXT),
-        "arc": table_of("the failed section", ARC)._replace(required=True),
-        "arc.given": table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN),
-        "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
-        **(by_rate if may_have_rate(law) else {}),
-        **{name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},
-    }
+_RATE = Table("law of speed that multiplies that of slip", laws=_laws(RATE_LAWS))
+OF_SOIL = Table("friction of the soil, by default none", laws=_laws(tuple(LAWS)))
+RATE_OF_SOILS = _RATE._replace(title="law of speed that multiplies the friction of all soils")
+_WITH_RATE = {
+    law: table._replace(tables={"rate": _RATE} if may_have_rate(law) else {}) for law, table in OF_SOIL.laws.items()
+}
+FRICTION = Table("friction on the slip surface", required=True, laws=_WITH_RATE)
+EFFECT_TABLES = {
+    name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()
+}
+_GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
+ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
+TOP = table_of("a scene of slipcircle", _TOP, _TEXT)
+WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES})

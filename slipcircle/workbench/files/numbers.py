@@ -19,9 +19,9 @@ from slipcircle.core import Scene, arc_numbers, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
-from slipcircle.workbench.files.keys import VARYING, Table, tables_of
+from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
 from slipcircle.workbench.files.keys import Number as Number
-from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, layered_tables, loads_of
+from slipcircle.workbench.files.slopekeys import WITH_LAYERS
 
 
 def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
@@ -51,17 +51,21 @@ def lengths(arc: Any) -> set[str]:
     return {name for name in arc_numbers(arc) if name.partition(".")[0] in ("radius", *_POINTS)}
 
 
-def _tables(scene: Any) -> dict[str, Any]:
+def _tables(scene: Any) -> dict[str, Table]:
     """The tables that a file of the scene may have, with its laws."""
     arc = scene.arc
     if not isinstance(arc, LayeredSection):
         law, *rate = law_names(scene.friction)
-        return tables_of("constant" if law == "callable" else law, *rate)
-    rate = [arc.rate["law"]] if arc.rate else []
-    tables = tables_of("constant", *rate)
-    tables = {path: table for path, table in tables.items() if path.partition(".")[0] not in NOT_WITH_LAYERS}
-    laws = {soil.name: law_names(soil.friction)[0] for soil in arc.soils}
-    return tables | layered_tables(laws, len(arc.layers), *rate) | loads_of(len(arc.surcharge))
+        named = {} if law == "callable" else {"law": law}
+        return fitted(WITH_ARC, {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})})
+    soils = {soil.name: {"friction": {"law": law_names(soil.friction)[0]}} for soil in arc.soils}
+    given = {"soils": soils, "slip": {"rate": arc.rate or {}}, "layers": _some(arc.layers)}
+    return {"arc": ARC_TABLE} | fitted(WITH_LAYERS, given | {"surcharge": _some(arc.surcharge)})
+
+
+def _some(these: Collection[Any]) -> dict[str, Any]:
+    """Empty tables by their numbers."""
+    return {f"{k}": {} for k in range(1, len(these) + 1)}
 
 
 def by_key(scene: Any) -> dict[str, Number]:

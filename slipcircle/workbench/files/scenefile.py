@@ -156,7 +156,7 @@ def _read(content: Mapping[str, Any], moving: bool) -> _Input:
         slope, wrong = _slope_input(given, layout, document.wrong, keys, moving)
     elif "arc" not in document.wrong:
         arc, wrong = _arc(given, keys)
-    friction = None if layout.layered else _friction(given, layout)
+    friction = None if layout.layered else _friction(given)
     of_law = [] if friction is None or "friction" in document.wrong else law_mistakes(friction)
     wrong += [Message.of(mistake).worded(keys) for mistake in of_law]
     return _Input(document, keys, arc, slope, friction, [*layout.mistakes, *document.mistakes, *wrong])
@@ -201,7 +201,7 @@ def _slope_input(
     layers = None
     if layout.layered:
         readable = not {"soils", "layers", "slip"} & {*wrong}
-        layers = profile(given, keys, _rate(given.get("slip.rate"), layout.rate), readable)
+        layers = profile(given, keys, given.get("slip.rate"), readable)
         mistakes += layers.mistakes
     loads, of_loads = surcharges(given)
     return SlopeInput(given, {}, layers, loads), mistakes + of_loads
@@ -225,16 +225,10 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
         return None, ["; ".join(message.within("arc").worded(keys) for message in error.messages)]
 
 
-def _friction(given: Mapping[str, dict[str, Any]], layout: Layout) -> dict[str, Any]:
+def _friction(given: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
     """The law of slip of a file, with the law of speed that multiplies it."""
-    friction: dict[str, Any] = {"law": layout.law} | given.get("friction", {})
-    rate = _rate(given.get("friction.rate"), layout.rate)
-    return friction | ({"rate": rate} if rate is not None else {})
-
-
-def _rate(given: Mapping[str, Any] | None, law: str) -> dict[str, Any] | None:
-    """The law of speed of a file, where there is one."""
-    return {"law": law} | dict(given or {}) if law else None
+    rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
+    return {"law": "constant"} | given.get("friction", {}) | rate
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:

@@ -1,46 +1,20 @@
 """The JSON Schema of a scene file, for editors: tables, keys, and their allowed values."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
-from generated.effects import EFFECTS, LAWS
-from slipcircle.core import RATE_LAWS, may_have_rate
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import Key, Table, law_table, tables_of
-from slipcircle.workbench.files.slopekeys import (
-    LOADS,
-    NOT_WITH_LAYERS,
-    SLOPING,
-    SOIL_LAWS,
-    layered_tables,
-    soil_friction,
-)
-
-
-def _any_of(*names: str) -> list[dict[str, list[str]]]:
-    return [{"required": [name]} for name in names]
-
+from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
+from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
 _WEIGHT = {"required": ["unit_weight_kN_m3"]}
-_OF_LAYERS = ("soils", "layers", "slip")
-_WITH_ARC = {"required": ["arc", "friction"], "not": {"anyOf": _any_of(*SLOPING, *LOADS, *_OF_LAYERS)}}
-_WITH_ONE_SOIL = {
-    "required": ["ground", "circle", "friction"],
-    "properties": {"ground": _WEIGHT},
-    "not": {"anyOf": _any_of("arc", *_OF_LAYERS)},
-}
-_WITH_LAYERS = {
-    "required": ["ground", "circle", "soils", "layers"],
-    "properties": {"ground": {"not": _WEIGHT}},
-    "not": {"anyOf": _any_of("arc", *NOT_WITH_LAYERS)},
-}
+_OF_GROUND: tuple[dict[str, Any], ...] = ({}, {"ground": _WEIGHT}, {"ground": {"not": _WEIGHT}})
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
 
 
 def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of a scene file: with an arc, or in its place with a ground and a circle."""
-    tables = tables_of("constant")
     defs = {
         name: _object(
             {"distribution": {"const": name}} | {k: {"type": "number"} for k in kind.parameters},
@@ -49,49 +23,36 @@ def schema() -> dict[str, Any]:
         )
         for name, kind in DISTRIBUTIONS.items()
     }
-
-    def defined(name: str, table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
-        defs[name] = _schema_of_table(table, more)
-        return {"$ref": f"#/$defs/{name}"}
-
-    given = defined("given", tables["arc.given"])
-    rates = {"anyOf": [defined(f"rate_{law}", law_table(law, RATE_LAWS)) for law in RATE_LAWS]}
-    laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
-    inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
-    inner |= {name: defined(name, tables[name]) for name in EFFECTS}
-    inner |= _of_slopes(defined)
-    found = _schema_of_table(tables[""], inner)
+    forms = (WITH_ARC, WITH_ONE_SOIL, WITH_LAYERS)
+    ground = WITH_ONE_SOIL.tables["ground"]
+    any_ground = ground._replace(keys={k: key._replace(required=False) for k, key in ground.keys.items()})
+    tables = {**WITH_LAYERS.tables, **WITH_ONE_SOIL.tables, **WITH_ARC.tables, "ground": any_ground}
+    found = _schema_of_table(WITH_ARC._replace(tables=tables), "", defs)
     found["required"] = []
-    found["oneOf"] = [_WITH_ARC, _WITH_ONE_SOIL, _WITH_LAYERS]
+    found["oneOf"] = [
+        {
+            "required": [name for name, table in form.tables.items() if table.required],
+            "properties": of_ground,
+            "not": {"anyOf": [{"required": [name]} for name in tables if name not in form.tables]},
+        }
+        for form, of_ground in zip(forms, _OF_GROUND, strict=True)
+    ]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
 
 
-def _of_slopes(defined: Callable[..., dict[str, Any]]) -> dict[str, Any]:
-    """The tables of slopes by their names; ``defined`` puts one among the definitions."""
-    ground = SLOPING["ground"]
-    keys = {k: key._replace(required=False) for k, key in ground.keys.items()}
-    inner = {name: _schema_of_table(table) for name, table in SLOPING.items()}
-    inner |= {"ground": _schema_of_table(ground._replace(keys=keys))}
-    inner |= {name: _schema_of_table(table) for name, table in LOADS.items()}
-    inner["surcharge"] = {"type": "array", "items": inner["surcharge"]}
-    layered = layered_tables({"NAME": "constant"}, 1)
-    laws = {"anyOf": [defined(f"soil_friction_{law}", soil_friction(law)) for law in SOIL_LAWS]}
-    soil = defined("soil", layered["soils.NAME"], {"friction": laws})
-    rates = {"anyOf": [{"$ref": f"#/$defs/rate_{law}"} for law in RATE_LAWS]}
-    return inner | {
-        "soils": {"type": "object", "title": layered["soils"].title, "additionalProperties": soil},
-        "layers": {"type": "array", "title": layered["layers"].title, "items": defined("layer", layered["layers.1"])},
-        "slip": _schema_of_table(layered["slip"], {"rate": rates}),
-    }
-
-
-def _schema_of_table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
-    keys = {k: _schema_of_key(key) for k, key in table.keys.items()}
-    required = [k for k, key in table.keys.items() if key.required]
-    schema = _object(keys | dict(more), table.title, required)
-    needs: list[Any] = []
-    for pair in table.one_of:
-        needs.append({"oneOf": [{"required": [k]} for k in pair]})
+def _schema_of_table(table: Table, name: str, defs: dict[str, Any]) -> dict[str, Any]:
+    """Schema of a table with those inside it; laws, by the table's name, are put among the definitions."""
+    if table.laws:
+        for law, of_law in table.laws.items():
+            defs[f"{name}_{law}"] = _schema_of_table(of_law, name, defs)
+        return {"title": table.title, "anyOf": [{"$ref": f"#/$defs/{name}_{law}"} for law in table.laws]}
+    properties = {k: _schema_of_key(key) for k, key in table.keys.items()}
+    for inside, inner in table.tables.items():
+        one = _schema_of_table(inner, f"{name}_{inside}".lstrip("_"), defs)
+        many = {"named": {"type": "object", "additionalProperties": one}, "numbered": {"type": "array", "items": one}}
+        properties[inside] = many[inner.repeats] | {"title": inner.title} if inner.repeats else one
+    schema = _object(properties, table.title, [k for k, key in table.keys.items() if key.required])
+    needs = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
     if table.any_of:
         needs.append({"anyOf": [{"required": [k]} for k in table.any_of]})
     if table.sets:

@@ -5,12 +5,25 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from generated.effects import INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.core import RATE_LAWS
+from generated.effects import INFINITY, LIMITS, Parameter
 from slipcircle.derivatives import SOIL_BOUNDS
-from slipcircle.workbench.files.keys import ARC, Key, Table, declare, law_table, table_of
+from slipcircle.workbench.files.keys import (
+    ARC,
+    EFFECT_TABLES,
+    FRICTION,
+    OF_SOIL,
+    RATE_OF_SOILS,
+    TOP,
+    Key,
+    Table,
+    declare,
+    table_of,
+)
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
+
+NOT_WITH_LAYERS = ("friction", "cohesion", "pore_pressure")
+_MOST_COHESION = 1e5  # kPa, of the soil of a homogeneous slope: more was in Pa
 
 
 def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
@@ -158,10 +171,8 @@ LOADS: Mapping[str, Table] = {  # beside them
 
 # --- soils and layers ------------------------------------------------------------------------------------------------
 
-SOIL_LAWS = tuple(LAWS)
-NOT_WITH_LAYERS = ("friction", "cohesion", "pore_pressure")
 _SOIL = table_of(
-    "a soil, by its name",
+    "the soils, each by its name",
     [
         _of_soil("unit_weight", "unit_weight_kN_m3", "unit weight", 1e3, optional=False),
         _of_soil("saturated_unit_weight", "saturated_unit_weight_kN_m3", "unit weight below the water level", 1e3),
@@ -175,7 +186,7 @@ _SOIL = table_of(
         _length("datum", "y below which the cohesion grows, by default the height of the soil's top", -INFINITY),
         _of_soil("pore_ratio", "pore_pressure_ratio", "r_u, in place of the water level, by default 0"),
     ],
-)
+)._replace(required=True, repeats="named", tables={"friction": OF_SOIL})
 _LAYER = table_of(
     "the soils from the ground down, each by its name and its top",
     [
@@ -185,7 +196,7 @@ _LAYER = table_of(
         )
     ],
     {"soil": Key("soil", "name of the soil", required=True)},
-)
+)._replace(required=True, repeats="numbered")
 _SLIP = table_of(
     "where the strength of the soils goes as the mass slides",
     [],
@@ -198,30 +209,15 @@ _SLIP = table_of(
         ),
         "foreland": Key("foreland", "name of the soil below the arc beyond its exit, by default that at the exit"),
     },
-)
+)._replace(tables={"rate": RATE_OF_SOILS})
 
 
-def soil_friction(law: str) -> Table:
-    """Friction of a soil."""
-    return law_table(law, SOIL_LAWS)._replace(title="friction of the soil, by default none")
-
-
-def loads_of(surcharges: int) -> dict[str, Table]:
-    """The tables of a crack and of so many surcharges, whose numbers may vary."""
-    crack = {"tension_crack": LOADS["tension_crack"]}
-    return crack | {f"surcharge.{k}": LOADS["surcharge"]._replace(repeats="") for k in range(1, surcharges + 1)}
-
-
-def layered_tables(laws: Mapping[str, str], layers: int, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
-    """The tables of soils, by their names with the law of each, of so many layers, and of slip."""
-    tables = {
-        "soils": Table("soils by their names", {}, required=True, repeats="named"),
-        "layers": Table(_LAYER.title, {}, required=True, repeats="numbered"),
-        "slip": _SLIP,
-        "slip.rate": law_table(rate, RATE_LAWS)._replace(
-            title="law of speed that multiplies the friction of all soils"
-        ),
-    }
-    for name, law in laws.items():
-        tables |= {f"soils.{name}": _SOIL, f"soils.{name}.friction": soil_friction(law)}
-    return tables | {f"layers.{k}": _LAYER for k in range(1, layers + 1)}
+_COHESION = EFFECT_TABLES["cohesion"].keys["cohesion_kPa"]
+_PLAUSIBLE = _COHESION._replace(number=replace(_COHESION.number, high=_MOST_COHESION))
+_OF_EFFECTS = EFFECT_TABLES | {"cohesion": EFFECT_TABLES["cohesion"]._replace(keys={"cohesion_kPa": _PLAUSIBLE})}
+WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS})
+_GROUND = SLOPING["ground"]
+_OF_LAYERS = {name: table for name, table in WITH_ONE_SOIL.tables.items() if name not in NOT_WITH_LAYERS} | {
+    "ground": _GROUND._replace(keys={k: key for k, key in _GROUND.keys.items() if key.name != "unit_weight"})
+}
+WITH_LAYERS = TOP._replace(tables={**_OF_LAYERS, "slip": _SLIP, "soils": _SOIL, "layers": _LAYER})

@@ -2,14 +2,14 @@
 
 import textwrap
 from collections.abc import Iterator
+from itertools import chain
 
 from generated.effects import EFFECTS, LAWS, Effect, Law
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.files.keys import Table, tables_of
-from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, SOIL_LAWS, layered_tables
+from slipcircle.workbench.files.keys import EFFECT_TABLES, FRICTION, TOP, WITH_ARC, Table, joined
+from slipcircle.workbench.files.slopekeys import LOADS, SLOPING, WITH_LAYERS
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
 
-_PLACES = ("arc", "arc.given", *SLOPING)
 WIDTH = 100
 INDENT = 28
 HEAD = """\
@@ -33,13 +33,11 @@ adds to these; notebooks/0_the_method.ipynb derives them.
 
 def guide() -> str:
     """The text, at most 100 columns wide."""
-    tables = tables_of("constant")
-    lines = [HEAD, "Above the first table", *_keys(tables[""])]
-    every_table = tables | dict(SLOPING)
-    by_head = {f"[{path}]": table for path, table in every_table.items() if path in _PLACES}
-    by_head |= _of_layers()
-    for head, table in by_head.items():
-        lines += ["", *_title(head, table.title), *_keys(table)]
+    lines = [HEAD, "Above the first table", *_keys(TOP)]
+    forms = (WITH_ARC.tables, SLOPING, {name: WITH_LAYERS.tables[name] for name in ("soils", "layers", "slip")}, LOADS)
+    for name, table in chain.from_iterable(tables.items() for tables in forms):
+        if name not in (*EFFECTS, "friction"):
+            lines += _tables(name, table)
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
     for method, (name, description) in METHODS.items():
         lines += _title(f"  {method}", f"{name}: {description}")
@@ -48,15 +46,24 @@ def guide() -> str:
         *_title("[friction]", "mu on the slip surface, by one of these laws; of layers [soils.NAME.friction]"),
     ]
     for name, law in LAWS.items():
-        keys = tables_of(name)["friction"]
-        lines += ["", *_title(f'  law = "{name}"', _with_source(law)), *_keys(keys)]
+        lines += ["", *_title(f'  law = "{name}"', _with_source(law)), *_keys(FRICTION.laws[name])]
     lines += ["", *_title("[friction.rate]", "a law of speed that multiplies one of slip, with the keys of that law")]
     for name, effect in EFFECTS.items():
         lines += ["", *_title(f"[{name}]", _with_source(effect))]
         lines += [INDENT * " " + formula for formula in effect.formulas]
-        lines += _keys(tables[name])
+        lines += _keys(EFFECT_TABLES[name])
     lines += ["", *_title("uncertain numbers", _of_uncertain_numbers())]
     return "\n".join(lines)
+
+
+def _tables(path: str, table: Table) -> Iterator[str]:
+    """Lines of a table and those inside it; of one that chooses a law, its laws."""
+    path = f"{path}.NAME" if table.repeats == "named" else path
+    head = f"[[{path}]]" if table.repeats == "numbered" else f"[{path}]"
+    laws = f": with the keys of [friction], law one of {', '.join(table.laws)}" if table.laws else ""
+    yield from ("", *_title(head, table.title + laws), *_keys(table))
+    for name, inner in table.tables.items():
+        yield from _tables(joined(path, name), inner)
 
 
 def _with_source(declared: Law | Effect) -> str:
@@ -68,22 +75,6 @@ def _of_uncertain_numbers() -> str:
     example = '{ distribution = "normal", mean = 10, std = 1 }'
     kinds = [f"{name} ({', '.join(kind.parameters)})" for name, kind in DISTRIBUTIONS.items()]
     return f"instead of a number: {example}, in the key's unit, for `slipcircle sweep`; {', '.join(kinds)}"
-
-
-def _of_layers() -> dict[str, Table]:
-    """The tables of soils, layers and loads by their headings."""
-    tables = layered_tables({"NAME": "constant"}, 1)
-    laws = f"friction of the soil, none by default: with the keys of [friction], law one of {', '.join(SOIL_LAWS)}"
-    rate = tables["slip.rate"]
-    found = {
-        "[soils.NAME]": tables["soils.NAME"],
-        "[soils.NAME.friction]": Table(laws, {}),
-        "[[layers]]": tables["layers.1"]._replace(title=tables["layers"].title),
-        "[slip]": tables["slip"],
-        "[slip.rate]": Table(f"a {rate.title}, with its keys", {}),
-    }
-    loads = {f"[[{path}]]" if table.repeats else f"[{path}]": table for path, table in LOADS.items()}
-    return found | loads
 
 
 def _title(head: str, words: str) -> list[str]:
