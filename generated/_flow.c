@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "44c945883cda7e3492bc064f65f4894c531c5fd5c8ba7562609a0a0a6defa4d5"
+#define DIGEST "36babae8daeead0285f9f131bde2b323116bfcb95deafaaf09feeaa332378300"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1804,14 +1804,17 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
     }
 }
 
-/* A fraction of the least radius of convergence of the states, or all of the room where series end early. */
+/* A fraction of the least radius of convergence of the states, or all of the room where series end early. The
+ * rotation's is that of its rate, the angular velocity. */
 INLINE void choose_step(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V radius = broadcast(INFINITY);
     for (const State *q = job->state; q < job->state + job->states; q++) {
-        radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+        if (q->rate != job->role->omega) {
+            radius = minimum(radius_of_convergence(b, b->r + q->series, top, c[SERIES_ORDER]), radius);
+        }
     }
     c[STEP] = pick(here, pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room)), c[STEP]);
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 817d62669376588df16ca5a51d7a4d8381a749db4cb82720c386567655ccfdff
+# sha256 of the text below: fa90751f2bf3f0ba6f92557a77145aee9d8820a01c11d18d944779c3fd01d899
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "44c945883cda7e3492bc064f65f4894c531c5fd5c8ba7562609a0a0a6defa4d5"  # of the compiled integrator's source
+DIGEST = "36babae8daeead0285f9f131bde2b323116bfcb95deafaaf09feeaa332378300"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 89184c6f7ab1a1660b6ed9e082615237515f03f09d92809696ac43b452811bfe
+# sha256 of the text below: dacd4d4f8b2ac317437668eb322f9377269b63717e7ccc4aec8e74de173adeca
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1273,7 +1273,8 @@ def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     c = s.cells
     radius: Floats = INFINITY
     for q in s.states:
-        radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
+        if q.rate != s.roles.omega:
+            radius = np.minimum(radius_of_convergence(s, s.registers[q.register], top, c[ix.SERIES_ORDER]), radius)
     c[ix.STEP] = np.where(here, np.where(c[ix.SERIES_ORDER] < c[ix.ORDER], room, np.minimum(c[ix.FACTOR] * radius,
         room)), c[ix.STEP])
 

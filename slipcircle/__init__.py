@@ -11,12 +11,18 @@ those of the package `generated`, which `python -m derive` writes.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-import generated
+try:
+    import generated
+except ModuleNotFoundError as error:
+    if error.name == "numpy":
+        raise ImportError("slipcircle needs NumPy: pip install numpy") from None
+    raise
 
 if getattr(generated, "__project__", None) != "slipcircle":
+    place = getattr(generated, "__file__", None) or list(generated.__path__)
     raise ImportError(
-        f"the package 'generated' found at {getattr(generated, '__file__', None) or list(generated.__path__)} is not "
-        "the one that slipcircle needs: remove it from sys.path, or put slipcircle's folder before it"
+        f"the package 'generated' found at {place} is not the one that slipcircle needs: rename it, start Python in "
+        "another folder, or put the folder of slipcircle first on sys.path"
     )
 
 from slipcircle.base import VERSION
@@ -28,6 +34,7 @@ if TYPE_CHECKING:
     from slipcircle.ground import Section
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
+    from slipcircle.workbench.common.quantities import Interval
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
@@ -35,7 +42,6 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
-    from slipcircle.workbench.studies.problem import Interval
     from slipcircle.workbench.studies.study import Study
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
@@ -49,7 +55,7 @@ _PLACES = {
     "Critical": "workbench.stability.search",
     "Dimensionless": "core",
     "Energy": "core",
-    "Interval": "workbench.studies.problem",
+    "Interval": "workbench.common.quantities",
     "LayeredSection": "layers",
     "Motion": "core",
     "Plan": "core",

@@ -184,6 +184,7 @@ def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> No
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # What opens each door: a scene that ships, with what no file can say, and a question about its motion.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
+    "given": ("vaiont-as-printed", {}, bool),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),

@@ -52,7 +52,12 @@ _OF_TABLE = {
 }
 ENTRIES = {(kind, x): entry for kind in ("LANES", "LANE") for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
-ENTRIES |= {("Q", "now"): ("NOW", "V"), ("Q", "series"): ("STATE", "S"), ("Q", "rate"): ("STATE", "S")}
+ENTRIES |= {
+    ("Q", "has_own_radius"): ("HAS_OWN_RADIUS", "N"),
+    ("Q", "now"): ("NOW", "V"),
+    ("Q", "series"): ("STATE", "S"),
+    ("Q", "rate"): ("STATE", "S"),
+}
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # The kind of what a call of a primitive gives; nothing where it depends on the arguments.
 PRIMITIVES = {

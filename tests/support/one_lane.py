@@ -89,7 +89,8 @@ class Lane(Entries):
                 jumps=[number(x) for x in data.jumps.tolist()], coefficients=Window(cells, slot.cells + ix.Q1),
                 polynomials=[[number(x) for x in row] for row in data.coefficients.tolist()]))  # fmt: skip
         names = ("x", "omega", "net", "normal", "upright")
-        states = [Entries(cells, {"now": cell}, series=registers[r], rate=registers[rate])
+        states = [Entries(cells, {"now": cell}, series=registers[r], rate=registers[rate],
+                           has_own_radius=rate != program.roles["omega"])
                   for cell, r, rate in program.states]  # fmt: skip
         super().__init__(
             cells, places, program=program, registers=registers, states=states, tables=tables, notes=[], samples=0,

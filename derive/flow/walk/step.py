@@ -210,10 +210,14 @@ def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
 
 
 def choose_step(s: Lanes, here: M, room: V, top: N) -> None:
-    """A fraction of the least radius of convergence of the states, or all of the room where series end early."""
+    """A fraction of the least radius of convergence of the states, or all of the room where series end early.
+
+    The rotation's is that of its rate, the angular velocity.
+    """
     radius: V = INFINITY
     for q in s.states:
-        radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
+        if q.has_own_radius:
+            radius = minimum(radius_of_convergence(s, q.series, top, s.series_order), radius)
     s.step = where(s.series_order < s.order, room, minimum(s.factor * radius, room))
 
 

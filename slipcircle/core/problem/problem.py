@@ -26,7 +26,7 @@ from slipcircle.core.scene.piecewise import Data
 
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
-LOWEST = 5  # order, as the radius of convergence compares the last coefficients with the first five
+LOWEST = 7  # order: below it the radius of convergence is that of one or two coefficients alone
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # beginnings of their names
 Function = Callable[[Any], Any]

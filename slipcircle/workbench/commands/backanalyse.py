@@ -8,7 +8,7 @@ from typing import Any
 from slipcircle.base.text import digits_left, shown
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene
-from slipcircle.workbench.common import quantities
+from slipcircle.workbench.common import records
 from slipcircle.workbench.common.quantities import OUTCOMES, to_error
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures
@@ -47,10 +47,12 @@ def run(options: argparse.Namespace) -> Answer:
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
     fields = values.by_key("field", options.field or [], form, values.bounds)
     observed = {name: getattr(options, name) for name in OUTCOMES}
-    if all(value is None for value in observed.values()):
-        raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(OPTIONS.values())}")
+    scene = load(options.scene)
+    if not scene.observed and all(value is None for value in observed.values()):
+        known = ", ".join(OPTIONS.values())
+        raise ValueError(f"backanalyse: nothing observed: give one of {known}, or [observed] in the scene file")
     bounds = {key: ends for key, ends in fields.items() if ends}
-    fit = backanalyse(load(options.scene), field=list(fields) or None, bounds=bounds, **observed)
+    fit = backanalyse(scene, field=list(fields) or None, bounds=bounds, **observed)
     name = fit.motion.plan.scene.name
     columns = [_column(fit, solution) for solution in fit.solutions]
     heads = [name] if len(columns) == 1 else [f"solution {k}" for k in range(1, len(columns) + 1)]
@@ -64,7 +66,7 @@ def _record(fit: BackAnalysis) -> dict[str, Any]:
     solutions = []
     for solution in fit.solutions:
         derived = {"standard_errors": solution.standard_errors, "correlation": solution.correlation}
-        solutions.append(vars(solution) | derived | {"motion": quantities.record(solution.motion)})
+        solutions.append(vars(solution) | derived | {"motion": records.record(solution.motion)})
     return {"scene": fit.motion.plan.scene.name} | vars(fit) | {"solutions": solutions}
 
 

@@ -8,7 +8,7 @@ from slipcircle.base.progress import track
 from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
-from slipcircle.workbench.common.quantities import record
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load

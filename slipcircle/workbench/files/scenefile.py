@@ -174,13 +174,15 @@ def _parts(
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     effects = _effects(document.arguments, Path(file).parent)
     parts = {"arc": arc, "friction": _short(friction), "effects": effects, "uncertain": document.uncertain}
+    parts["observed"] = document.arguments.get("observed", {})
     parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
-    return parts | document.arguments[""], keys
+    of_scene = {name: value for name, value in document.arguments[""].items() if name != "format"}
+    return parts | of_scene, keys
 
 
 def _short(friction: Mapping[str, Any] | None) -> Any:

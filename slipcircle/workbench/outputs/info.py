@@ -9,17 +9,21 @@ from pathlib import Path
 import generated
 from generated._compiled import LEVEL
 from slipcircle.base import VERSION
+from slipcircle.base.optional import EXTRAS, install
+
+MISSING = "not installed"
 
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
-    for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
+    for package in ("numpy", *EXTRAS):
+        library = "python-flint" if package == "flint" else package
         try:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
-            found[library] = "not installed"
+            found[library] = f"{MISSING}: {install(package)}"
     for path in sorted(Path(str(generated.__file__)).parent.glob("*.py")):
         found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
     return found
@@ -36,4 +40,4 @@ def processor() -> str:
 
 def machine() -> str:
     """Processor and versions, to be printed with measured times."""
-    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and v != "not installed")
+    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and not v.startswith(MISSING))

@@ -5,7 +5,6 @@ It is self-contained and has no date, so that the same scene, package and machin
 
 import base64
 import hashlib
-import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
@@ -23,13 +22,13 @@ from slipcircle.workbench.common.quantities import (
     RESULTS,
     Quantity,
     end_words,
-    plain,
+    json_text,
     prefixed,
-    record,
     results,
     summary,
     words,
 )
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
@@ -82,7 +81,7 @@ def chapter(
             yield part
         else:
             yield from _table(part)
-    numbers = json.dumps(plain(record), indent=2, allow_nan=False)
+    numbers = json_text(record)
     texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
     for heading, text in texts.items():  # folded
         yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")

@@ -12,11 +12,12 @@ import numpy as np
 
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OUTCOMES, Interval, Observed
 from slipcircle.workbench.studies.fits import fits
-from slipcircle.workbench.studies.problem import Bounds, Interval, Observed, SearchProblem, observations, search_problem
+from slipcircle.workbench.studies.problem import Bounds, SearchProblem, observations, search_problem
 from slipcircle.workbench.studies.roots import extreme, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
@@ -162,8 +163,9 @@ def backanalyse(
     scene : Scene
         Its values of the fields are ignored.
     reach, run_out, peak_velocity, duration : float, tuple of float or Interval, optional
-        Observed value, value and standard error, or `Interval`; m, m, m/s, s; signs as in `Motion`. At least one. A
-        single observation is met exactly by one field, several in the sense of least squares.
+        Observed value, value and standard error, or `Interval`; m, m, m/s, s; signs as in `Motion`. By default
+        what the scene has as ``observed``. A single observation is met exactly by one field, several in the sense of
+        least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
@@ -193,13 +195,12 @@ def backanalyse(
     15.2147
     """
     checked(scene, "backanalyse")
-    given = {"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration}
-    observed = observations(given)
+    asked = {"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration}
+    observed, intervals = observations(asked if any(x is not None for x in asked.values()) else scene.observed)
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     problem = search_problem(scene, field, bounds, observed)
     units = {f.key: f.unit for f in problem.fields}
-    intervals = {name: value for name, value in given.items() if isinstance(value, Interval)}
     if len(problem.fields) == len(observed) == 1:
         exact = _exact(problem)
         return BackAnalysis(units, observed, tuple(exact), ROOT, tuple(_range_warnings(problem, exact[0])), intervals)
@@ -372,10 +373,10 @@ def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
 
 def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
     """A sentence where the standard errors, if they are known, do not explain so large a misfit."""
-    from scipy.special import chdtrc
-
     free = problem.degrees_of_freedom
-    chance = float(chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    chance = (
+        float(optional("scipy.special", "back-analysis").chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    )
     if not problem.is_weighted or chance >= _UNLIKELY:
         return []
     reason = f"chance {chance:.1g}" if free else "as many unknowns as observations, so that all could be met"

@@ -1,0 +1,144 @@
+"""First use, in an empty folder and with packages missing or in the way: each time one line says what to do."""
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from slipcircle import load, solve
+from slipcircle.base.optional import EXTRAS
+from slipcircle.workbench.files.scenefile import find, shipped
+
+ROOT = Path(__file__).parents[1]
+EXTRA_OF = {
+    table: tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"][table]
+    for table in ("scenes", "plot", "dask", "derive")
+}
+
+
+def alone(folder: Path, code: str, *hidden: str, module: str = "slipcircle") -> subprocess.CompletedProcess[str]:
+    """What an interpreter says in a folder, in which packages cannot be imported; code, or a command's line."""
+    line = f"import sys; sys.modules.update(dict.fromkeys({list(hidden)}))\n"
+    if not code.startswith("import"):
+        code = (
+            f"import runpy; sys.argv = {['slipcircle', *code.split()]}; runpy.run_module('{module}', None, '__main__')"
+        )
+    kept = os.environ | {"PYTHONPATH": str(ROOT), "SLIPCIRCLE_COMPILED": ""}
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", line + code],
+        cwd=folder,
+        env=kept,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_from_nothing_to_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any, refused: Any) -> None:
+    """The three things to try, typed as they are printed."""
+    monkeypatch.chdir(tmp_path)
+    lines = re.findall(r"^  (slipcircle .*?)  ", said(), re.MULTILINE)
+    assert len(lines) == 3
+    for line in lines:
+        assert said(line.removeprefix("slipcircle "))
+    page = Path("slope.html").read_text("utf-8")
+    assert page.startswith("<!DOCTYPE html>")
+    assert "slope" in page
+    before = Path("slope.toml").read_bytes()
+    assert "is there already; give another name, or remove it first" in refused("new slope.toml")
+    assert Path("slope.toml").read_bytes() == before
+    for wrong, told in (("slope", "must end in .toml"), ("no/slope.toml", "there is no folder no")):
+        assert told in refused("new", wrong)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["slope.html", "slope.toml"]
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_every_scene_that_ships_is_one_to_start_from(name: str, tmp_path: Path, said: Any) -> None:
+    """With its comments; it moves as that scene does, under its own name."""
+    path = tmp_path / "my.toml"
+    said("new", path, "--like", name)
+    scene = load(path)
+    assert scene.name == "my"
+    assert solve(scene).run_out == solve(load(name)).run_out
+    comments = [line for line in find(name).read_text("utf-8").splitlines() if "#" in line]
+    assert {*comments} <= {*path.read_text("utf-8").splitlines()}
+
+
+def test_a_newer_scene_file_is_refused(tmp_path: Path, said: Any, refused: Any) -> None:
+    path = tmp_path / "my.toml"
+    said("new", path)
+    path.write_text(path.read_text("utf-8").replace("scene-1", "scene-2"), "utf-8")
+    assert 'format = "slipcircle-scene-2": must be slipcircle-scene-1' in refused("run", path)
+
+
+RECORD = "import numpy as np; t = np.arange(500) * 0.01; np.savetxt('q.csv', np.c_[t, np.sin(9 * t)], "
+RECORD += "delimiter=',', header='time_s,a_m_s2', comments='')"
+DISTRIBUTED = "sweep vaiont --samples 64 --uncertain friction.angle_deg=uniform:9:10 --engine dask"
+NEEDED = [
+    ("scipy", "scenes", "sweep vaiont --samples 64 --uncertain friction.angle_deg=normal:10:1"),
+    ("scipy", "scenes", "sweep newmark-pulse --records q.csv"),
+    ("scipy", "scenes", "backanalyse vaiont --run-out-m 400+-20 --duration-s 40+-5 --field friction.angle_deg"),
+    ("matplotlib", "plot", "run vaiont --plot a.png"),
+    ("matplotlib", "plot", "run vaiont --report a.html"),
+    ("matplotlib", "plot", "import slipcircle; slipcircle.solve(slipcircle.load('vaiont')).plot()"),
+    ("distributed", "dask", DISTRIBUTED),
+    ("flint", "derive", "cost polar_moment"),
+]
+
+
+@pytest.mark.parametrize(("package", "extra", "words"), NEEDED, ids=[words[:20] for *_, words in NEEDED])
+def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp_path: Path) -> None:
+    """What needs it, and the command; nothing is computed before, and no file is written."""
+    alone(tmp_path, RECORD)
+    done = alone(tmp_path, words, package)
+    assert done.returncode == 1
+    *_, last = done.stderr.splitlines()
+    assert words.startswith("import") or done.stderr.count("\n") == 1
+    name, _ = EXTRAS[package]
+    assert re.fullmatch(
+        rf"(slipcircle|ImportError): {name} is needed for .+: pip install 'slipcircle\[{extra}\]'", last
+    )
+    assert not [*tmp_path.glob("a.*")]
+
+
+@pytest.mark.parametrize("package", ["sympy", "mpmath", "flint"])
+def test_deriving_without_a_package(package: str, tmp_path: Path) -> None:
+    done = alone(tmp_path, "verify", package, module="derive")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"python -m derive needs {package}: pip install 'slipcircle[derive]'\n"
+
+
+def test_info_says_how_each_missing_package_is_installed(tmp_path: Path) -> None:
+    """Each is one of the extra that its command names."""
+    code = "import importlib.metadata as m; real = m.version; "
+    code += "m.version = lambda name: real(name) if name == 'numpy' else m.distribution('no-' + name); "
+    code += "from slipcircle.__main__ import main; main(['info'])"
+    done = alone(tmp_path, code)
+    told = dict(re.findall(r"^(\S+) +not installed: pip install 'slipcircle\[(\w+)\]'$", done.stdout, re.MULTILINE))
+    assert len(told) == len(EXTRAS) > 7, done.stderr
+    for package, extra in told.items():
+        assert any(re.match(rf"{package}\b", requirement) for requirement in EXTRA_OF[extra]), package
+
+
+def test_without_rich_the_progress_is_a_line(tmp_path: Path) -> None:
+    """A bar is no result: nothing is said of its package, and the line is on the terminal."""
+    code = "import io, slipcircle; from slipcircle.base.progress import Progress\n"
+    code += "class T(io.StringIO):\n    isatty = lambda self: True\n"
+    code += "out = T()\nwith Progress(4, 'scenes solved', out) as count:\n    count.pause = 0\n    count(2)\n"
+    code += "print(repr(out.getvalue()))"
+    done = alone(tmp_path, code, "rich")
+    assert done.returncode == 0, done.stderr
+    assert "2 of 4 scenes solved" in done.stdout
+
+
+@pytest.mark.parametrize("words", ["import slipcircle", "run vaiont"])
+def test_without_numpy(words: str, tmp_path: Path) -> None:
+    done = alone(tmp_path, words, "numpy")
+    assert (done.returncode, done.stdout) == (1, "")
+    *_, last = done.stderr.splitlines()
+    assert last == "ImportError: slipcircle needs NumPy: pip install numpy"
