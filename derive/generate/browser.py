@@ -41,11 +41,12 @@ def text(source: str, present: Path) -> str:
 def compiled(source: str) -> bytes:
     """The module of WebAssembly."""
     if find_spec("ziglang") is None:
-        raise ProofError(f"generated/{NAME} is older than _flow.c: `pip install -c constraints.txt ziglang` to make it")
+        make = "`pip install -c constraints.txt ziglang`, to make it anew"
+        raise ProofError(f"generated/{NAME}", "older than _flow.c", make)
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, "-o", "flow.wasm", "_flow.c"]
         Path(folder, "_flow.c").write_text(source, "utf-8")
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         if done.returncode:
-            raise ProofError(f"ziglang cannot compile _flow.c for a browser: {done.stderr.strip()[:200]}")
+            raise ProofError(f"generated/{NAME}: ziglang", done.stderr.strip()[:200], "a module of WebAssembly")
         return Path(folder, "flow.wasm").read_bytes()

@@ -6,8 +6,7 @@ itself is not interpolated: the page integrates it with the compiled text of `ge
 """
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,6 +36,8 @@ _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
+SMOOTH = 1e-9
+MOST_NUMBERS = 60_000  # of tables
 
 
 class Slider(NamedTuple):
@@ -56,8 +57,9 @@ class Slider(NamedTuple):
         number = self.number
         return {
             "key": number.key,
+            "name": number.name,
             "label": quantity_words(number),
-            "unit": number.unit,
+            "unit": number.unit or "g" * number.key.endswith("_g"),
             "low": self.low,
             "high": self.high,
             "value": float(number.from_si(parameter_value(scene, number.name))),
@@ -72,12 +74,18 @@ def default_sliders(scene: Scene) -> list[Slider]:
     keys, has_ground = by_name(scene), "ground" in scene.arc.quantities
     names = [name for name in parameters(scene) if name.partition(".")[0] in _STRENGTH]
     names = [name for name in names if name.rpartition(".")[2] not in _NOT_STRENGTH]
-    chosen = []
+    chosen = list[Slider]()
     for name in [*names, *(() if has_ground else _SHAPE)]:
         slider = _around(scene, keys[name])
         if slider and len(chosen) < MOST_SLIDERS:
             chosen.append(slider)
-    return with_one_of_tables(scene, chosen)
+    return [slider for slider in with_one_of_tables(scene, chosen) if is_smooth(scene, slider)]
+
+
+def is_smooth(scene: Scene, slider: Slider) -> bool:
+    """Whether the inputs of a motion have no kink in the range of a slider, but are polynomials to rounding."""
+    inputs = _Inputs(scene, [slider], plan(scene).accuracy)
+    return _greatest_error(inputs, _fits(inputs)) < SMOOTH
 
 
 def with_one_of_tables(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
@@ -85,7 +93,7 @@ def with_one_of_tables(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
     kept, found = list[Slider](), False
     for slider in sliders:
         lanes, _ = with_parameter_arrays(scene, {slider.number.name: slider.ends})
-        of_tables = any(data.coefficients.ndim > 2 for data in _at_start(lanes, ACCURACY)._problem.data.values())
+        of_tables = any(data.coefficients.ndim > 2 for data in _at_start(lanes, ACCURACY).problem.data.values())
         if not (of_tables and found):
             kept.append(slider)
         found = found or of_tables
@@ -106,13 +114,26 @@ def _around(scene: Scene, number: Number) -> Slider | None:
     return None
 
 
+def unsolvable(motion: Motion) -> str:
+    """Why a page cannot solve a scene; empty where it can."""
+    scene, problem = motion.plan.scene, motion.problem
+    if "callable" in motion.plan.recipe.laws:
+        return "its friction is a function in Python"
+    if problem.may_creep and scene.end_time is None:
+        return "it creeps, for which the page has no implicit steps"
+    size = sum(data.breaks.size + data.coefficients.size for data in problem.tables())
+    if size > MOST_NUMBERS:
+        return f"its records have {size} numbers, more than a page holds ({MOST_NUMBERS})"
+    return ""
+
+
 class _Inputs:
     """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers that the page needs."""
 
     def __init__(self, scene: Scene, sliders: Sequence[Slider], accuracy: float) -> None:
         self.scene, self.sliders = scene, sliders
         self.motion = _at_start(scene, accuracy)
-        self.problem = self.motion._problem
+        self.problem = self.motion.problem
         self.forces = self.problem.with_outputs((*OUTPUTS, "energy"))
         self.names: Names = tuple(self.forces.start)
         self.others = _others(self.motion)
@@ -133,7 +154,7 @@ class _Inputs:
         return alike
 
     def _rows(self, motion: Motion, count: int) -> Floats:
-        problem = motion._problem
+        problem = motion.problem
         start = problem.with_outputs((*OUTPUTS, "energy")).start
         rows = [np.broadcast_to(start[name], (1, count)) for name in self.names]
         for table in problem.tables():
@@ -243,7 +264,6 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
     fits = _fits(inputs)
     places = {name: k for k, name in enumerate(ix.CELLS)}
     return {
-        "sliders": [slider.described(scene) for slider in sliders],
         "names": inputs.names,
         "others": [*inputs.others],
         "entries": places,
@@ -253,6 +273,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
         "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
         "runs": _runs(inputs),
         "rounded": ROUNDED,
+        "stresses": scene.of_means() is scene,
         "input_error": _greatest_error(inputs, fits),
         "statuses": [[status.name, status.words, status.reason] for status in Status],
         "of_end": STATUS_OF_END.tolist(),
@@ -294,7 +315,8 @@ def _runs(inputs: _Inputs) -> dict[str, Any]:
     factors: dict[int, Any] = {}
     for row, name in enumerate(inputs.names):
         place = program.places.get(name, -1)
-        if place >= 0 and np.ptp(runs[place]) > 0.0:
+        moved = place >= 0 and math.isfinite(cells[place, 0]) and np.ptp(runs[place]) > 0.0
+        if moved:
             factors[row] = (runs[place] / cells[place]).tolist()
     return {"count": RUNS, "factors": factors}
 
