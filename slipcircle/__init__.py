@@ -13,17 +13,21 @@ from typing import TYPE_CHECKING, Any
 
 try:
     import generated
-except ModuleNotFoundError as error:
-    if error.name == "numpy":
-        raise ImportError("slipcircle needs NumPy: pip install numpy") from None
-    raise
 
-if getattr(generated, "__project__", None) != "slipcircle":
-    place = getattr(generated, "__file__", None) or list(generated.__path__)
+    _project = getattr(generated, "__project__", None)
+except Exception as error:
+    _project = error
+if _project != "slipcircle":  # another package, or what it needs is missing
+    if isinstance(_project, ModuleNotFoundError) and _project.name == "numpy":
+        raise ImportError("slipcircle needs NumPy: pip install numpy") from None
+    from importlib.util import find_spec
+
+    _spec = find_spec("generated")
+    _place = _spec and (_spec.origin or list(_spec.submodule_search_locations or ()))
     raise ImportError(
-        f"the package 'generated' found at {place} is not the one that slipcircle needs: rename it, start Python in "
-        "another folder, or put the folder of slipcircle first on sys.path"
-    )
+        f"slipcircle needs its package 'generated', and Python finds {_place or 'none'}: rename that one or start in "
+        "another folder; or install slipcircle again"
+    ) from (_project if isinstance(_project, Exception) else None)
 
 from slipcircle.base import VERSION
 from slipcircle.base.forms import use_forms

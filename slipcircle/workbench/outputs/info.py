@@ -4,6 +4,7 @@ import hashlib
 import platform
 import re
 from importlib import metadata
+from importlib.util import find_spec
 from pathlib import Path
 
 import generated
@@ -24,7 +25,12 @@ def facts() -> dict[str, str]:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
             found[library] = f"{MISSING}: {install(package)}"
-    for path in sorted(Path(str(generated.__file__)).parent.glob("*.py")):
+    ours = Path(str(generated.__file__)).parent
+    derive = find_spec("derive")
+    if derive is not None and derive.origin != str(ours.parent / "derive" / "__init__.py"):
+        place = derive.origin or list(derive.submodule_search_locations or ())
+        found["derive"] = f"in the way is {place}: rename it, or start in another folder"
+    for path in sorted(ours.glob("*.py")):
         found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
     return found
 
