@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "8bf1e7951b90a4906b3169e5ae97f69206bc6b9ed7aac3a7475e2b712160d808"
+#define DIGEST "6fe1c200e326c218644a57c466a523d94c3ead84c099c389664fb0f1b5867161"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -60,6 +60,7 @@ typedef struct {
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <stdlib.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -148,7 +149,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_ssize_t begin, end, budget;
     if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
                           &budget, &times, &outputs, &notes, &level)) return NULL;
-    const int bad = read_program(&job, &program) || order < 5 || order > HIGHEST || PyTuple_GET_SIZE(tables) != job.tables;
+    const int bad = read_program(&job, &program) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
         goto done;
@@ -157,7 +158,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         Data *d = job.data + t;
         long long across;
         Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
                               &d->open)) goto done;
         d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
         d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
@@ -178,7 +179,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
     job.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -188,7 +189,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
-    PyMem_RawFree(memory);
+    free(memory);
     result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);
@@ -1997,7 +1998,7 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
 }
 
 /* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. */
-static void wait(Batch *b, M here)
+static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2056,7 +2057,7 @@ static void advance(Batch *b, M here)
         make_step(b, moving);
     }
     if (bits(resting)) {
-        wait(b, resting);
+        rest_on(b, resting);
     }
     begin_phases(b);
     stop_endless(b, here);
