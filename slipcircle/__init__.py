@@ -54,39 +54,24 @@ __version__ = VERSION
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
-    "Arc": "core",
-    "BackAnalysis": "workbench.studies.backanalysis",
-    "Critical": "workbench.stability.search",
-    "Dimensionless": "core",
-    "Energy": "core",
-    "Interval": "workbench.common.quantities",
-    "LayeredSection": "layers",
-    "Motion": "core",
-    "Plan": "core",
-    "Pulse": "tables",
-    "Record": "workbench.records.records",
-    "Scene": "core",
-    "Section": "ground",
-    "Series": "tables",
-    "Slope": "workbench.stability.stability",
-    "Soil": "layers",
-    "State": "core",
-    "Status": "core",
-    "Study": "workbench.studies.study",
-    "Suite": "workbench.records.suite",
-    "SuiteStudy": "workbench.studies.suitestudy",
-    "Unattainable": "workbench.studies.backanalysis",
-    "backanalyse": "workbench.studies.backanalysis",
-    "critical": "workbench.stability.search",
-    "ensemble": "workbench.studies.ensemble",
-    "grid": "workbench.studies.ensemble",
-    "load": "workbench.files.scenefile",
-    "parameters": "derivatives",
-    "plan": "core",
-    "read_suite": "workbench.records.suite",
-    "solve": "core",
-    "synthetic_records": "workbench.suites.synthetic",
+    "core": "Arc Dimensionless Energy Motion Plan Scene State Status plan solve",
+    "derivatives": "parameters",
+    "ground": "Section",
+    "layers": "LayeredSection Soil",
+    "tables": "Pulse Series",
+    "workbench.common.quantities": "Interval",
+    "workbench.files.scenefile": "load",
+    "workbench.records.records": "Record",
+    "workbench.records.suite": "Suite read_suite",
+    "workbench.stability.search": "Critical critical",
+    "workbench.stability.stability": "Slope",
+    "workbench.studies.backanalysis": "BackAnalysis Unattainable backanalyse",
+    "workbench.studies.ensemble": "ensemble grid",
+    "workbench.studies.study": "Study",
+    "workbench.studies.suitestudy": "SuiteStudy",
+    "workbench.suites.synthetic": "synthetic_records",
 }
+_MODULES = {name: f"slipcircle.{place}" for place, names in _PLACES.items() for name in names.split()}
 __all__ = [
     "Arc",
     "BackAnalysis",
@@ -124,9 +109,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _PLACES:
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(f"slipcircle.{_PLACES[name]}"), name)
+    value = getattr(import_module(_MODULES[name]), name)
     globals()[name] = value  # asked for once
     return value
 

@@ -56,6 +56,7 @@ def test_from_nothing_to_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     before = Path("slope.toml").read_bytes()
     assert "is there already; give another name, or remove it first" in refused("new slope.toml")
     assert Path("slope.toml").read_bytes() == before
+    assert "; did you mean slope.toml?" in refused("run slop.toml")
     for wrong, told in (("slope", "must end in .toml"), ("no/slope.toml", "there is no folder no")):
         assert told in refused("new", wrong)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["slope.html", "slope.toml"]
@@ -103,7 +104,8 @@ def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp
     assert done.returncode == 1
     *_, last = done.stderr.splitlines()
     assert words.startswith("import") or done.stderr.count("\n") == 1
-    name, _ = EXTRAS[package]
+    name = {"flint": "python-flint"}.get(package, package)
+    assert EXTRAS[name] == extra
     assert re.fullmatch(
         rf"(slipcircle|ImportError): {name} is needed for .+: pip install 'slipcircle\[{extra}\]'", last
     )

@@ -19,12 +19,11 @@ def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
-    for package in ("numpy", *EXTRAS):
-        library = "python-flint" if package == "flint" else package
+    for library in ("numpy", *EXTRAS):
         try:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
-            found[library] = f"{MISSING}: {install(package)}"
+            found[library] = f"{MISSING}: {install(library)}"
     ours = Path(str(generated.__file__)).parent
     derive = find_spec("derive")
     if derive is not None and derive.origin != str(ours.parent / "derive" / "__init__.py"):
