@@ -21,9 +21,19 @@ _POLYNOMIALS = np.cos(np.outer(np.arccos(NODES), ORDERS))
 TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
 _SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
 _SAME = 1e-13  # rad, between kinks that are one
-# T_0 to T_7 in powers of 1 + x, the distance to the left end of a piece over half its width; (powers, T).
-_IN_POWERS = [Chebyshev.basis(k)(Polynomial([-1.0, 1.0])).coef for k in range(TERMS)]
-POWERS = np.stack([np.pad(powers, (0, TERMS - powers.size)) for powers in _IN_POWERS], axis=1)
+
+
+def _powers_of_chebyshev() -> Floats:
+    """T_0 to T_7 in powers of 1 + x, the distance to the left end of a piece over half its width; (powers, T)."""
+    from_middle = Polynomial([-1.0, 1.0])
+    powers = np.zeros((TERMS, TERMS))
+    for k in range(TERMS):
+        polynomial = Chebyshev.basis(k)(from_middle)
+        powers[: k + 1, k] = polynomial.coef
+    return powers
+
+
+POWERS = _powers_of_chebyshev()
 
 # --- functions of the rotation ---------------------------------------------------------------------------------------
 

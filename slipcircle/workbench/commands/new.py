@@ -23,15 +23,12 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     path = Path(options.file)
-    if path.suffix != ".toml":
-        raise ValueError(f"new: {path}: must end in .toml")
     if os.path.lexists(path):
         raise ValueError(f"new: {path}: is there already; give another name, or remove it first")
     files.check("new", {"FILE": options.file})
     text = find(options.like).read_text("utf-8")
-    scene = re.sub(
-        "^name = .*", f'format = "{SCENE_FORMAT}"', text, flags=re.MULTILINE
-    )  # named as its file from now on
+    # It is named as its file from now on.
+    scene = re.sub("^name = .*", f'format = "{SCENE_FORMAT}"', text, flags=re.MULTILINE)
     steps = f"wrote {path}: change its numbers, then `slipcircle run {path} --live {path.with_suffix('.html')}`"
     explained = "`slipcircle schema --text` explains every key and what else may be added"
     return Answer(lambda: {"file": options.file}, [steps, explained], (), {"file": lambda _: scene.encode()})

@@ -12,8 +12,6 @@ from generated._compiled import LEVEL
 from slipcircle.base import VERSION
 from slipcircle.base.optional import EXTRAS, install
 
-MISSING = "not installed"
-
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
@@ -23,12 +21,11 @@ def facts() -> dict[str, str]:
         try:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
-            found[library] = f"{MISSING}: {install(library)}"
+            found[library] = f"not installed: {install(library)}"
     ours = Path(str(generated.__file__)).parent
     derive = find_spec("derive")
     if derive is not None and derive.origin != str(ours.parent / "derive" / "__init__.py"):
-        place = derive.origin or list(derive.submodule_search_locations or ())
-        found["derive"] = f"in the way is {place}: rename it, or start in another folder"
+        found["derive"] = f"in the way is {derive.origin}: rename it, or start in another folder"
     for path in sorted(ours.glob("*.py")):
         found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
     return found
@@ -45,4 +42,4 @@ def processor() -> str:
 
 def machine() -> str:
     """Processor and versions, to be printed with measured times."""
-    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and not v.startswith(MISSING))
+    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and not v.startswith("not "))
