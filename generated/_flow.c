@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "36babae8daeead0285f9f131bde2b323116bfcb95deafaaf09feeaa332378300"
+#define DIGEST "a2c8375c4a028ceaaa8d0f5868fedafda44147cdf50884edcb2f5630f0f4d59d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -81,6 +81,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <stdlib.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -150,7 +151,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
                           &budget, &times, &outputs, &notes, &level)) return NULL;
     const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_GET_SIZE(tables) != job.tables;
+    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
         goto done;
@@ -159,7 +160,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         Data *d = job.data + t;
         long long across;
         Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
                               &d->open)) goto done;
         d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
         d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
@@ -180,7 +181,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
     job.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -190,7 +191,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
-    PyMem_RawFree(memory);
+    free(memory);
     result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);
@@ -1999,7 +2000,7 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
 }
 
 /* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. */
-static void wait(Batch *b, M here)
+static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2058,7 +2059,7 @@ static void advance(Batch *b, M here)
         make_step(b, moving);
     }
     if (bits(resting)) {
-        wait(b, resting);
+        rest_on(b, resting);
     }
     begin_phases(b);
     stop_endless(b, here);

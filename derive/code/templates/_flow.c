@@ -79,6 +79,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <stdlib.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -127,7 +128,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
                           &budget, &times, &outputs, &notes, &level)) return NULL;
     const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_GET_SIZE(tables) != job.tables;
+    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
         goto done;
@@ -136,7 +137,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         Data *d = job.data + t;
         long long across;
         Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
                               &d->open)) goto done;
         d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
         d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
@@ -157,7 +158,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
     job.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -167,7 +168,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
-    PyMem_RawFree(memory);
+    free(memory);
     result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);

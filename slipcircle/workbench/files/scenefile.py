@@ -73,7 +73,8 @@ def find(name: str | PathLike[str]) -> Any:
             return candidate
     if str(name) and os.path.isdir(path):
         raise ValueError(f"{path}: is a folder; give a scene's file")
-    near = get_close_matches(path.stem, names, 1)
+    beside = [str(file) for file in path.parent.glob("*.toml")]
+    near = get_close_matches(str(name), beside, 1) or get_close_matches(path.stem, names, 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
