@@ -30,13 +30,14 @@ from slipcircle.workbench.outputs.livemodel import (
     unsolvable,
     with_one_of_tables,
 )
+from slipcircle.workbench.outputs.livesection import Section as Drawn
 from slipcircle.workbench.outputs.livesection import axes, frame_around, section
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace
 from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
 _SAMPLES = 241  # of the motion as it is
-_DIGITS = 7
+_DIGITS = 8
 _SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
 _LONGEST = 10.0
 _PAGE = Path(__file__).with_name("page")
@@ -100,20 +101,7 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
     drawn = section(motion, frame, magnification, name)
     why_not = unsolvable(motion)
     first = _first(motion)
-    data: dict[str, Any] = {
-        "shape": {"centre": drawn.centre, "turn": drawn.turn},
-        "stored": _stored(motion),
-        "first": first,
-        "pace": pace(_duration(motion), min(max(_duration(motion), _SHORTEST), _LONGEST)),
-        "observed": {n: list(x) if isinstance(x, Interval) else x for n, x in scene.observed.items()},
-        "sliders": [],
-        "model": None,
-    }
-    if not why_not:
-        chosen = default_sliders(scene) if sliders is None else sliders
-        found = model(scene, chosen)
-        data |= {"sliders": [one.described(scene) for one in chosen], "input_error": found.pop("input_error")}
-        data["model"] = _packed(found)
+    data = _data(motion, drawn, sliders, why_not) | {"first": first}
     texts = {
         "name": name,
         "height": f"{frame.height:.1f}",
@@ -130,6 +118,26 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
         "data": _as_script_data(data),
     }
     return Raw(Template(text("live.html")).substitute(texts))
+
+
+def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> dict[str, Any]:
+    """Data for the script: the motion as it is, what was observed, and what the engine solves."""
+    scene = motion.plan.scene
+    duration = _duration(motion)
+    data: dict[str, Any] = {
+        "shape": {"centre": drawn.centre, "turn": drawn.turn},
+        "stored": _stored(motion),
+        "pace": pace(duration, min(max(duration, _SHORTEST), _LONGEST)),
+        "observed": {n: list(x) if isinstance(x, Interval) else x for n, x in scene.observed.items()},
+        "sliders": [],
+        "model": None,
+    }
+    if not why_not:
+        chosen = default_sliders(scene) if sliders is None else sliders
+        found = model(scene, chosen)
+        data |= {"sliders": [one.described(scene) for one in chosen], "input_error": found.pop("input_error")}
+        data["model"] = _packed(found)
+    return data
 
 
 def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:

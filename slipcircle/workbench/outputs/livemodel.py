@@ -14,13 +14,9 @@ from numpy.polynomial import chebyshev
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats, Names
-from slipcircle.core import Motion, Scene, Status, plan
-from slipcircle.core.motion.forces import OUTPUTS
-from slipcircle.core.motion.states import STATUS_OF_END
-from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.walk.compiled import program_integers
+from slipcircle.core import OUTPUTS, STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
-from slipcircle.words.accuracy import ROUNDED, RUNS, perturbed_runs
+from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name
 from slipcircle.workbench.outputs.plotstyle import quantity_words
@@ -71,11 +67,16 @@ class Slider(NamedTuple):
 
 def default_sliders(scene: Scene) -> list[Slider]:
     """Sliders for the strength of a scene and its load, and for the shape of an arc."""
-    keys, has_ground = by_name(scene), "ground" in scene.arc.quantities
-    names = [name for name in parameters(scene) if name.partition(".")[0] in _STRENGTH]
-    names = [name for name in names if name.rpartition(".")[2] not in _NOT_STRENGTH]
+    keys = by_name(scene)
+    names = []
+    for name in parameters(scene):
+        parts = name.split(".")
+        if parts[0] in _STRENGTH and parts[-1] not in _NOT_STRENGTH:
+            names.append(name)
+    if "ground" not in scene.arc.quantities:
+        names += _SHAPE
     chosen = list[Slider]()
-    for name in [*names, *(() if has_ground else _SHAPE)]:
+    for name in names:
         slider = _around(scene, keys[name])
         if slider and len(chosen) < MOST_SLIDERS:
             chosen.append(slider)
@@ -90,10 +91,12 @@ def is_smooth(scene: Scene, slider: Slider) -> bool:
 
 def with_one_of_tables(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
     """Sliders of which only the first may change functions of the rotation, which have hundreds of coefficients."""
-    kept, found = list[Slider](), False
+    kept = list[Slider]()
+    found = False
     for slider in sliders:
         lanes, _ = with_parameter_arrays(scene, {slider.number.name: slider.ends})
-        of_tables = any(data.coefficients.ndim > 2 for data in _at_start(lanes, ACCURACY).problem.data.values())
+        tables = _at_start(lanes, ACCURACY).problem.data.values()
+        of_tables = any(data.coefficients.ndim > 2 for data in tables)
         if not (of_tables and found):
             kept.append(slider)
         found = found or of_tables
@@ -153,6 +156,18 @@ class _Inputs:
         alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
         return alike
 
+    def sizes(self, values: Floats) -> Floats:
+        """The greatest value of each row; of a table's coefficients that of the same power in any of its pieces."""
+        sizes = np.abs(values).max(axis=1)
+        at = len(self.names)
+        for table in self.problem.tables():
+            pieces, terms = table.coefficients.shape[:2]
+            first = at + pieces
+            at = first + pieces * terms
+            of_powers = sizes[first:at].reshape(pieces, terms)
+            of_powers[:] = of_powers.max(axis=0)
+        return np.maximum(sizes, np.finfo(np.float64).tiny)
+
     def _rows(self, motion: Motion, count: int) -> Floats:
         problem = motion.problem
         start = problem.with_outputs((*OUTPUTS, "energy")).start
@@ -178,7 +193,8 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
 def _others(motion: Motion) -> dict[str, Any]:
     """Units of dimensionless numbers, and what is known at the start."""
     arc = motion.plan.scene.arc
-    radius, second = np.asarray(arc.radius), np.asarray(arc.time_scale)
+    radius = np.asarray(arc.radius)
+    second = np.asarray(arc.time_scale)
     units = {"rad": 1.0, "s": second, "m": radius, "m/s": radius / second, "m/s^2": radius / second**2}
     units |= {"Pa": motion.stress_unit, "J": motion.energy_unit}
     return units | {"factor_of_safety": motion.factor_of_safety}
@@ -214,13 +230,14 @@ def _fits(inputs: _Inputs) -> list[Fit]:
         places = np.repeat(present, DEGREE + 1, axis=1)
         places[k] = _lobatto(DEGREE)
         values = inputs.at(places)
-        size = np.abs(values).max(axis=1)
+        size = inputs.sizes(values)
         with np.errstate(invalid="ignore"):
             (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * size)
         coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
         for row, c in zip(varied.tolist(), coefficients, strict=True):
             counted = np.flatnonzero(np.abs(c) > ROUNDING * size[row])
-            of_rows.setdefault(row, {})[k] = max(int(counted[-1]), 1)
+            if counted.size and counted[-1]:
+                of_rows.setdefault(row, {})[k] = int(counted[-1])
     groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
     for row, degrees in of_rows.items():
         groups.setdefault(tuple(degrees.items()), []).append(row)
@@ -244,7 +261,8 @@ def _share(slider: Slider, scene: Scene) -> float:
     """Where the scene's own value is in the range, from -1 to 1."""
     low, high = slider.ends.tolist()
     value = float(parameter_value(scene, slider.number.name) or 0.0)
-    return min(max((2 * value - low - high) / (high - low), -1.0), 1.0)
+    share = (2 * value - low - high) / (high - low)
+    return min(max(share, -1.0), 1.0)
 
 
 def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
@@ -253,9 +271,9 @@ def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
         return 0.0
     shares = np.random.default_rng(7).uniform(-1.0, 1.0, (len(inputs.sliders), TRIALS))
     wanted = inputs.at(shares)
-    errors = [np.abs(fit.at(shares) - wanted[fit.rows]).max(axis=1) for fit in fits]
-    sizes = [np.abs(wanted[fit.rows]).max(axis=1) for fit in fits]
-    return float(np.max(np.concatenate(errors) / np.concatenate(sizes)))
+    sizes = inputs.sizes(wanted)
+    errors = [np.abs(fit.at(shares) - wanted[fit.rows]).max(axis=1) / sizes[fit.rows] for fit in fits]
+    return float(np.max(np.concatenate(errors)))
 
 
 def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:

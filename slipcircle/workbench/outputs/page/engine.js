@@ -5,7 +5,8 @@
 // Bytes of what the page holds compressed.
 async function unpacked(text) {
   const packed = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  const stream = new ReadableStream({ start(to) { to.enqueue(packed); to.close(); } });
+  return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
 // The exports of the engine that the page holds; null where this browser cannot run it.
@@ -80,11 +81,11 @@ function solverOf(model, x) {
     const program = model.programs[1], lanes = times.length, cells = cellsOf(program, rows, {}, lanes);
     const fill = (place, values) => { values.forEach((value, k) => { cells[place * lanes + k] = value; }); };
     const row = (k) => states.subarray(k * lanes, (k + 1) * lanes);
-    const { TIME, ROTATION, OMEGA, DIRECTION, LIFTED, SLIP } = model.entries;
+    const { TIME, ROTATION, omega, DIRECTION, LIFTED, SLIP } = model.entries;
     fill(TIME, times);
     fill(ROTATION, row(0));
-    fill(OMEGA, row(1).map(Math.abs));
-    fill(DIRECTION, row(1).map((omega) => (omega < 0 ? -1 : 1)));
+    fill(omega, row(1).map(Math.abs));
+    fill(DIRECTION, row(1).map((value) => (value < 0 ? -1 : 1)));
     fill(LIFTED, times.map(() => 0));
     fill(SLIP, row(3));
     Object.values(program.states).forEach((place, k) => fill(place, row(4 + k)));
