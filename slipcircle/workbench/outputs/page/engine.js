@@ -132,7 +132,8 @@ function solverOf(model, x) {
     if (name === 'RESTS' && entry(final, 'TURNS') > 0) name = 'TURNED';
     if (entry(final, 'TIME') === Infinity) name = 'CREEPS';
     if (answered() && entry(final, 'PHASES') === 0 && ended !== model.codes.STOPPED) name = 'STAYS';
-    return { answered: answered(), name, words: model.statuses.find((row) => row[0] === name)[1] };
+    const [, words, reason] = model.statuses.find((row) => row[0] === name);
+    return { answered: answered(), name, words, reason };
   }
 
   function unitsOf(rows) {
@@ -141,12 +142,12 @@ function solverOf(model, x) {
     return units;
   }
 
-  // Run-out and peak velocity alone; NaN where there is no result.
+  // Run-out, peak velocity and duration alone; nothing where there is no result.
   function outline(places) {
     const rows = inputs(places), { final } = integrate(0, rows, {}, 1, []), units = unitsOf(rows);
-    if (!status(final).answered) return { run_out: NaN, peak_velocity: NaN };
-    const [, rotation, omega] = outcomes(final);
-    return { run_out: units.m * rotation, peak_velocity: units['m/s'] * omega };
+    if (!status(final).answered) return {};
+    const [duration, rotation, omega] = outcomes(final);
+    return { run_out: units.m * rotation, peak_velocity: units['m/s'] * omega, duration: units.s * duration };
   }
 
   // A motion with its states at even times, and its estimated error.

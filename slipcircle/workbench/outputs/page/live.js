@@ -15,6 +15,7 @@ const CHARTS = {
   energy: { title: 'energy, of the work', across: 't' },
   run_out: { title: 'run-out (m)', across: 'number' },
   peak_velocity: { title: 'peak velocity (m/s)', across: 'number' },
+  duration: { title: 'duration (s)', across: 'number' },
 };
 
 const slides = document.querySelectorAll('.slide');
@@ -83,7 +84,7 @@ function start(figure, addressed) {
 
   function described(found, asGiven) {
     const { end } = found;
-    if (!end.answered) return stopped(end.words);
+    if (!end.answered) return stopped(end.reason || end.words);
     const still = { t: [0], s: [0], v: [0], duration: 0 };
     const text = (value, unit) => `${Number(value.toPrecision(4))} ${unit}`;
     const facts = found.moves
@@ -117,17 +118,16 @@ function start(figure, addressed) {
     cancelAnimationFrame(queued);
     if (!solver || !dragged) return;
     const one = dragged, places = sliders.map((other) => place(other, other.now)), k = sliders.indexOf(one);
-    across = { number: [], run_out: [], peak_velocity: [] };
+    across = { number: [], run_out: [], peak_velocity: [], duration: [] };
     const more = () => {
       const begin = performance.now();
       while (across.number.length < ACROSS && performance.now() - begin < FRAME) {
         const value = one.low + (one.high - one.low) * across.number.length / (ACROSS - 1);
         places[k] = place(one, value);
-        let found = { run_out: NaN, peak_velocity: NaN };
+        let found = {};
         try { found = solver.outline(places); } catch { /* a gap */ }
         across.number.push(value);
-        across.run_out.push(found.run_out);
-        across.peak_velocity.push(found.peak_velocity);
+        for (const name of ['run_out', 'peak_velocity', 'duration']) across[name].push(name in found ? found[name] : NaN);
       }
       charts.filter((chart) => chart.across === 'number').forEach(draw);
       if (across.number.length < ACROSS) queued = requestAnimationFrame(more);
