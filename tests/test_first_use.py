@@ -56,7 +56,7 @@ def test_from_nothing_to_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     before = Path("slope.toml").read_bytes()
     assert "is there already; give another name, or remove it first" in refused("new slope.toml")
     assert Path("slope.toml").read_bytes() == before
-    assert "; did you mean slope.toml?" in refused("run slop.toml")
+    assert "; did you mean slope?" in refused("run slop.toml")
     assert "FILE no/slope.toml: there is no folder no" in refused("new no/slope.toml")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["slope.html", "slope.toml"]
 
