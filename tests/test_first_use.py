@@ -73,6 +73,17 @@ def test_every_scene_that_ships_is_one_to_start_from(name: str, tmp_path: Path, 
     assert {*comments} <= {*path.read_text("utf-8").splitlines()}
 
 
+def test_the_tables_in_comments_of_a_new_scene_are_right(tmp_path: Path, said: Any) -> None:
+    """Without their marks they are read, and each has its effect."""
+    path = tmp_path / "my.toml"
+    said("new", path)
+    bare, text, tables = path.read_text("utf-8").partition("# [water]")
+    path.write_text(bare + re.sub("^# ", "", text + tables, flags=re.MULTILINE), "utf-8")
+    motion = solve(load(path))
+    assert {"pore_pressure", "shaking", "drag"} <= {*motion.plan.effects}
+    assert motion.factor_of_safety < solve(load("real-slope")).factor_of_safety
+
+
 def test_a_newer_scene_file_is_refused(tmp_path: Path, said: Any, refused: Any) -> None:
     path = tmp_path / "my.toml"
     said("new", path)
