@@ -174,6 +174,7 @@ function solverOf(model, x) {
     return {
       ...found,
       duration: units.s * last,
+      lift: units.s * entry(final, 'LIFT_TIME'),
       run_out: units.m * rotation,
       peak_velocity: units['m/s'] * omega,
       error: Math.min(Math.max(model.rounded * spread, 9e-16), 1),

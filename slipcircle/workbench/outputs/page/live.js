@@ -95,10 +95,11 @@ function start(figure, addressed) {
     facts.push(['factor of safety by the paper\u2019s method', String(Number(found.factor.toPrecision(4)))]);
     if (found.moves) facts.push(['estimated error', found.error.toExponential(1)]);
     if (data.input_error > 1e-14) facts.push(['inputs interpolated within', data.input_error.toExponential(0)]);
+    const warnings = found.moves && Number.isFinite(found.lift) ? [`contact lost from ${text(found.lift, 's')} (lift-off)`] : [];
     const headline = found.moves ? `${text(found.run_out, 'm')} in ${text(found.duration, 's')}, ${end.words}` : end.words;
     return {
       ...(found.moves ? found : still),
-      ...(asGiven ? { headline: given.headline, end: given.end, warnings: given.warnings } : { headline, end: end.words, warnings: [] }),
+      ...(asGiven ? { headline: given.headline, end: given.end, warnings: given.warnings } : { headline, end: end.words, warnings }),
       facts,
     };
   }
