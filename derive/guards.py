@@ -17,6 +17,7 @@ from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
 from derive.flow.lowering import KNOWN
 from derive.flow.recurrences import OPERATIONS
+from derive.progress import say
 
 Declaration = Effect | Law | Moment
 # Equations of the paper, and its figure of laws of friction.
@@ -167,10 +168,13 @@ def _check_law(law: Law) -> None:
     for kink in law.kinks:
         if kink not in by_symbol:
             raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
-    linear_in = [x for x, p in by_symbol.items() if not p.unit]
-    place = domain.fault(sp.collect(sp.expand_mul(law.coefficient), linear_in), _box(law))
+    place, undecided = domain.fault(law.coefficient, _box(law))
     if place:
         raise ProofError(claim, place, "numbers that are not negative")
+    if undecided:
+        say(
+            f"{claim}: not shown to be finite and not negative next to {undecided}; narrow the bounds of its parameters"
+        )
     fragments.of_law(law)
     if law.kinks:
         fragments.pieces(law)
