@@ -255,7 +255,7 @@ def test_types_that_are_refused(name: str) -> None:
     for bad in (1j, np.complex64(1), np.longdouble(1), "1", ["a"], None, np.datetime64("2024-01-01"), object()):
         for i in range(len(args)):
             numeric = isinstance(bad, complex | np.number)  # NumPy itself refuses to join the others
-            with pytest.raises(TypeError, match=f"^{name}: arguments of type " if numeric else None):
+            with pytest.raises(TypeError, match=rf"^{name.split(',')[0]}: arguments of type " if numeric else None):
                 function(*[*args[:i], bad, *args[i + 1 :]])
 
 
