@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7125d7cb694447069dbf4b5fc11c00c199e3b6c4838ca54da3fbd09b2b931e65
+# sha256 of the text below: 4983be7f69e8ef4a7ca68aed7216929db66c7e31e56d795c0e5bbea39199425c
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -87,7 +87,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
         return cached(kind, accuracy)
 
     def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
-        items, kind = real(args)
+        items, kind = real(name, args)
         tier = "float32" if kind.char == "f" and "float32" in texts else "best"
         if accuracy is not None:
             tier = cheapest(kind.char, accuracy)

@@ -267,21 +267,6 @@ print(*{name.partition(".")[0] for name in sys.modules})
     assert not loaded & HEAVY
 
 
-@pytest.mark.parametrize("text", ["", "__project__ = 'another'\n"])
-def test_a_foreign_package_called_generated_is_named(tmp_path: Path, text: str) -> None:
-    (tmp_path / "generated").mkdir()
-    (tmp_path / "generated" / "__init__.py").write_text(text, "utf-8")
-    code = """
-import sys
-sys.path.insert(0, sys.argv[1])
-try:
-    import slipcircle
-except ImportError as error:
-    print(error)
-"""
-    assert str(tmp_path / "generated") in python(code, tmp_path)
-
-
 def test_wheel_holds_the_three_packages_and_works_away_from_here(tmp_path: Path) -> None:
     succeed(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", tmp_path)
     (wheel,) = tmp_path.glob("slipcircle-*.whl")

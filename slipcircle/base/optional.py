@@ -4,25 +4,24 @@ from importlib import import_module
 from typing import Any
 
 EXTRAS = {
-    "scipy": ("SciPy", "'slipcircle[scenes]'"),
-    "rich": ("rich", "'slipcircle[scenes]'"),
-    "matplotlib": ("matplotlib", "'slipcircle[plot]'"),
-    "dask": ("Dask", "'slipcircle[dask]'"),
-    "distributed": ("Dask's distributed", "'slipcircle[dask]'"),
-    "sympy": ("SymPy", "'slipcircle[derive]'"),
-    "mpmath": ("mpmath", "'slipcircle[derive]'"),
-    "flint": ("python-flint", "'slipcircle[derive]'"),
+    "scipy": "scenes",
+    "rich": "scenes",
+    "matplotlib": "plot",
+    "dask": "dask",
+    "distributed": "dask",
+    "sympy": "derive",
+    "mpmath": "derive",
+    "python-flint": "derive",
 }
 
 
 def install(package: str) -> str:
     """The command that installs an optional package."""
-    _, requirement = EXTRAS.get(package, ("", package))
-    return f"pip install {requirement}"
+    return f"pip install 'slipcircle[{EXTRAS[package]}]'" if package in EXTRAS else f"pip install {package}"
 
 
-def optional(module: str, purpose: str) -> Any:
-    """A module of an optional package.
+def optional(module: str, purpose: str, package: str = "") -> Any:
+    """A module of an optional package, whose name is the module's unless it is given.
 
     Raises
     ------
@@ -32,6 +31,5 @@ def optional(module: str, purpose: str) -> Any:
     try:
         return import_module(module)
     except ImportError as error:
-        package = module.partition(".")[0]
-        name, _ = EXTRAS.get(package, (package, ""))
-        raise ImportError(f"{name} is needed for {purpose}: {install(package)}") from error
+        package = package or module.partition(".")[0]
+        raise ImportError(f"{package} is needed for {purpose}: {install(package)}") from error

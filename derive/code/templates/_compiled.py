@@ -85,7 +85,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
         return cached(kind, accuracy)
 
     def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
-        items, kind = real(args)
+        items, kind = real(name, args)
         tier = "float32" if kind.char == "f" and "float32" in texts else "best"
         if accuracy is not None:
             tier = cheapest(kind.char, accuracy)

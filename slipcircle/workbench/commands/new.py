@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 from pathlib import Path
 
 from slipcircle.base import SCENE_FORMAT
@@ -22,21 +23,12 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     path = Path(options.file)
-    if path.suffix != ".toml":
-        raise ValueError(f"new: {path}: must end in .toml")
     if os.path.lexists(path):
         raise ValueError(f"new: {path}: is there already; give another name, or remove it first")
     files.check("new", {"FILE": options.file})
-    page = path.with_suffix(".html")
-    steps = f"wrote {path}: change its numbers, then `slipcircle run {path} --live {page}`"
+    text = find(options.like).read_text("utf-8")
+    # It is named as its file from now on.
+    scene = re.sub("^name = .*", f'format = "{SCENE_FORMAT}"', text, flags=re.MULTILINE)
+    steps = f"wrote {path}: change its numbers, then `slipcircle run {path} --live {path.with_suffix('.html')}`"
     explained = "`slipcircle schema --text` explains every key and what else may be added"
-    return Answer(
-        lambda: {"file": options.file}, [f"{steps}\n{explained}"], (), {"file": lambda _: _scene(options.like)}
-    )
-
-
-def _scene(name: str) -> bytes:
-    """The file of a scene that ships, which is named as its file from here on."""
-    lines = find(name).read_text("utf-8").splitlines(keepends=True)
-    kept = [line for line in lines if not line.startswith("name =")]
-    return f'format = "{SCENE_FORMAT}"\n{"".join(kept)}'.encode()
+    return Answer(lambda: {"file": options.file}, [steps, explained], (), {"file": lambda _: scene.encode()})

@@ -17,7 +17,7 @@ from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.distributions import DISTRIBUTIONS, statistics
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
@@ -120,8 +120,6 @@ def run(options: argparse.Namespace) -> Answer:
 def _check_options(options: argparse.Namespace) -> None:
     """Reject combinations of options that are not possible."""
     under_records = options.records or options.synthetic
-    if under_records:
-        statistics()  # what they are for; missing, it is missed before hours of solving
     if not (options.samples or options.grid or under_records):
         raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
     if options.report and options.grid:

@@ -51,7 +51,7 @@ class Exact(NamedTuple):
 
 def of_kernel(name: str) -> list[Row]:
     """Errors and times of all ways to compute a kernel."""
-    optional("flint", "the reference")
+    optional("flint", "the reference", "python-flint")
     inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
     every = list(ways(name))
     seconds = medians([partial(way.function, inputs_in_order.astype(way.kind)) for way in every])

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
@@ -175,14 +174,14 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
 
 def _most_likely(terms: Floats, share: Floats) -> Floats:
     """Coefficients of greatest likelihood."""
-    optimize = optional("scipy.optimize", "fragility curves")
+    from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:
         likelihood, score, _ = _likelihood(terms @ coefficients, share)
         return -float(likelihood.sum()), -score @ terms
 
     start = np.array([0.0, 1.0])
-    found = optimize.minimize(negative, start, jac=True, method="BFGS", options={"gtol": 1e-9})
+    found = minimize(negative, start, jac=True, method="BFGS", options={"gtol": 1e-9})
     return np.asarray(found.x)
 
 
@@ -202,7 +201,7 @@ def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64], coeffici
 
 def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
     """Log-likelihood of shares at arguments of Phi, its derivative, and its expected second derivative, negative."""
-    special = optional("scipy.special", "fragility curves")
+    from scipy import special
 
     log_above = special.log_ndtr(argument)
     log_below = special.log_ndtr(-argument)

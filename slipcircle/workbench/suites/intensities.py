@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.optional import optional
 from slipcircle.tables import Series
 
 _BAND = 0.25, 20.0  # Hz, of the mean period
@@ -127,20 +126,22 @@ def spectral_acceleration(record: Series, period: float) -> float:
 
 def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
     """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a."""
-    signal = optional("scipy.signal", "response spectra")
+    from scipy.signal import lfilter
+
     weights, recurrence, at_start = _recurrence(step, frequency)
-    displacement, _ = signal.lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
+    displacement, _ = lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
     return np.asarray(displacement)
 
 
 @lru_cache(maxsize=1024)
 def _recurrence(step: float, frequency: float) -> tuple[Floats, Floats, Floats]:
     """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest."""
-    signal = optional("scipy.signal", "response spectra")
+    from scipy.signal import cont2discrete, ss2tf
+
     free = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * _DAMPING * frequency]])
     by_ground = np.array([[0.0], [-1.0]])
     both, none = np.eye(2), np.zeros((2, 1))
-    over_step, by_last, _, at_once, _ = signal.cont2discrete((free, by_ground, both, none), step, "foh")
-    weights, recurrence = signal.ss2tf(over_step, by_last, both, at_once)
+    over_step, by_last, _, at_once, _ = cont2discrete((free, by_ground, both, none), step, "foh")
+    weights, recurrence = ss2tf(over_step, by_last, both, at_once)
     first, second = -at_once[0, 0], -(over_step @ at_once)[0, 0]  # the ground may jump
     return weights[0], recurrence, np.array([first, second + recurrence[1] * first])
