@@ -85,7 +85,7 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
     compiler = [*ZIG, "cc", "-target", triple, "-mcpu=baseline", *FLAGS, *ZIG_FLAGS[name], *STABLE, f"-I{headers}"]
     link = ["-shared", "-s"]
     if "macos" in triple:
-        link += ["-Wl,-undefined,dynamic_lookup"]
+        link += ["-Wl,-undefined,dynamic_lookup", f"-Wl,-install_name,{target.name}"]  # or the path is in the bytes
     if "windows" in triple:
         link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS[name]]  # -Os is for what Zig adds from its libraries
     make(FOLDER / f"{name}.c", target, compiler, parts(name, triple.partition("-")[0]), link)
