@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 53620be514f00ef1f9e16dd386c14abe8966d7650fd141cc95254d004bfc2e35
+# sha256 of the text below: 7d6111ae3c0ebd0c1d816bf6f98361b7fe622b197eced42de2d47cb322d9db4b
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -77,7 +77,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     best = compiled["float32"] = compiled["best"]
     cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
     numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
-    general = partial(_general, texts, compiled, cheapest, numpy)
+    general = partial(_general, name, texts, compiled, cheapest, numpy)
 
     def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
@@ -98,6 +98,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
 
 
 def _general(
+    name: str,
     texts: Mapping[str, Text],
     compiled: Mapping[str, Any],
     cheapest: Callable[[str, float], str],
@@ -108,7 +109,7 @@ def _general(
     accuracy: float | None,
 ) -> Any:
     """Any arguments that NumPy takes, by the compiled loop of a tier or by its text."""
-    items, kind = real(args)
+    items, kind = real(name, args)
     tier = "float32" if kind.char == "f" and "float32" in texts else "best"
     if accuracy is not None:
         tier = cheapest(kind.char, accuracy)

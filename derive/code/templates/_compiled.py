@@ -75,7 +75,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     best = compiled["float32"] = compiled["best"]
     cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
     numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
-    general = partial(_general, texts, compiled, cheapest, numpy)
+    general = partial(_general, name, texts, compiled, cheapest, numpy)
 
     def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
@@ -96,6 +96,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
 
 
 def _general(
+    name: str,
     texts: Mapping[str, Text],
     compiled: Mapping[str, Any],
     cheapest: Callable[[str, float], str],
@@ -106,7 +107,7 @@ def _general(
     accuracy: float | None,
 ) -> Any:
     """Any arguments that NumPy takes, by the compiled loop of a tier or by its text."""
-    items, kind = real(args)
+    items, kind = real(name, args)
     tier = "float32" if kind.char == "f" and "float32" in texts else "best"
     if accuracy is not None:
         tier = cheapest(kind.char, accuracy)
