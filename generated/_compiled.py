@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7d6111ae3c0ebd0c1d816bf6f98361b7fe622b197eced42de2d47cb322d9db4b
+# sha256 of the text below: f0540b8a01444b323c5477edf3c66775b0813278672dcde8de497478edad3cef
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -73,7 +73,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     """
     form, loops = LEVELS[level]
     # That of float32 is a type of the best one's.
-    compiled = {tier: loops.get(tier, {}).get(name) for tier in CHEAPEST_FIRST}
+    compiled: dict[str, Any] = {tier: loops.get(tier, {}).get(name) for tier in CHEAPEST_FIRST}
     best = compiled["float32"] = compiled["best"]
     cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
     numpy = partial(_numpy_of_ends if both_ends else _numpy, name)

@@ -71,7 +71,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     """
     form, loops = LEVELS[level]
     # That of float32 is a type of the best one's.
-    compiled = {tier: loops.get(tier, {}).get(name) for tier in CHEAPEST_FIRST}
+    compiled: dict[str, Any] = {tier: loops.get(tier, {}).get(name) for tier in CHEAPEST_FIRST}
     best = compiled["float32"] = compiled["best"]
     cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
     numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
