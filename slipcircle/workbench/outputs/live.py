@@ -22,14 +22,7 @@ from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, Interval, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.livemodel import (
-    Slider,
-    default_sliders,
-    is_smooth,
-    model,
-    unsolvable,
-    with_one_of_tables,
-)
+from slipcircle.workbench.outputs.livemodel import Slider, default_sliders, model, unsolvable, with_room
 from slipcircle.workbench.outputs.livesection import Section as Drawn
 from slipcircle.workbench.outputs.livesection import axes, frame_around, section
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace
@@ -152,10 +145,11 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
     asked = Slider(number, low, high)
     for value in asked.ends.tolist():
         with_parameters(scene, {number.name: value})  # raises an error for an invalid value
-    if not is_smooth(scene, asked):
-        raise ValueError(f"--vary {key}: what the motion starts from has a kink between these values; narrow the range")
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
-    return with_one_of_tables(scene, [asked, *others])
+    chosen = with_room(scene, [asked, *others])
+    if asked not in chosen:
+        raise ValueError(f"--vary {key}: what the motion starts from has a kink between these values; narrow the range")
+    return chosen
 
 
 def headline(motion: Motion) -> str:

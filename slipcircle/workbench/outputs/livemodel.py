@@ -32,7 +32,8 @@ _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
-SMOOTH = 1e-9
+SMOOTH = 1e-12  # error of inputs, of their greatest values, above which a number has no slider
+MOST_COEFFICIENTS = 1500  # of interpolants
 MOST_NUMBERS = 60_000  # of tables
 
 
@@ -80,27 +81,22 @@ def default_sliders(scene: Scene) -> list[Slider]:
         slider = _around(scene, keys[name])
         if slider and len(chosen) < MOST_SLIDERS:
             chosen.append(slider)
-    return [slider for slider in with_one_of_tables(scene, chosen) if is_smooth(scene, slider)]
+    return with_room(scene, chosen)
 
 
-def is_smooth(scene: Scene, slider: Slider) -> bool:
-    """Whether the inputs of a motion have no kink in the range of a slider, but are polynomials to rounding."""
-    inputs = _Inputs(scene, [slider], plan(scene).accuracy)
-    return _greatest_error(inputs, _fits(inputs)) < SMOOTH
-
-
-def with_one_of_tables(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
-    """Sliders of which only the first may change functions of the rotation, which have hundreds of coefficients."""
-    kept = list[Slider]()
-    found = False
-    for slider in sliders:
-        lanes, _ = with_parameter_arrays(scene, {slider.number.name: slider.ends})
-        tables = _at_start(lanes, ACCURACY).problem.data.values()
-        of_tables = any(data.coefficients.ndim > 2 for data in tables)
-        if not (of_tables and found):
-            kept.append(slider)
-        found = found or of_tables
+def with_room(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
+    """The first of the sliders for which a page has room, of those in which the inputs are polynomials to rounding."""
+    kept = [slider for slider in sliders if _has_room(scene, [slider])]
+    while kept and not _has_room(scene, kept):
+        kept.pop()
     return kept
+
+
+def _has_room(scene: Scene, sliders: Sequence[Slider]) -> bool:
+    inputs = _Inputs(scene, sliders, plan(scene).accuracy)
+    fits = _fits(inputs)
+    size = sum(fit.coefficients.size for fit in fits)
+    return size <= MOST_COEFFICIENTS and _greatest_error(inputs, fits) < SMOOTH
 
 
 def _around(scene: Scene, number: Number) -> Slider | None:
