@@ -15,6 +15,7 @@ import sysconfig
 import tempfile
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
@@ -48,8 +49,10 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
     digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
-    if binary.is_file() and digest.encode() in binary.read_bytes():
-        return binary
+    candidates = (folder / f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES)
+    imported = next((path for path in candidates if path.is_file()), binary)  # of a wheel, maybe
+    if imported.is_file() and digest.encode() in imported.read_bytes():
+        return imported
     compiler = c_compiler()
     if not _is_clang(compiler):
         flags = (*flags, *GCC_FLAGS)
