@@ -66,7 +66,8 @@ def neighbour_derivatives(
 ) -> Derivatives:
     """Derivatives of outcomes of a single scene by numbers that may vary alone.
 
-    ``outcomes`` reads them off a motion, or off an ensemble, in rows. ``error`` is the relative error that the outcomes of the motion and of its neighbours have alike.
+    ``outcomes`` reads them off a motion, or off an ensemble, in rows. ``error`` is the relative error that those of the
+    motion and of its neighbours have alike.
     """
     every = list(free.values())
     scales = np.array([number.scale for number in every])

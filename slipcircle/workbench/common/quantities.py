@@ -230,7 +230,7 @@ OUTCOMES: Mapping[str, Quantity] = {
     q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
 }
 # What may be observed: a back-analysis is given it.
-OBSERVABLE: Mapping[str, Quantity] = OUTCOMES | {q.name: q for q in JOURNEY if q.name == "toe_rise"}
+OBSERVABLE: Mapping[str, Quantity] = {**OUTCOMES, **{q.name: q for q in JOURNEY if q.name == "toe_rise"}}
 
 
 def observable(motion: Any, name: str) -> Any:

@@ -131,9 +131,7 @@ class SearchProblem:
 # --- observations and fields -----------------------------------------------------------------------------------------
 
 
-def observations(
-    given: Mapping[str, Observed],
-) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
+def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Values and standard errors of what is observed, and what of it are intervals."""
     found = dict[str, tuple[float, float | None]]()
     unknown = [name for name in given if name not in OBSERVABLE]

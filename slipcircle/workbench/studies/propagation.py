@@ -6,7 +6,7 @@ their covariances where they are not (13); correlations are taken to be those of
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
