@@ -81,7 +81,8 @@ def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Se
         for command in (*commands, [*objects, *link, "-o", str(target), "-lm"]):
             done = subprocess.run([*compiler, *command], capture_output=True, text=True, check=False)
             if done.returncode:
-                raise NoBinaryError(f"{compiler[0]} fails: {done.stderr.strip().splitlines()[:1]}")
+                said = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()
+                raise NoBinaryError(f"{' '.join(compiler[:3])} fails: {said[:1]}")
 
 
 def c_compiler() -> list[str]:

@@ -15,6 +15,7 @@
 #define MS_WINDOWS
 #define MS_WIN64
 #define Py_ENABLE_SHARED 1
+#define HAVE_DECLSPEC_DLL 1 /* or data of the interpreter would be taken for functions */
 #else
 #define SIZEOF_LONG 8
 #define SIZEOF_WCHAR_T 4

@@ -18,6 +18,7 @@ from pathlib import Path
 from derive.build import FLAGS, FOLDER, MODULES, NoBinaryError, make, parts
 
 ROOT = FOLDER.parent
+HERE = Path(__file__).parent
 # Platforms, as wheels are tagged, and what Zig calls them; `any` has no binary.
 TARGETS = {
     "manylinux_2_17_x86_64.manylinux2014_x86_64": "x86_64-linux-gnu.2.17",
@@ -31,6 +32,8 @@ TARGETS = {
 ZIG = (sys.executable, "-m", "ziglang")
 # Its unrolled loops are a sixth larger, and no faster.
 ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops",), "_flow": ()}
+# The library that Zig adds to a binary for Windows has 30 kB, of which the kernels need one function.
+WINDOWS = {"_kernels": ("-nostdlib", "-lc", str(HERE / "stack.s")), "_flow": ()}
 STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
 # NumPy's sizes are those of this machine: of what our source uses only these differ elsewhere.
 SIZES = """
@@ -52,7 +55,7 @@ def headers(folder: Path) -> Path:
 
     shutil.copytree(sysconfig.get_path("include"), folder)
     shutil.copytree(np.get_include(), folder, dirs_exist_ok=True)
-    shutil.copy(Path(__file__).with_name("pyconfig.h"), folder)
+    shutil.copy(HERE / "pyconfig.h", folder)
     with (folder / "numpy" / "_numpyconfig.h").open("a", encoding="utf-8") as sizes:
         sizes.write(SIZES)
     texts = (path.read_text("utf-8") for path in sorted(folder.glob("*.h")))
@@ -82,9 +85,9 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
     compiler = [*ZIG, "cc", "-target", triple, "-mcpu=baseline", *FLAGS, *ZIG_FLAGS[name], *STABLE, f"-I{headers}"]
     link = ["-shared", "-s"]
     if "macos" in triple:
-        link += ["-Wl,-undefined,dynamic_lookup"]
+        link += ["-Wl,-undefined,dynamic_lookup", f"-Wl,-install_name,{target.name}"]  # or the path is in the bytes
     if "windows" in triple:
-        link += [f"-L{headers}", "-lpython3", "-Os"]  # Zig compiles what it adds itself by this flag
+        link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS[name]]  # -Os is for what Zig adds from its libraries
     make(FOLDER / f"{name}.c", target, compiler, parts(name, triple.partition("-")[0]), link)
     return target
 

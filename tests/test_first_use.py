@@ -56,7 +56,7 @@ def test_from_nothing_to_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     before = Path("slope.toml").read_bytes()
     assert "is there already; give another name, or remove it first" in refused("new slope.toml")
     assert Path("slope.toml").read_bytes() == before
-    assert "; did you mean slope.toml?" in refused("run slop.toml")
+    assert "; did you mean slope?" in refused("run slop.toml")
     assert "FILE no/slope.toml: there is no folder no" in refused("new no/slope.toml")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["slope.html", "slope.toml"]
 
@@ -71,6 +71,17 @@ def test_every_scene_that_ships_is_one_to_start_from(name: str, tmp_path: Path, 
     assert solve(scene).run_out == solve(load(name)).run_out
     comments = [line for line in find(name).read_text("utf-8").splitlines() if "#" in line]
     assert {*comments} <= {*path.read_text("utf-8").splitlines()}
+
+
+def test_the_tables_in_comments_of_a_new_scene_are_right(tmp_path: Path, said: Any) -> None:
+    """Without their marks they are read, and each has its effect."""
+    path = tmp_path / "my.toml"
+    said("new", path)
+    bare, text, tables = path.read_text("utf-8").partition("# [water]")
+    path.write_text(bare + re.sub("^# ", "", text + tables, flags=re.MULTILINE), "utf-8")
+    motion = solve(load(path))
+    assert {"pore_pressure", "shaking", "drag"} <= {*motion.plan.effects}
+    assert motion.factor_of_safety < solve(load("real-slope")).factor_of_safety
 
 
 def test_a_newer_scene_file_is_refused(tmp_path: Path, said: Any, refused: Any) -> None:

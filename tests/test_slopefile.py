@@ -302,15 +302,6 @@ def test_every_factor_of_safety_names_its_method(write: Write, said: Any, tmp_pa
     assert "at the start" not in columns(said("run", write(FIXED)))  # as it moves by both
 
 
-@pytest.mark.usefixtures("unseen")
-def test_a_page_of_several_values_has_the_factors_of_each(write: Write, said: Any, tmp_path: Path) -> None:
-    page = tmp_path / "live.html"
-    said("run", write(FIXED), "--live", page, "--vary", "friction.peak_deg=18,24")
-    found = re.findall(r"Bishop's method\",\"([\d.]+)\"", page.read_text("utf-8"))
-    expected = [found_in(write(FIXED.replace("19.6", x))).factor_of_safety["bishop"] for x in ("18", "24")]
-    assert found == [f"{factor:.4g}" for factor in expected]
-
-
 @pytest.mark.parametrize(("text", "command"), [(ACADS, "search"), (SCENE, "run")])
 def test_a_circle_that_cuts_level_ground_alone_is_refused(write: Write, refused: Any, text: str, command: str) -> None:
     level = text.replace('[circle]\ncritical = "bishop"', "") + "[circle]\ncentre_m = [15, 45]\nradius_m = 22\n"

@@ -73,8 +73,7 @@ def find(name: str | PathLike[str]) -> Any:
             return candidate
     if str(name) and os.path.isdir(path):
         raise ValueError(f"{path}: is a folder; give a scene's file")
-    beside = [str(file) for file in path.parent.glob("*.toml")]
-    near = get_close_matches(str(name), beside, 1) or get_close_matches(path.stem, names, 1)
+    near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
@@ -182,8 +181,8 @@ def _parts(
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
-    of_scene = {name: value for name, value in document.arguments[""].items() if name != "format"}
-    return parts | of_scene, keys
+    document.arguments[""].pop("format", None)  # read by this version, as it is no mistake
+    return parts | document.arguments[""], keys
 
 
 def _short(friction: Mapping[str, Any] | None) -> Any:

@@ -65,7 +65,9 @@ def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], c
     body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
     body.append(tag("pre", command))
     body.append(_scrolling(versions))
-    return document(title, body, live.style() + live.text("report.css"), script)
+    if script:
+        body.append(live.engine())
+    return document(title, body, live.style() + live.text("report.css"), script, compiles=bool(script))
 
 
 def chapter(
@@ -166,7 +168,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
     parts = [_overview(motions, names)] if several else []
     scenes = zip(motions, names, files, strict=True)
     for number, (motion, name, file) in enumerate(scenes, 1):
-        slide = live.fragment([motion], f"slide-{number}")
+        slide = live.fragment(motion, f"slide-{number}")
         about = [slide, *_of_motion(motion, file)]
         parts.append(Raw(f'<section id="scene-{number}">'))
         if several:

@@ -1,0 +1,52 @@
+"""The integrator for a browser: `_flow.c` compiled to WebAssembly, compressed, as text that a page holds as it is.
+
+The bytes are checked in, as few machines have a compiler for them (``pip install ziglang``, of the version that
+`constraints.txt` pins): they are made anew where their source or these flags have changed, and carry its digest.
+"""
+
+import base64
+import gzip
+import hashlib
+import subprocess
+import sys
+import tempfile
+from importlib.util import find_spec
+from pathlib import Path
+
+from derive.check.proof import ProofError
+
+NAME = "flow.wasm.txt"
+FLAGS = (
+    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-msimd128", "-Os", "-DLEVEL=wasm", "-DWIDE=128"),
+    *("-ffp-contract=off", "-fno-math-errno", "-Wl,--strip-all"),
+)
+
+
+def text(source: str, present: Path) -> str:
+    """The digest of the source and the flags, and the compressed module in base64; as it is where that is valid.
+
+    Raises
+    ------
+    ProofError
+        If it has to be compiled and there is no compiler.
+    """
+    digest = hashlib.sha256("\n".join([source, *FLAGS]).encode()).hexdigest()
+    held = present.read_text("utf-8") if present.is_file() else ""
+    if held.startswith(digest):
+        return held
+    compressed = gzip.compress(compiled(source), mtime=0)
+    return f"{digest}\n{base64.b64encode(compressed).decode()}\n"
+
+
+def compiled(source: str) -> bytes:
+    """The module of WebAssembly."""
+    if find_spec("ziglang") is None:
+        make = "`pip install -c constraints.txt ziglang`, to make it anew"
+        raise ProofError(f"generated/{NAME}", "older than _flow.c", make)
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, "-o", "flow.wasm", "_flow.c"]
+        Path(folder, "_flow.c").write_text(source, "utf-8")
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise ProofError(f"generated/{NAME}: ziglang", done.stderr.strip()[:200], "a module of WebAssembly")
+        return Path(folder, "flow.wasm").read_bytes()
