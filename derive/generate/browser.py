@@ -1,7 +1,8 @@
 """The integrator for a browser: `_flow.c` compiled to WebAssembly, compressed, as text that a page holds as it is.
 
 The bytes are checked in, as few machines have a compiler for them (``pip install ziglang``, of the version that
-`constraints.txt` pins): they are made anew where their source or these flags have changed, and carry its digest.
+`constraints.txt` pins): they are made anew where their source, the flags or that version have changed, and carry the
+digest of all three.
 """
 
 import base64
@@ -10,6 +11,7 @@ import hashlib
 import subprocess
 import sys
 import tempfile
+from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -22,25 +24,36 @@ FLAGS = (
 )
 
 
+def digest(source: str) -> str:
+    """Of the source, the flags and the version of the compiler."""
+    return hashlib.sha256("\n".join([source, *FLAGS, pinned()]).encode()).hexdigest()
+
+
+def pinned() -> str:
+    """The version of the compiler, as `constraints.txt` has it."""
+    lines = Path(__file__).parents[2].joinpath("constraints.txt").read_text("utf-8").splitlines()
+    return next(line.removeprefix("ziglang==") for line in lines if line.startswith("ziglang=="))
+
+
 def text(source: str, present: Path) -> str:
-    """The digest of the source and the flags, and the compressed module in base64; as it is where that is valid.
+    """The digest, and the compressed module in base64; as it is where that is valid.
 
     Raises
     ------
     ProofError
-        If it has to be compiled and there is no compiler.
+        If it has to be compiled and the compiler is missing or of another version.
     """
-    digest = hashlib.sha256("\n".join([source, *FLAGS]).encode()).hexdigest()
+    expected = digest(source)
     held = present.read_text("utf-8") if present.is_file() else ""
-    if held.startswith(digest):
+    if held.startswith(expected):
         return held
     compressed = gzip.compress(compiled(source), mtime=0)
-    return f"{digest}\n{base64.b64encode(compressed).decode()}\n"
+    return f"{expected}\n{base64.b64encode(compressed).decode()}\n"
 
 
 def compiled(source: str) -> bytes:
     """The module of WebAssembly."""
-    if find_spec("ziglang") is None:
+    if find_spec("ziglang") is None or version("ziglang") != pinned():
         make = "`pip install -c constraints.txt ziglang`, to make it anew"
         raise ProofError(f"generated/{NAME}", "older than _flow.c", make)
     with tempfile.TemporaryDirectory() as folder:
