@@ -165,8 +165,7 @@ def backanalyse(
         Its values of the fields are ignored.
     reach, run_out, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
         Observed value, value and standard error, or `Interval`; m, m, m/s, s, m; signs as in `Motion`. By default
-        what the scene has as ``observed``. A single observation is met exactly by one field, several in the sense of
-        least squares.
+        what the scene has as ``observed``. A single one is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
@@ -203,18 +202,19 @@ def backanalyse(
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     problem = search_problem(scene, field, bounds, observed)
     units = {f.key: f.unit for f in problem.fields}
-    if len(problem.fields) == len(observed) == 1:
-        exact = _exact(problem)
-        return BackAnalysis(units, observed, tuple(exact), ROOT, tuple(_range_warnings(problem, exact[0])), intervals)
-    solutions, warnings = _fitted(problem)
-    return BackAnalysis(units, observed, tuple(solutions), FITTED, tuple(warnings), intervals)
+    is_exact = len(problem.fields) == len(observed) == 1
+    solutions, warnings = _exact(problem) if is_exact else _fitted(problem)
+    method = ROOT if is_exact else FITTED
+    return BackAnalysis(units, observed, tuple(solutions), method, tuple(warnings), intervals)
 
 
-def _exact(problem: SearchProblem) -> list[Solution]:
-    """All values of the one field with the one observation, the fewest swings first."""
-    if solutions := [_solution(problem, [value]) for value in solve_exact(problem)]:
-        return sorted(solutions, key=lambda s: (len(s.motion.phases), -s.value))
-    raise _unattainable(problem)
+def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+    """All values of the one field with the one observation, the fewest swings first, and what to know of them."""
+    solutions = [_solution(problem, [value]) for value in solve_exact(problem)]
+    if not solutions:
+        raise _unattainable(problem)
+    solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
+    return solutions, _range_warnings(problem, solutions[0])
 
 
 def _unattainable(problem: SearchProblem) -> Unattainable:
