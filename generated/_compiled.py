@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f0540b8a01444b323c5477edf3c66775b0813278672dcde8de497478edad3cef
+# sha256 of the text below: 89a0d86f3cf8a1b6d9eb1c2761905ebdc6ccf0dc1d842b0876a5948e8dc81514
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -11,6 +11,8 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import import_module
+from importlib.machinery import ModuleSpec
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -32,6 +34,8 @@ def binary(name: str, digest: str) -> Any:
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         return None
     try:
+        if _is_cut_short(find_spec(f"generated.{name}")):
+            raise ImportError("the file is cut short")
         found = import_module(f"generated.{name}")
     except ModuleNotFoundError:
         return None
@@ -50,6 +54,16 @@ def binary(name: str, digest: str) -> Any:
         stacklevel=3,
     )
     return None
+
+
+def _is_cut_short(spec: ModuleSpec | None) -> bool:
+    """Whether a binary of Linux ends before its table of sections, which comes last: to load it would be a crash."""
+    if spec is None or spec.origin is None:
+        return False
+    with open(spec.origin, "rb") as file:
+        head = file.read(64)
+    table, size, count = (int.from_bytes(head[a:b], "little") for a, b in ((40, 48), (58, 60), (60, 62)))
+    return head[:4] == b"\x7fELF" and os.stat(spec.origin).st_size < max(64, table + size * count)
 
 
 def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]]:
