@@ -9,7 +9,7 @@ from slipcircle.base.text import digits_left, shown
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene
 from slipcircle.workbench.common import records
-from slipcircle.workbench.common.quantities import OUTCOMES, to_error
+from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
@@ -17,7 +17,7 @@ from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solu
 
 HELP = "the friction, or another number, that explains an observed motion"
 # The options by outcome; each ends in its unit.
-OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
+OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OBSERVABLE.items()}
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -28,7 +28,7 @@ def options(parser: argparse.ArgumentParser) -> None:
             type=values.observed,
             dest=name,
             metavar="X[+-S]|LOW:HIGH",
-            help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20; or an interval: 300:450",
+            help=f"observed {OBSERVABLE[name].label}, and its standard error: 400+-20; or an interval: 300:450",
         )
     parser.add_argument(
         "--field",
@@ -46,7 +46,7 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
     fields = values.by_key("field", options.field or [], form, values.bounds)
-    observed = {name: getattr(options, name) for name in OUTCOMES}
+    observed = {name: getattr(options, name) for name in OBSERVABLE}
     scene = load(options.scene)
     if not scene.observed and all(value is None for value in observed.values()):
         known = ", ".join(OPTIONS.values())
@@ -82,7 +82,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
         for (i, one), (j, other) in combinations(enumerate(solution.values), 2):
             cells[f"correlation of {one} and {other}"] = f"{solution.correlation[i, j]:+z.3f}"
     motion = solution.motion
-    for name, quantity in OUTCOMES.items():
+    for name, quantity in OBSERVABLE.items():
         value = float(quantity.read(motion))
         cells[quantity.heading] = shown(value, digits_left(motion.error_estimate)) + _observation(fit, name, value)
     if fit.method == FITTED:

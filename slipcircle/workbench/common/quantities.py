@@ -198,7 +198,7 @@ def summary(motion: Any) -> dict[str, str]:
     known = factors(motion)
     column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
     for name, seen in motion.plan.scene.observed.items():
-        column[f"observed {OUTCOMES[name].label}"] = observed_text(motion, name, seen)
+        column[f"observed {OBSERVABLE[name].label}"] = observed_text(motion, name, seen)
     if known[OF_MOTION] < 1.0 <= known.get("bishop", 0.0):
         column["at the start"] = "stable by Bishop, moves by the paper's method"
     return column
@@ -208,8 +208,8 @@ def observed_text(motion: Any, name: str, seen: Any) -> str:
     """What was observed of an outcome, and whether the motion is inside, where it is an interval."""
     value, *error = [seen] if isinstance(seen, Interval) else np.ravel(seen).tolist()
     text = " +- ".join([str(value) if isinstance(value, Interval) else shown(value), *map(shown, error)])
-    inside = isinstance(seen, Interval) and seen.low <= motion.outcomes[name] <= seen.high
-    return f"{text} {OUTCOMES[name].unit}" + (": inside" if inside else ": outside" * isinstance(seen, Interval))
+    inside = isinstance(seen, Interval) and seen.low <= observable(motion, name) <= seen.high
+    return f"{text} {OBSERVABLE[name].unit}" + (": inside" if inside else ": outside" * isinstance(seen, Interval))
 
 
 def slow_words(motion: Any) -> str:
@@ -225,10 +225,17 @@ def factor_text(factor: float | None) -> str:
     return "refused" if factor is None or math.isnan(factor) else shown(factor)
 
 
-# What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.
+# What an ensemble is drawn for and a derivative taken of: `Motion` has them of every scene.
 OUTCOMES: Mapping[str, Quantity] = {
     q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
 }
+# What may be observed: a back-analysis is given it.
+OBSERVABLE: Mapping[str, Quantity] = {**OUTCOMES, **{q.name: q for q in JOURNEY if q.name == "toe_rise"}}
+
+
+def observable(motion: Any, name: str) -> Any:
+    """One of `OBSERVABLE`; an array for an ensemble."""
+    return motion.outcomes[name] if name in OUTCOMES else OBSERVABLE[name].read(motion)
 
 
 class Interval(NamedTuple):

@@ -15,7 +15,7 @@ import numpy as np
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
-from slipcircle.workbench.common.quantities import OUTCOMES, Interval
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
@@ -317,7 +317,7 @@ EFFECT_TABLES = {
 _GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
 ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
 _SEEN = []
-for _q in OUTCOMES.values():
+for _q in OBSERVABLE.values():
     _most = LIMITS[_q.unit][1]
     _least = -5e-324 if _q.unit == "s" else -_most
     _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, observable
 from slipcircle.workbench.files.numbers import Number, number_in
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
@@ -257,11 +257,11 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     at = _around(field, solved, error)
     lanes = motions(scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
-        curve = lanes.outcomes[name]
+        curve = observable(lanes, name)
         ax.plot(at, curve, **LINES["main"])
         label(ax, "computed", points_of(at, curve), LINES["main"]["color"])
         _draw_observed(ax, observed, at)
-        reached = [OUTCOMES[name].read(s.motion) for s in analysis.solutions]
+        reached = [observable(s.motion, name) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
             words = f"{number(value)} {unit_of(field)}"
             mark(ax, value, outcome, "end", words)
@@ -350,7 +350,7 @@ def _heights(study: "Study") -> list[float]:
 
 
 def _label(output: str) -> str:
-    return f"{OUTCOMES[output].label} ({OUTCOMES[output].unit})"
+    return f"{OBSERVABLE[output].label} ({OBSERVABLE[output].unit})"
 
 
 def _check(study: "Study", output: str, choice: Iterable[str]) -> None:

@@ -14,7 +14,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, law_depends
 from slipcircle.derivatives import DIP, parameter_value
-from slipcircle.workbench.common.quantities import OUTCOMES, Interval, Observed
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
@@ -83,9 +83,12 @@ class SearchProblem:
         if is_open:
             counts &= motion.status != Status.MOVING
         kind = 10 * motion.turnings + motion.status
-        outcomes = np.stack([motion.outcomes[name] for name in self.observed])
-        outcomes = np.where(counts, outcomes, np.nan)
+        outcomes = np.where(counts, self.seen(motion), np.nan)
         return outcomes, np.where(counts, kind, -1)
+
+    def seen(self, motion: Any) -> Floats:
+        """What would be observed of a motion, (observations, ...)."""
+        return np.stack([observable(motion, name) for name in self.observed])
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
@@ -128,13 +131,12 @@ class SearchProblem:
 # --- observations and fields -----------------------------------------------------------------------------------------
 
 
-def observations(
-    given: Mapping[str, Observed | None],
-) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
+def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Values and standard errors of what is observed, and what of it are intervals."""
     found = dict[str, tuple[float, float | None]]()
-    mistakes = [f"observed.{n}: is no outcome; known are {', '.join(OUTCOMES)}" for n in given if n not in OUTCOMES]
-    asked = {name: value for name, value in given.items() if name in OUTCOMES and value is not None}
+    unknown = [name for name in given if name not in OBSERVABLE]
+    mistakes = [f"observed.{name}: is no outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
+    asked = {name: value for name, value in given.items() if name in OBSERVABLE}
     for name, value in asked.items():
         seen, sigma = _observation(value)
         has_error = sigma is None or 0.0 < sigma < math.inf
@@ -145,10 +147,10 @@ def observations(
             found[name] = seen, sigma
         else:
             allowed = "a positive number" if is_duration else "a number other than 0"
-            also = f"it and its positive standard error, or an Interval in {OUTCOMES[name].unit}, the lower end first"
+            also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {value!r}: must be {allowed}, {also}")
     if not found and not mistakes:
-        mistakes.append(f"nothing observed: give one of {', '.join(OUTCOMES)}")
+        mistakes.append(f"nothing observed: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
     if len(has_errors) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")
