@@ -1,13 +1,10 @@
 """The slide that one can drag: a page that solves its scene in the browser as `solve` does, and needs nothing else."""
 
-import gzip
-import hashlib
 import json
 import math
 import re
 import shutil
 import subprocess
-from base64 import b64decode
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -17,7 +14,6 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from derive.generate import browser
 from slipcircle import Motion, Scene, Section, Status, load, solve
 from slipcircle.derivatives import parameter_value, with_parameters
 from slipcircle.workbench.files.numbers import number_in
@@ -194,15 +190,6 @@ def test_a_page_is_small_and_plays_its_motion_as_it_is(name: str) -> None:
     assert stored["v"] == pytest.approx(states.velocity, abs=2e-6 * wanted.peak.velocity)
     assert stored["s"] == pytest.approx(states.displacement, abs=2e-6 * wanted.reach.displacement)
     assert held["first"]["headline"] == live.headline(wanted)
-
-
-def test_the_engine_is_the_text_of_the_integrator() -> None:
-    """Its digest is that of `generated/_flow.c` and the flags, so that it is compiled anew where these have changed."""
-    source = (GENERATED / "_flow.c").read_text("utf-8")
-    digest, packed = (GENERATED / browser.NAME).read_text("utf-8").split()
-    assert digest == hashlib.sha256("\n".join([source, *browser.FLAGS]).encode()).hexdigest()
-    assert gzip.decompress(b64decode(packed))[:4] == b"\0asm"
-    assert browser.text(source, GENERATED / browser.NAME).startswith(digest)
 
 
 def test_the_programs_of_a_page_know_no_mechanics() -> None:

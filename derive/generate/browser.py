@@ -1,8 +1,7 @@
 """The integrator for a browser: `_flow.c` compiled to WebAssembly, compressed, as text that a page holds as it is.
 
-The bytes are checked in, as few machines have a compiler for them (``pip install ziglang``, of the version that
-`constraints.txt` pins): they are made anew where their source, the flags or that version have changed, and carry the
-digest of all three.
+The bytes are checked in, as few machines have a compiler for them (``pip install ziglang``): they are made anew where
+their source, the flags or that version have changed, and carry the digest of all three.
 """
 
 import base64
@@ -18,6 +17,7 @@ from pathlib import Path
 from derive.check.proof import ProofError
 
 NAME = "flow.wasm.txt"
+COMPILER = "0.17.1"  # of ziglang, which `constraints.txt` pins too; a wheel has no such file
 FLAGS = (
     *("-target", "wasm32-wasi", "-mexec-model=reactor", "-msimd128", "-Os", "-DLEVEL=wasm", "-DWIDE=128"),
     *("-ffp-contract=off", "-fno-math-errno", "-Wl,--strip-all"),
@@ -26,13 +26,7 @@ FLAGS = (
 
 def digest(source: str) -> str:
     """Of the source, the flags and the version of the compiler."""
-    return hashlib.sha256("\n".join([source, *FLAGS, pinned()]).encode()).hexdigest()
-
-
-def pinned() -> str:
-    """The version of the compiler, as `constraints.txt` has it."""
-    lines = Path(__file__).parents[2].joinpath("constraints.txt").read_text("utf-8").splitlines()
-    return next(line.removeprefix("ziglang==") for line in lines if line.startswith("ziglang=="))
+    return hashlib.sha256("\n".join([source, *FLAGS, COMPILER]).encode()).hexdigest()
 
 
 def text(source: str, present: Path) -> str:
@@ -53,8 +47,8 @@ def text(source: str, present: Path) -> str:
 
 def compiled(source: str) -> bytes:
     """The module of WebAssembly."""
-    if find_spec("ziglang") is None or version("ziglang") != pinned():
-        make = "`pip install -c constraints.txt ziglang`, to make it anew"
+    if find_spec("ziglang") is None or version("ziglang") != COMPILER:
+        make = f"`pip install ziglang=={COMPILER}`, to make it anew"
         raise ProofError(f"generated/{NAME}", "older than _flow.c", make)
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, "-o", "flow.wasm", "_flow.c"]

@@ -241,7 +241,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
         "series": f"{one}, or {many}",
         "line": "a height (m), or a list of two points or more, [[x, y], [x, y], ...] (m)",
         "load": f"{one}, or two of them, [left, right]",
-        "seen": one.replace("a number", "a number, or an interval [low, high]"),
+        "seen": one.replace("a number", "a number, or an interval [low, high], low first,"),
     }
     return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
 
