@@ -270,6 +270,21 @@ def test_a_command_writes_the_page(tmp_path: Path, said: Any) -> None:
     assert [first[name] for name in ("key", "low", "high", "value")] == ["friction.angle_deg", 9.0, 20.0, 10.0]
 
 
+def test_a_slider_of_the_geometry_states_its_error_and_keeps_it(tmp_path: Path) -> None:
+    """Inputs that are no polynomials: a radius of a section, within what the page says."""
+    scene = load("real-slope")
+    sliders = live.slider(scene, "circle.radius_m", 29.0, 31.0)[:1]
+    (stated,) = [data(live.page(motion("real-slope"), sliders))["input_error"]]
+    assert stated < 1e-6
+    places = np.linspace(-0.97, 0.93, 9)
+    low, high = sliders[0].ends.tolist()
+    for place, answer in zip(places, asked(scene, sliders, [[x] for x in places.tolist()], tmp_path), strict=True):
+        wanted = solve(with_parameters(scene, {"radius": (low + high) / 2 + (high - low) / 2 * float(place)}))
+        assert answer[1:4] == pytest.approx(
+            [wanted.run_out, wanted.peak.velocity, wanted.duration], rel=max(100 * stated, 1e-12)
+        )
+
+
 # --- the command -----------------------------------------------------------------------------------------------------
 
 
@@ -282,7 +297,8 @@ def test_a_command_writes_the_page(tmp_path: Path, said: Any) -> None:
         ("vaiont --live {} --vary friction.angle_deg=8:x", "must be KEY=FROM:TO"),
         ("vaiont --live {} --vary friction.angle_deg=8:12:3", "must be KEY=FROM:TO"),
         ("vaiont --live {} --vary friction.angle_deg=-8:8", "friction"),
-        ("layered-slope --live {} --vary soils.clay.friction.residual_deg=6:18", "has a kink between these values"),
+        ("layered-slope --live {} --vary soils.clay.friction.residual_deg=6:18", "is not smooth enough between"),
+        ("layered-slope --live {} --vary circle.radius_m=20:22", "is not smooth enough between"),
         ("vaiont --live {}/none/x", "there is no folder"),
     ],
 )

@@ -22,7 +22,14 @@ from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, Interval, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.livemodel import Slider, default_sliders, model, unsolvable, with_room
+from slipcircle.workbench.outputs.livemodel import (
+    MOST_COEFFICIENTS,
+    Slider,
+    default_sliders,
+    interpolates,
+    model,
+    unsolvable,
+)
 from slipcircle.workbench.outputs.livesection import Section as Drawn
 from slipcircle.workbench.outputs.livesection import axes, frame_around, section
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace
@@ -31,6 +38,7 @@ from slipcircle.workbench.studies.ensemble import varied_number
 
 _SAMPLES = 241  # of the motion as it is
 _DIGITS = 8
+INTERPOLATED = 1e-6  # error of inputs that a page may have and show, where a slider is asked for
 _SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
 _LONGEST = 10.0
 _PAGE = Path(__file__).with_name("page")
@@ -145,11 +153,13 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
     asked = Slider(number, low, high)
     for value in asked.ends.tolist():
         with_parameters(scene, {number.name: value})  # raises an error for an invalid value
+    if not interpolates(scene, [asked], INTERPOLATED):
+        raise ValueError(
+            f"--vary {key}: what the motion starts from is not smooth enough between these values to be interpolated "
+            f"to {INTERPOLATED:.0e}; narrow the range"
+        )
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
-    chosen = with_room(scene, [asked, *others])
-    if asked not in chosen:
-        raise ValueError(f"--vary {key}: what the motion starts from has a kink between these values; narrow the range")
-    return chosen
+    return [asked, *others] if interpolates(scene, [asked, *others], INTERPOLATED, MOST_COEFFICIENTS) else [asked]
 
 
 def headline(motion: Motion) -> str:

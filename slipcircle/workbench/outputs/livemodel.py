@@ -93,10 +93,18 @@ def with_room(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
 
 
 def _has_room(scene: Scene, sliders: Sequence[Slider]) -> bool:
+    return interpolates(scene, sliders, SMOOTH, MOST_COEFFICIENTS)
+
+
+def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: float = math.inf) -> bool:
+    """Whether the inputs are interpolated to an error, with so many coefficients at most."""
     inputs = _Inputs(scene, sliders, plan(scene).accuracy)
-    fits = _fits(inputs)
-    size = sum(fit.coefficients.size for fit in fits)
-    return size <= MOST_COEFFICIENTS and _greatest_error(inputs, fits) < SMOOTH
+    try:
+        fits = _fits(inputs)
+        size = sum(fit.coefficients.size for fit in fits)
+        return size <= most and _greatest_error(inputs, fits) < error
+    except _OtherPieces:
+        return False
 
 
 def _around(scene: Scene, number: Number) -> Slider | None:
@@ -126,6 +134,10 @@ def unsolvable(motion: Motion) -> str:
     return ""
 
 
+class _OtherPieces(Exception):
+    """Functions of the rotation have other pieces elsewhere in the range of a slider."""
+
+
 class _Inputs:
     """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers that the page needs."""
 
@@ -149,6 +161,8 @@ class _Inputs:
             with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises why
         count = shares.shape[1]
         alike = self._rows(_at_start(scene, ACCURACY), count)
+        if len(alike) != self.base.size:
+            raise _OtherPieces
         alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
         return alike
 
