@@ -13,7 +13,9 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
@@ -30,11 +32,8 @@ KINDS = {
     "avx2": ("-DWIDE=256", "-mavx2", "-mfma"),
     "baseline": ("-DWIDE=128",),
 }
-_HERE = KINDS if platform.machine() in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}
-PARTS: dict[str, tuple[tuple[str, ...], ...]] = {
-    "_kernels": ((),),
-    "_flow": (*((*INTEGRATOR, f"-DLEVEL={kind}", *flags) for kind, flags in _HERE.items()), INTEGRATOR),
-}
+MODULES = ("_kernels", "_flow")
+Parts = tuple[tuple[str, ...], ...]  # flags of each object of a module
 SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")  # asked once: of two threads at once, one gets nothing
 SHARED = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 
@@ -50,19 +49,43 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
     digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
-    if binary.is_file() and digest.encode() in binary.read_bytes():
-        return binary
+    candidates = (folder / f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES)
+    imported = next((path for path in candidates if path.is_file()), binary)  # of a wheel, maybe
+    if imported.is_file() and digest.encode() in imported.read_bytes():
+        return imported
     compiler = c_compiler()
     if not _is_clang(compiler):
         flags = (*flags, *GCC_FLAGS)
+    try:
+        import numpy as np
+    except ImportError as error:
+        raise NoBinaryError(f"no NumPy to compile with ({error})") from None
+    includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
         target = Path(made) / binary.name
-        for command in _commands(name, source, target):
-            done = subprocess.run([*compiler, *flags, *command], capture_output=True, text=True, check=False)
-            if done.returncode:
-                raise NoBinaryError(f"{compiler[0]} fails: {done.stderr.strip().splitlines()[:1]}")
+        make(source, target, [*compiler, *flags, *includes], parts(name, platform.machine()), SHARED)
         os.replace(target, binary)
     return binary
+
+
+def parts(name: str, machine: str) -> Parts:
+    """Flags of every object of a module: the integrator has one for each kind of processor of a machine."""
+    if name == "_kernels":
+        return ((),)
+    kinds = KINDS if machine in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}
+    return (*((*INTEGRATOR, f"-DLEVEL={kind}", *flags) for kind, flags in kinds.items()), INTEGRATOR)
+
+
+def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Sequence[str]) -> None:
+    """Compile the objects of a module, and link them."""
+    with tempfile.TemporaryDirectory() as folder:
+        objects = [str(Path(folder) / f"{k}.o") for k in range(len(parts))]
+        commands = [[*flags, "-c", str(source), "-o", made] for flags, made in zip(parts, objects, strict=True)]
+        for command in (*commands, [*objects, *link, "-o", str(target), "-lm"]):
+            done = subprocess.run([*compiler, *command], capture_output=True, text=True, check=False)
+            if done.returncode:
+                said = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()
+                raise NoBinaryError(f"{' '.join(compiler[:3])} fails: {said[:1]}")
 
 
 def c_compiler() -> list[str]:
@@ -85,25 +108,10 @@ def _is_clang(compiler: list[str]) -> bool:
     return "clang" in done.stdout
 
 
-def _commands(name: str, source: Path, target: Path) -> list[list[str]]:
-    """Command lines of the compiler: one for each part of the module, and one to link them."""
-    try:
-        import numpy as np
-    except ImportError as error:
-        raise NoBinaryError(f"no NumPy to compile with ({error})") from None
-    includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
-    commands = []
-    objects = []
-    for k, flags in enumerate(PARTS[name]):
-        objects.append(str(target.parent / f"{k}.o"))
-        commands.append([*flags, *includes, "-c", str(source), "-o", objects[k]])
-    return [*commands, [*SHARED, *objects, "-o", str(target), "-lm"]]
-
-
 def build_all() -> str:
     """Compile modules with outdated binaries, side by side; returns a line on what is in use."""
     with ThreadPoolExecutor() as pool:
-        builds = [pool.submit(build, name=name) for name in PARTS]
+        builds = [pool.submit(build, name=name) for name in MODULES]
     try:
         return ", ".join(made.result().name for made in builds)
     except NoBinaryError as error:

@@ -1,5 +1,6 @@
 """At install time: binaries of kernels and integrator if they can be compiled, otherwise a pure Python wheel."""
 
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -11,16 +12,28 @@ class KernelsHook(BuildHookInterface[Any]):
     """Called by Hatchling for wheels; an editable install uses the binary in place."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Compile, and mark the wheel as one for this platform."""
-        sys.path.insert(0, self.root)
-        from derive.build import PARTS, NoBinaryError, build
+        """Compile, and mark the wheel as one for this platform.
 
-        for name in PARTS:
+        ``SLIPCIRCLE_BINARIES`` is a folder of binaries that are there already, by the name of their platform.
+        """
+        made = os.environ.get("SLIPCIRCLE_BINARIES")
+        binaries = sorted(Path(made).iterdir()) if made else self._compiled()
+        if version == "editable" or not binaries:
+            return
+        build_data["force_include"] |= {str(binary): f"generated/{binary.name}" for binary in binaries}
+        build_data["pure_python"], build_data["infer_tag"] = False, not made
+        if made:
+            build_data["tag"] = f"cp311-abi3-{Path(made).name}"
+
+    def _compiled(self) -> list[Path]:
+        """Binaries of this Python on this machine, as far as they can be had."""
+        sys.path.insert(0, self.root)
+        from derive.build import MODULES, NoBinaryError, build
+
+        binaries = []
+        for name in MODULES:
             try:
-                binary = build(Path(self.root) / "generated", name=name)
+                binaries.append(build(Path(self.root) / "generated", name=name))
             except (NoBinaryError, OSError) as error:
                 self.app.display_warning(f"no compiled {name[1:]}, NumPy serves: {error}")
-                continue
-            if version != "editable":
-                build_data["force_include"][str(binary)] = f"generated/{binary.name}"
-                build_data["pure_python"], build_data["infer_tag"] = False, True
+        return binaries

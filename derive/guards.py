@@ -17,6 +17,7 @@ from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
 from derive.flow.lowering import KNOWN
 from derive.flow.recurrences import OPERATIONS
+from derive.progress import say
 
 Declaration = Effect | Law | Moment
 # Equations of the paper, and its figure of laws of friction.
@@ -24,8 +25,8 @@ PAPER = re.compile(r"1\.([1-9]|1[0-4])|2\.([1-9]|1\d|2[0-7])|3\.([1-9]|1\d|2[01]
 # Other tables and keys of scene files; functions of the package; modules of `generated`, and what else the text of a
 # kernel names; keys of a law beside its parameters, and what else the text of these names.
 TABLES = (
-    "accuracy arc circle end_time_s friction ground initial_velocity_m_s layers name note pond search slip soils "
-    "surcharge tension_crack water"
+    "accuracy arc circle end_time_s format friction ground initial_velocity_m_s layers name note observed pond search "
+    "slip soils surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
 MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
@@ -167,10 +168,13 @@ def _check_law(law: Law) -> None:
     for kink in law.kinks:
         if kink not in by_symbol:
             raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
-    linear_in = [x for x, p in by_symbol.items() if not p.unit]
-    place = domain.fault(sp.collect(sp.expand_mul(law.coefficient), linear_in), _box(law))
+    place, undecided = domain.fault(law.coefficient, _box(law))
     if place:
         raise ProofError(claim, place, "numbers that are not negative")
+    if undecided:
+        say(
+            f"{claim}: not shown to be finite and not negative next to {undecided}; narrow the bounds of its parameters"
+        )
     fragments.of_law(law)
     if law.kinks:
         fragments.pieces(law)

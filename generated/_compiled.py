@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7125d7cb694447069dbf4b5fc11c00c199e3b6c4838ca54da3fbd09b2b931e65
+# sha256 of the text below: 89a0d86f3cf8a1b6d9eb1c2761905ebdc6ccf0dc1d842b0876a5948e8dc81514
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -11,6 +11,8 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from importlib import import_module
+from importlib.machinery import ModuleSpec
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -32,6 +34,8 @@ def binary(name: str, digest: str) -> Any:
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         return None
     try:
+        if _is_cut_short(find_spec(f"generated.{name}")):
+            raise ImportError("the file is cut short")
         found = import_module(f"generated.{name}")
     except ModuleNotFoundError:
         return None
@@ -50,6 +54,16 @@ def binary(name: str, digest: str) -> Any:
         stacklevel=3,
     )
     return None
+
+
+def _is_cut_short(spec: ModuleSpec | None) -> bool:
+    """Whether a binary of Linux ends before its table of sections, which comes last: to load it would be a crash."""
+    if spec is None or spec.origin is None:
+        return False
+    with open(spec.origin, "rb") as file:
+        head = file.read(64)
+    table, size, count = (int.from_bytes(head[a:b], "little") for a, b in ((40, 48), (58, 60), (60, 62)))
+    return head[:4] == b"\x7fELF" and os.stat(spec.origin).st_size < max(64, table + size * count)
 
 
 def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]]:
@@ -72,30 +86,12 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     Of ``(alpha, out, where, accuracy)``, or with ``both_ends`` of ``(theta_1, theta_2, out, where, accuracy)``.
     """
     form, loops = LEVELS[level]
-    cached = cache(partial(_cheapest, name, form))
+    # That of float32 is a type of the best one's.
+    compiled: dict[str, Any] = {tier: loops.get(tier, {}).get(name) for tier in CHEAPEST_FIRST}
+    best = compiled["float32"] = compiled["best"]
+    cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
     numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
-
-    def loop_of(tier: str) -> Any:
-        """The compiled loop of a tier, or None; that of float32 is a type of the best one's."""
-        return loops.get("best" if tier == "float32" else tier, {}).get(name)
-
-    best = loop_of("best")
-
-    def cheapest(kind: str, accuracy: float) -> str:
-        if not isinstance(accuracy, _NUMBERS):
-            raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
-        return cached(kind, accuracy)
-
-    def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
-        items, kind = real(args)
-        tier = "float32" if kind.char == "f" and "float32" in texts else "best"
-        if accuracy is not None:
-            tier = cheapest(kind.char, accuracy)
-        loop = loop_of(tier)
-        if loop is None or kind.char not in "df":
-            return numpy(texts[tier], items, kind, out, where)
-        arrays = [np.asarray(x, dtype=kind) for x in items]
-        return _masked(loop, arrays, out, where)
+    general = partial(_general, name, texts, compiled, cheapest, numpy)
 
     def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
@@ -103,7 +99,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
             loop = best
             if accuracy is not None:
-                loop = loop_of(cheapest("d" if of is float else alpha.dtype.char, accuracy))
+                loop = compiled[cheapest("d" if of is float else alpha.dtype.char, accuracy)]
             return loop(alpha) if out is None else loop(alpha, out)
         if _is_foreign(alpha):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
@@ -115,9 +111,39 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     return of_ends if both_ends else of_alpha
 
 
+def _general(
+    name: str,
+    texts: Mapping[str, Text],
+    compiled: Mapping[str, Any],
+    cheapest: Callable[[str, float], str],
+    numpy: Callable[..., Any],
+    args: tuple[Any, ...],
+    out: Any,
+    where: Any,
+    accuracy: float | None,
+) -> Any:
+    """Any arguments that NumPy takes, by the compiled loop of a tier or by its text."""
+    items, kind = real(name, args)
+    tier = "float32" if kind.char == "f" and "float32" in texts else "best"
+    if accuracy is not None:
+        tier = cheapest(kind.char, accuracy)
+    loop = compiled[tier]
+    if loop is None or kind.char not in "df":
+        return numpy(texts[tier], items, kind, out, where)
+    arrays = [np.asarray(x, dtype=kind) for x in items]
+    return _masked(loop, arrays, out, where)
+
+
 def _is_foreign(alpha: Any) -> bool:
     """Whether it is an array of another library."""
     return not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS)
+
+
+def _checked(name: str, cheapest: Callable[[str, float], str], kind: str, accuracy: float) -> str:
+    """The cheapest tier, of one number only."""
+    if not isinstance(accuracy, _NUMBERS):
+        raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
+    return cheapest(kind, accuracy)
 
 
 def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:

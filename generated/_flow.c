@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "8bf1e7951b90a4906b3169e5ae97f69206bc6b9ed7aac3a7475e2b712160d808"
+#define DIGEST "a2c8375c4a028ceaaa8d0f5868fedafda44147cdf50884edcb2f5630f0f4d59d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -11,7 +11,7 @@
  *
  * How a lane is integrated is written once, in `derive/flow/walk`, for this file and for `walk.py`, the same in NumPy.
  * This file is compiled once for every kind of processor (with LEVEL, its name), and once more for the module, which
- * runs the best of those that the machine has. */
+ * runs the best of those that the machine has; for a browser it is one module of WebAssembly. */
 #define PY_SSIZE_T_CLEAN
 #if !defined(__GNUC__)
 #error "the integrator needs the vectors of GCC or Clang"
@@ -56,10 +56,32 @@ typedef struct {
     int order; /* the highest of all lanes */
 } Job;
 
+#if !defined(LEVEL) || defined(__wasm__)
+/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
+ * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 9, WIDEST = 64 };
+
+static int read_program(Job *job, const int32_t *p, const int32_t *end)
+{
+    if (end - p < HEAD) return -1;
+    job->cells = p[0], job->made = p[1], job->registers = p[2], job->states = p[3], job->tables = p[4];
+    job->scalar = p + HEAD + sizeof(Roles) / 4;
+    job->role = (const Roles *)(p + HEAD);
+    job->scalar_end = job->series = job->scalar + p[5];
+    job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
+    job->state = (const State *)job->later_end;
+    job->autonomous = p[8];
+    job->table = (const Table *)(job->state + job->states);
+    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
+    return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
+}
+#endif
+
 #ifndef LEVEL
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <stdlib.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -108,26 +130,6 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
- * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 9, WIDEST = 64 };
-
-static int read_program(Job *job, const Py_buffer *program)
-{
-    const int32_t *p = program->buf, *end = p + program->len / 4;
-    if (end - p < HEAD) return -1;
-    job->cells = p[0], job->made = p[1], job->registers = p[2], job->states = p[3], job->tables = p[4];
-    job->scalar = p + HEAD + sizeof(Roles) / 4;
-    job->role = (const Roles *)(p + HEAD);
-    job->scalar_end = job->series = job->scalar + p[5];
-    job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
-    job->state = (const State *)job->later_end;
-    job->autonomous = p[8];
-    job->table = (const Table *)(job->state + job->states);
-    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
-    return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
-}
-
 static const char doc[] = "integrate(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
@@ -148,7 +150,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_ssize_t begin, end, budget;
     if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
                           &budget, &times, &outputs, &notes, &level)) return NULL;
-    const int bad = read_program(&job, &program) || order < 5 || order > HIGHEST || PyTuple_GET_SIZE(tables) != job.tables;
+    const int32_t *const code = program.buf;
+    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
         goto done;
@@ -157,7 +160,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         Data *d = job.data + t;
         long long across;
         Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
                               &d->open)) goto done;
         d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
         d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
@@ -178,7 +181,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
     job.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -188,7 +191,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
-    PyMem_RawFree(memory);
+    free(memory);
     result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);
@@ -1997,7 +2000,7 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
 }
 
 /* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. */
-static void wait(Batch *b, M here)
+static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2056,7 +2059,7 @@ static void advance(Batch *b, M here)
         make_step(b, moving);
     }
     if (bits(resting)) {
-        wait(b, resting);
+        rest_on(b, resting);
     }
     begin_phases(b);
     stop_endless(b, here);
@@ -2145,4 +2148,34 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
     EACH(k, b->held) store_lane(b, k), left++;
     return left + (job->end - next);
 }
+
+#ifdef __wasm__
+/* --- the module of a browser: what `integrate` of the Python module takes, by addresses ------------------------------ */
+
+#include <stdlib.h>
+
+/* A table: addresses of its breaks, coefficients and jumps, pieces, terms, lanes across and apart, sine, open. */
+typedef struct { const double *breaks, *coefficients, *jumps; int32_t pieces, terms, across, apart, sine, open; } Given;
+
+/* Lanes that have not ended, or -1 where the program and what it is given do not fit. */
+__attribute__((export_name("integrate"))) int integrate(const int32_t *program, int length, const Given *tables, double *cells,
+    int count, int order, int begin, int end, int budget, const double *times, int samples, int across, double *outputs)
+{
+    Job job = {.all = cells, .count = count, .begin = begin, .end = end, .budget = budget, .order = order,
+               .times = samples ? times : NULL, .samples = samples, .times_across = across, .outputs = outputs};
+    if (read_program(&job, program, program + length) || order < 5 || order > HIGHEST) return -1;
+    for (int t = 0; t < job.tables; t++) {
+        const Given *const g = tables + t;
+        job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};
+    }
+    void *const memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    if (memory == NULL) return -1;
+    job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    const int left = (int)flow_integrate_wasm(&job);
+    free(memory);
+    return left;
+}
+__attribute__((export_name("room"))) void *room(int bytes) { return malloc((size_t)bytes); }
+__attribute__((export_name("leave"))) void leave(void *room) { free(room); }
+#endif
 #endif

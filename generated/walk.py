@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: dacd4d4f8b2ac317437668eb322f9377269b63717e7ccc4aec8e74de173adeca
+# sha256 of the text below: f07dafddb36912ba688fecac893cd18ea45c79285d2977ce52bc489bd5b50ee1
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1451,7 +1451,7 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     i, breaks = (i_5, breaks_5)
 
 
-def wait(s: Lanes, here: Mask) -> None:
+def rest_on(s: Lanes, here: Mask) -> None:
     """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
     c = s.cells
     limit = next_break(s)
@@ -1503,7 +1503,7 @@ def advance(s: Lanes, here: Mask) -> None:
     if np.any(moving):
         make_step(s, moving)
     if np.any(resting):
-        wait(s, resting)
+        rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)
 

@@ -11,13 +11,23 @@ those of the package `generated`, which `python -m derive` writes.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-import generated
+try:
+    import generated
 
-if getattr(generated, "__project__", None) != "slipcircle":
+    _project = getattr(generated, "__project__", None)
+except Exception as error:
+    _project = error
+if _project != "slipcircle":  # another package, or what it needs is missing
+    if isinstance(_project, ModuleNotFoundError) and _project.name == "numpy":
+        raise ImportError("slipcircle needs NumPy: pip install numpy") from None
+    from importlib.util import find_spec
+
+    _spec = find_spec("generated")
+    _place = _spec and (_spec.origin or list(_spec.submodule_search_locations or ()))
     raise ImportError(
-        f"the package 'generated' found at {getattr(generated, '__file__', None) or list(generated.__path__)} is not "
-        "the one that slipcircle needs: remove it from sys.path, or put slipcircle's folder before it"
-    )
+        f"slipcircle needs its package 'generated', and Python finds {_place or 'none'}: rename that one or start in "
+        "another folder; or install slipcircle again"
+    ) from (_project if isinstance(_project, Exception) else None)
 
 from slipcircle.base import VERSION
 from slipcircle.base.forms import use_forms
@@ -28,6 +38,7 @@ if TYPE_CHECKING:
     from slipcircle.ground import Section
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
+    from slipcircle.workbench.common.quantities import Interval
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
@@ -35,7 +46,6 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
-    from slipcircle.workbench.studies.problem import Interval
     from slipcircle.workbench.studies.study import Study
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
@@ -44,39 +54,24 @@ __version__ = VERSION
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
-    "Arc": "core",
-    "BackAnalysis": "workbench.studies.backanalysis",
-    "Critical": "workbench.stability.search",
-    "Dimensionless": "core",
-    "Energy": "core",
-    "Interval": "workbench.studies.problem",
-    "LayeredSection": "layers",
-    "Motion": "core",
-    "Plan": "core",
-    "Pulse": "tables",
-    "Record": "workbench.records.records",
-    "Scene": "core",
-    "Section": "ground",
-    "Series": "tables",
-    "Slope": "workbench.stability.stability",
-    "Soil": "layers",
-    "State": "core",
-    "Status": "core",
-    "Study": "workbench.studies.study",
-    "Suite": "workbench.records.suite",
-    "SuiteStudy": "workbench.studies.suitestudy",
-    "Unattainable": "workbench.studies.backanalysis",
-    "backanalyse": "workbench.studies.backanalysis",
-    "critical": "workbench.stability.search",
-    "ensemble": "workbench.studies.ensemble",
-    "grid": "workbench.studies.ensemble",
-    "load": "workbench.files.scenefile",
-    "parameters": "derivatives",
-    "plan": "core",
-    "read_suite": "workbench.records.suite",
-    "solve": "core",
-    "synthetic_records": "workbench.suites.synthetic",
+    "core": "Arc Dimensionless Energy Motion Plan Scene State Status plan solve",
+    "derivatives": "parameters",
+    "ground": "Section",
+    "layers": "LayeredSection Soil",
+    "tables": "Pulse Series",
+    "workbench.common.quantities": "Interval",
+    "workbench.files.scenefile": "load",
+    "workbench.records.records": "Record",
+    "workbench.records.suite": "Suite read_suite",
+    "workbench.stability.search": "Critical critical",
+    "workbench.stability.stability": "Slope",
+    "workbench.studies.backanalysis": "BackAnalysis Unattainable backanalyse",
+    "workbench.studies.ensemble": "ensemble grid",
+    "workbench.studies.study": "Study",
+    "workbench.studies.suitestudy": "SuiteStudy",
+    "workbench.suites.synthetic": "synthetic_records",
 }
+_MODULES = {name: f"slipcircle.{place}" for place, names in _PLACES.items() for name in names.split()}
 __all__ = [
     "Arc",
     "BackAnalysis",
@@ -114,9 +109,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _PLACES:
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(f"slipcircle.{_PLACES[name]}"), name)
+    value = getattr(import_module(_MODULES[name]), name)
     globals()[name] = value  # asked for once
     return value
 

@@ -5,7 +5,6 @@ Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
 """
 
 import argparse
-import json
 import os
 import shlex
 import sys
@@ -19,11 +18,18 @@ from slipcircle.base.progress import heartbeat, hush
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.commands.common import check_files
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.quantities import plain
+from slipcircle.workbench.common.quantities import json_text
 from slipcircle.workbench.files.scenefile import shipped
 from slipcircle.workbench.outputs import tables
 from slipcircle.workbench.outputs.tables import Answer, say
 
+TO_TRY = """\
+Three things to try:
+  slipcircle run vaiont                        solve a slide that ships
+  slipcircle new slope.toml                    write a commented scene, to put in your own numbers
+  slipcircle run slope.toml --live slope.html  solve it; the page shows the slide in a browser
+`slipcircle --help` lists all commands and scenes.
+"""
 SILENT = 2.0  # s, at most
 INTERRUPTED = 130
 EPILOG = """\
@@ -38,6 +44,9 @@ exit status: 0 done, 1 the input was refused, 2 a wrong call, 130 interrupted
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit status."""
     argv = sys.argv[1:] if argv is None else argv
+    if not argv:
+        print(TO_TRY, end="")
+        return 0
     options = _parser(argv).parse_args(argv)
     options.line = shlex.join(["slipcircle", *argv])
     try:
@@ -109,7 +118,7 @@ def _write(answer: Answer, options: argparse.Namespace) -> None:
 
 def _print(answer: Answer, as_json: bool) -> None:
     if as_json:
-        print(json.dumps(plain(answer.record()), indent=2, allow_nan=False))
+        print(json_text(answer.record()))
         return
     for part in answer.parts:
         print(part) if isinstance(part, str) else tables.show(*part)

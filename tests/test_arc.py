@@ -219,3 +219,16 @@ def test_a_negative_moment_faces_the_other_way() -> None:
     one, other = (vaiont(given=TABLE_4_1 | {"weight_moment": moment}) for moment in (0.0387, -0.0387))
     assert (one.facing, other.facing) == (1, -1)
     assert other.dimensionless == one.dimensionless
+
+
+def test_area_and_centroid_of_thin_and_thick_segments() -> None:
+    """Against ball arithmetic of R^2 (alpha - sin cos) and 2 sin^3/(3 (alpha - sin cos)): no cancellation."""
+    with ctx.workprec(400):
+        for half in (1e-8, 1e-5, 1e-3, 0.1, 0.5, 1.0, 1.5, math.pi / 2):
+            arc = Arc(700.0, 1.5 * math.pi - half, 1.5 * math.pi + half, 21e3)
+            alpha = arb(float(arc.half_angle))
+            share = alpha - alpha.sin() * alpha.cos()
+            below = 700 * 2 * alpha.sin() ** 3 / (3 * share)
+            assert float(arc.area) == pytest.approx(float(490_000 * share), rel=1e-15)
+            assert float(np.hypot(*arc.centroid)) == pytest.approx(float(below), rel=2e-15)
+            assert float(arc.mass_per_metre) == pytest.approx(float(arc.area) * 21e3 / 9.81, rel=1e-15)

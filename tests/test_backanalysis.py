@@ -9,6 +9,8 @@ import pytest
 from scipy.optimize import least_squares, minimize_scalar
 
 from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, solve
+from slipcircle.workbench.common.quantities import summary
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
 
 VAIONT = load("vaiont")
@@ -160,18 +162,24 @@ def test_what_scipy_integrates() -> None:
         assert s.motion.run_out == pytest.approx(400.0, rel=1e-9)
 
 
+def observed_of_vaiont(motion: Any) -> dict[str, float]:
+    """Its outcomes, and how far the second end of the arc has risen by its rotation."""
+    second, turned = math.radians(276.9), motion.run_out / 1492.6
+    return {**motion.outcomes, "toe_rise": 1492.6 * (math.sin(second + turned) - math.sin(second))}
+
+
 def test_intervals_count_as_uniform_distributions() -> None:
     """Vaiont as it was reported: against SciPy's minimum of chi-square with the moments of even samples."""
-    intervals: dict[str, Any] = {"run_out": Interval(300.0, 450.0), "peak_velocity": Interval(20.0, 30.0),
-                 "duration": Interval(0.0, 45.0)}  # fmt: skip
+    intervals: Any = VAIONT.observed
     samples = {n: np.linspace(ends.low, ends.high, 100_001) for n, ends in intervals.items()}
 
     def chi_square(degrees: float) -> float:
-        outcomes = solve(replace(VAIONT, friction=math.tan(math.radians(degrees)))).outcomes
+        outcomes = observed_of_vaiont(solve(replace(VAIONT, friction=math.tan(math.radians(degrees)))))
         return sum(((outcomes[n] - x.mean()) / x.std()) ** 2 for n, x in samples.items())
 
     best = minimize_scalar(chi_square, bounds=(10.0, 18.0), method="bounded", options={"xatol": 1e-9})
-    found = backanalyse(VAIONT, **intervals)
+    found = backanalyse(VAIONT)
+    assert found.solutions[0].values == backanalyse(replace(VAIONT, observed={}), **intervals).solutions[0].values
     assert found.value == pytest.approx(best.x, rel=1e-5)
     assert found.solutions[0].chi_square == pytest.approx(best.fun, rel=1e-4)
     step = 1e-2
@@ -180,19 +188,36 @@ def test_intervals_count_as_uniform_distributions() -> None:
     assert found.intervals == intervals
 
 
-REPORTED = {"run_out": (300.0, 450.0), "peak_velocity": (20.0, 30.0), "duration": (0.0, 45.0)}
-
-
 @pytest.mark.parametrize(
     ("degrees", "missed", "slow", "climb"),
-    [(10.0, {"run_out"}, 348, 229), (13.6, set[str](), 249, 135), (14.0, set[str](), 238, 126)],
+    [(10.0, {"run_out", "toe_rise"}, 348, 229), (13.6, set[str](), 249, 135), (14.0, set[str](), 238, 126)],
 )
 def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str], slow: int, climb: int) -> None:
     """Which of the reported ranges it misses by more than a tenth."""
     motion = solve(replace(VAIONT, friction=math.tan(math.radians(degrees))))
-    outside = {n for n, (low, high) in REPORTED.items() if not 0.9 * low <= motion.outcomes[n] <= 1.1 * high}
+    outcomes = observed_of_vaiont(motion)
+    outside = {n for n, (low, high) in VAIONT.observed.items() if not 0.9 * low <= outcomes[n] <= 1.1 * high}
     assert outside == missed
     assert (round(motion.slow_run_out), round(motion.journey.rise)) == (slow, climb)
+
+
+def test_tables_and_json_show_what_was_observed_beside_the_motion() -> None:
+    """Intervals with a verdict, a number with its error without one."""
+    seen = {"run_out": Interval(600.0, 700.0), "peak_velocity": Interval(20.0, 25.0), "duration": (40.0, 5.0)}
+    motion = solve(replace(VAIONT, observed=seen))
+    rows = {label: text for label, text in summary(motion).items() if label.startswith("observed")}
+    assert rows == {
+        "observed run-out along the arc": "600 to 700 m: inside",
+        "observed peak velocity": "20 to 25 m/s: outside",
+        "observed duration": "40 +- 5 s",
+    }
+    assert record(motion)["observed"] == {"run_out": [600.0, 700.0], "peak_velocity": [20.0, 25.0], "duration": [40, 5]}
+    assert "observed" not in record(solve(replace(VAIONT, observed={})))
+
+
+def test_a_climb_is_met_exactly() -> None:
+    found = backanalyse(VAIONT, toe_rise=140.0)
+    assert observed_of_vaiont(found.motion)["toe_rise"] == pytest.approx(140.0, rel=1e-9)
 
 
 def test_one_interval_is_met_in_its_middle() -> None:
@@ -216,7 +241,8 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
 @pytest.mark.parametrize(
     ("asked", "words"),
     [
-        ({}, "nothing observed"),
+        ({"observed": {}}, "nothing observed: give one of reach, run_out, peak_velocity, duration"),
+        ({"observed": {"climb": 140.0}}, "observed.climb: is no outcome; known are reach, run_out"),
         ({"run_out": 0.0}, "other than 0"),
         ({"run_out": (400.0, 0.0)}, "standard error"),
         ({"run_out": Interval(450.0, 300.0)}, r"run_out = Interval\(low=450.0, .* in m, the lower end first"),
@@ -238,7 +264,7 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
     ],
 )  # fmt: skip
 def test_mistakes(asked: dict[str, Any], words: str) -> None:
-    changed = {key: asked[key] for key in ("friction", "effects") if key in asked}
+    changed = {key: asked[key] for key in ("friction", "effects", "observed") if key in asked}
     with pytest.raises(ValueError, match=words):
         backanalyse(replace(VAIONT, **changed), **{key: asked[key] for key in asked if key not in changed})
 

@@ -115,6 +115,13 @@ def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
     assert "python -m derive" in warning
     build.build(folder)
     assert served(tmp_path) == (COMPILED[0], [])
+    whole = binary.read_bytes()
+    for broken in (b"no binary", whole[:40], whole[: len(whole) // 2], whole[:-1]):
+        binary.unlink()
+        binary.write_bytes(broken)
+        level, (warning,) = served(tmp_path)
+        assert level == "numpy"
+        assert "cannot be loaded" in warning
     binary.write_bytes(b"no binary")
     level, (warning,) = served(tmp_path)
     assert level == "numpy"

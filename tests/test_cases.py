@@ -22,7 +22,7 @@ def test_the_rule(value: float, words: str) -> None:
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
 def test_verdicts(case: dict[str, Any]) -> None:
     """Bishop's method and motions are inside what is known of them; the paper's method is safe, by 13 % at most."""
-    for quantity, _, _, ratio, decided in judged(case):
+    for quantity, _, _, ratio, decided in judged(case, computed(case)[0]):
         if case in OUTSIDE:
             assert decided == "outside the method"
         elif quantity.endswith("paper's method"):

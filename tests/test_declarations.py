@@ -203,9 +203,11 @@ def test_a_wrong_declaration_is_one_line(
 
     monkeypatch.setattr(write, "write", no)
     declare(text, monkeypatch)
+    before = digests(write.FOLDER)
     start = time.perf_counter()
     assert command.main([]) == 1
     assert time.perf_counter() - start < 5.0
+    assert digests(write.FOLDER) == before
     out, err = capsys.readouterr()
     assert not out
     (line,) = err.splitlines()
@@ -214,6 +216,19 @@ def test_a_wrong_declaration_is_one_line(
     assert line.endswith("; nothing is written")
     assert re.search(r"^(Law|Effect|Moment)\('.*'\), |^new|^normal", line), line
     assert write.present() == BEFORE
+
+
+def test_what_is_not_decided_is_said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """A coefficient that touches zero without a change of sign cannot be enclosed; the laws that ship are decided."""
+    for known in effects.LAWS:
+        guards._check_law(known)
+    assert capsys.readouterr().err == ""
+    touches = law("_P * (1 + sp.sin(SLIP / _L))", "(_SOFTENING[0], _SOFTENING[2])")
+    guards._check_law(declare(touches, monkeypatch))
+    (line,) = capsys.readouterr().err.splitlines()
+    start = "Law('new'), coefficient: not shown to be finite and not negative next to slip = "
+    assert line.startswith(start)
+    assert line.endswith("; narrow the bounds of its parameters")
 
 
 def test_the_page_on_extending_shows_what_is_said(

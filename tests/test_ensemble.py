@@ -14,6 +14,7 @@ import pytest
 from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
+from slipcircle.base import JSON_FORMAT
 from slipcircle.core.motion.states import Status
 from slipcircle.tables import Series
 from slipcircle.workbench.common.quantities import OUTCOMES
@@ -393,7 +394,7 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
     _, out, err = asked(line, "--json --csv", table, "--npz", arrays)
     assert re.search(r"of \d+ scenes, .* a second", err)
     study: Study = ensemble(read(file), 3000, 4, sensitivity=64)
-    assert json.loads(out) == [json.loads(json.dumps(export.record(study)))]
+    assert json.loads(out) == [{"format": JSON_FORMAT} | json.loads(json.dumps(export.record(study)))]
     held = np.load(arrays)
     np.testing.assert_array_equal(held["sample_run_out"], study.samples["run_out"])
     assert study.quantile("run_out", 0.5).value in held["run_out_quantile"]

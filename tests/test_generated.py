@@ -254,7 +254,8 @@ def test_types_that_are_refused(name: str) -> None:
     args = inside(name)
     for bad in (1j, np.complex64(1), np.longdouble(1), "1", ["a"], None, np.datetime64("2024-01-01"), object()):
         for i in range(len(args)):
-            with pytest.raises(TypeError):
+            numeric = isinstance(bad, complex | np.number)  # NumPy itself refuses to join the others
+            with pytest.raises(TypeError, match=rf"^{name.split(',')[0]}: arguments of type " if numeric else None):
                 function(*[*args[:i], bad, *args[i + 1 :]])
 
 
@@ -278,7 +279,7 @@ def outside(name: str) -> Iterator[tuple[float, ...]]:
 def test_masked_arrays_are_refused(name: str) -> None:
     """A mask would be lost."""
     args = [np.ma.masked_array([x, x], [False, True]) for x in inside(name)]
-    with pytest.raises(TypeError, match="masked arrays are not supported"):
+    with pytest.raises(TypeError, match=r"^\w+: masked arrays are not supported"):
         FUNCTIONS[name](*args)
 
 

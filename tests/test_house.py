@@ -135,7 +135,7 @@ ROOMS = ("tables", "ground", "layers", "stiff", "derivatives", "words")
 LAYERS = {
     "derive": (
         *("__init__", "progress", "check", "theorem", "declare", "algebra", "code", "approximate", "flow", "generate"),
-        *("judge", "build", "build_hook", "guards", "__main__"),
+        *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
         *("definitions", "effects", "flow", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
@@ -184,6 +184,7 @@ def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> No
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # What opens each door: a scene that ships, with what no file can say, and a question about its motion.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
+    "given": ("vaiont-as-printed", {}, bool),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
@@ -266,21 +267,6 @@ print(*{name.partition(".")[0] for name in sys.modules})
     assert not loaded & HEAVY
 
 
-@pytest.mark.parametrize("text", ["", "__project__ = 'another'\n"])
-def test_a_foreign_package_called_generated_is_named(tmp_path: Path, text: str) -> None:
-    (tmp_path / "generated").mkdir()
-    (tmp_path / "generated" / "__init__.py").write_text(text, "utf-8")
-    code = """
-import sys
-sys.path.insert(0, sys.argv[1])
-try:
-    import slipcircle
-except ImportError as error:
-    print(error)
-"""
-    assert str(tmp_path / "generated") in python(code, tmp_path)
-
-
 def test_wheel_holds_the_three_packages_and_works_away_from_here(tmp_path: Path) -> None:
     succeed(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", tmp_path)
     (wheel,) = tmp_path.glob("slipcircle-*.whl")
@@ -291,7 +277,7 @@ def test_wheel_holds_the_three_packages_and_works_away_from_here(tmp_path: Path)
     names = {n for n in every if not n.endswith(".so")}
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     pure = wheel.name.endswith("-py3-none-any.whl")
-    assert every - names == (set() if pure else {f"generated/{name}{suffix}" for name in build.PARTS})
+    assert every - names == (set() if pure else {f"generated/{name}{suffix}" for name in build.MODULES})
     # Every file and no other, so that no pattern of .gitignore quietly takes one out.
     here = (path for package in PACKAGES for path in (ROOT / package).rglob("*") if path.is_file())
     built = {"__pycache__", ".ipynb_checkpoints"}

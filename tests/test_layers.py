@@ -12,7 +12,7 @@ from slipcircle.derivatives.parameters import with_parameter_arrays
 from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.layers.strength import Needs
 from slipcircle.tables import Series
-from slipcircle.workbench.common.quantities import foreland_words
+from slipcircle.workbench.common.records import foreland_words
 from slipcircle.workbench.outputs.tables import difference_words, plan_part, stretches_part
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, solve
-from slipcircle.workbench.common.quantities import record
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv, telling_times
 from tests.support import golden

@@ -14,7 +14,7 @@ from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
 from slipcircle import Arc, Scene, Section, critical, grid, load, solve
-from slipcircle.workbench.common.quantities import record
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report

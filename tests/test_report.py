@@ -18,7 +18,7 @@ import pytest
 from slipcircle import Motion, Scene, load, solve
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import RESULTS
-from slipcircle.workbench.common.quantities import record as record_of
+from slipcircle.workbench.common.records import record as record_of
 from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
@@ -58,7 +58,8 @@ def test_numbers_are_those_of_the_json() -> None:
     for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
         assert float(cells[label][0].get("value")) == record["energy"][key]
     folded = {d.find("summary").text: d.find("pre").text for d in tree(page()).iter("details")}
-    assert json.loads(folded["All numbers, as JSON in SI units and radians"]) == record
+    folded_record = json.loads(folded["All numbers, as JSON in SI units and radians"])
+    assert folded_record == {"format": "slipcircle-json-1"} | record
     assert folded["The scene's file"] == find("wet-slope").read_text("utf-8")
 
 

@@ -158,7 +158,7 @@ def test_a_dictionary_has_every_result() -> None:
 def test_a_missing_library_is_one_sentence(name: str, study: Study, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, name, None)
     for found in (solve(VAIONT), many(), study) if name == "pandas" else (many(),):
-        with pytest.raises(ImportError, match=f"^to_{name} needs {name}: pip install {name}$"):
+        with pytest.raises(ImportError, match=f"^{name} is needed for to_{name}: pip install {name}$"):
             getattr(found, f"to_{name}")()
 
 

@@ -199,6 +199,10 @@ MISTAKES = [
      "arc.theta_1_deg = 15.2 deg, theta_2_deg = 76.9 deg: there is no normal load"),
     (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
     (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
+    (ARC + FRICTION + "[observed]\nrun_out_m = [450, 300]\n", "observed.run_out_m = [450, 300]: must be a number, or"),
+    (ARC + FRICTION + "[observed]\nduration_s = -3\n", "observed.duration_s = -3: must be a number, or an"),
+    (ARC + FRICTION + "[observed]\npeak_velocity_km_h = 90\n",
+     "observed.peak_velocity_km_h = 90: is unknown; did"),
     (ARC + GIVEN + FRICTION + "[rotation]\n", "arc.given: belongs to the initial position and cannot"),
     (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa or record is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
@@ -321,7 +325,8 @@ def test_the_schema_is_one_and_the_shipped_files_obey_it() -> None:
 def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
     """But for what needs the mechanics, and for numbers that JSON does not have."""
     beyond = ("arc.theta", "arc.given: belongs", "shaking.amplitude_g is missing", "is not TOML", "friction.slip",
-              "pore_pressure.pressure_kPa = [", "pore_pressure.ratio = []", "pore_pressure.time_s and")  # fmt: skip
+              "pore_pressure.pressure_kPa = [", "pore_pressure.ratio = []", "pore_pressure.time_s and",
+              "observed.run")  # fmt: skip
     for text, said in MISTAKES:
         if not said.startswith(beyond) and not re.search(r"= (nan|inf|1{57})", said):
             assert not valid(tomllib.loads(text)), said

@@ -16,20 +16,10 @@ from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, operati
 from derive.check.patches import ideal
 from derive.check.proof import ProofError
 from derive.check.records import Record, check_goals, digest, rejected
-from derive.check.rounding import DOWN, ROUNDING_BITS, UP, Tape, rounding_sum, specialise
+from derive.check.rounding import ROUNDING_BITS, Tape, above, below, rounding_sum, specialise
 from derive.check.truth import BITS, SEGMENTS, TOP, Definition, ball, working
 
 HALF_ULP = 2.0**-53
-
-
-def above(x: arb) -> float:
-    """A bound on its size."""
-    return float(x.abs_upper()) * UP
-
-
-def below(x: arb) -> float:
-    """A lower bound on its size."""
-    return float(x.abs_lower()) * DOWN
 
 
 def distance(n: int, bits: int) -> arb:

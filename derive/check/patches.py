@@ -13,7 +13,7 @@ from flint import arb, arb_series
 
 from derive.check import rounding, truth
 from derive.check.records import Record
-from derive.check.rounding import DOWN, ROUNDING_BITS, TINY, UP, VALUE, Node, Tape, Unbounded, specialise
+from derive.check.rounding import ROUNDING_BITS, TINY, UP, VALUE, Node, Tape, Unbounded, above, below, specialise
 from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
@@ -106,9 +106,9 @@ class Patch:
                 divisor = self.below(t)
                 difference = difference / divisor
                 exact = exact / divisor
-            largest = float(difference.abs_upper()) * UP
+            largest = above(difference)
             distance = (largest + total) * UP
-            smallest = float(exact.abs_lower()) * DOWN
+            smallest = below(exact)
             if not (distance < math.inf and smallest >= 0):
                 raise Unbounded("the error is not finite")
             return distance, last, smallest

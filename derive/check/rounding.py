@@ -68,6 +68,16 @@ SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
 }
 
 
+def above(x: arb) -> float:
+    """A bound on its size."""
+    return float(x.abs_upper()) * UP
+
+
+def below(x: arb) -> float:
+    """A lower bound on its size."""
+    return float(x.abs_lower()) * DOWN
+
+
 def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
     """Range of the exact result of one operation on ranges; that of an error term is its bound."""
     if node.kind == "const":
@@ -87,12 +97,12 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
         return 0.0
     if not node.rounds:
         return node.floor if node.kind in PRODUCTS else 0.0
-    largest = float(exact.abs_upper()) * UP + TINY
+    largest = above(exact) + TINY
     if not largest < 2.0**900:
         raise Unbounded(f"{node.kind} is unbounded")
     if node.kind in ("add", "sub"):
         # Doubles not below 2**(k - 1) are multiples of 2**(k - 53), and so is their sum: a double, if at most 2**k.
-        smaller = min(float(values[i].abs_lower()) for i in node.args) * DOWN
+        smaller = min(below(values[i]) for i in node.args)
         _, k = math.frexp(smaller)
         if smaller > 0 and largest <= math.ldexp(1.0, k):
             return 0.0
@@ -129,8 +139,8 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
         kind, args, value, _, _ = tape[i]
         slope = adjoint[i]
         if i != last and kind not in ("x", "const"):
-            sensitivity = (slope + weight[i]).abs_upper()
-            total += (float(sensitivity) * UP + TINY) * noise[i]
+            sensitivity = above(slope + weight[i])
+            total += (sensitivity + TINY) * noise[i]
         if slope == 0:
             continue
         if kind == "error":
@@ -281,7 +291,7 @@ class _Specialise:
             size = max(map(abs, line))
         else:
             result = _operate(node, self.values, self.noise)
-            size = float(result.abs_upper()) * UP
+            size = above(result)
         exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
         return line if grid >= -1074 else None, grid, exact
 

@@ -20,17 +20,37 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 }
 
 
-def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> str:
-    """Where an expression has a pole, is complex or is negative; empty if it is shown, or is likely, to be neither.
+def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
+    """Where an expression has a pole, is complex or is negative, and where it is not decided; empty where nowhere.
 
-    Boxes that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
+    Where that is not decided it is searched at the ends of all symbols in which it is linear: there it is least.
+    """
+    wrong, undecided = _search(e, domain)
+    if wrong or not undecided:
+        return wrong, ""
+    corners: list[dict[sp.Symbol, Ends]] = [{}]
+    for x, (low, high) in domain.items():
+        if e.has(x) and not sp.diff(e, x).has(x):
+            corners = [corner | {x: (end, end)} for corner in corners for end in (low, high)]
+    for corner in corners:
+        wrong, undecided = _search(e, {**domain, **corner})
+        if wrong or undecided:
+            return wrong, undecided
+    return "", ""
+
+
+def _search(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
+    """The same in a number of boxes.
+
+    Those that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
     first that are large.
     """
     value = sp.lambdify([*domain], e, [_ARITHMETIC])
     boxes = [(0, [*domain.values()])]
+    places = ""
     for count in range(1, BOXES):
         if not boxes:
-            break
+            return "", ""
         _, box = heapq.heappop(boxes)
         enclosed = arb(value(*(ball(*ends) for ends in box)))
         if enclosed.lower() > BELOW:
@@ -39,17 +59,17 @@ def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> str:
         here = arb(value(*map(arb, middle)))
         places = ", ".join(f"{x} = {at:.3g}" for x, at in zip(domain, middle, strict=True))
         if here.upper() < BELOW:
-            return f"{float(here.mid()):.3g} at {places}"
+            return f"{float(here.mid()):.3g} at {places}", ""
         widest = max(range(len(box)), key=lambda k: _width(*box[k]))
         if _width(*box[widest]) < SMALL:
-            if enclosed.is_finite():
-                continue
-            return f"a pole or a complex number next to {places}"
+            if not enclosed.is_finite():
+                return f"a pole or a complex number next to {places}", ""
+            continue
         rank = count if enclosed.is_finite() else -count
         low, high = box[widest]
         for half in ((low, middle[widest]), (middle[widest], high)):
             heapq.heappush(boxes, (rank, [*box[:widest], half, *box[widest + 1 :]]))
-    return ""
+    return "", places
 
 
 def _width(low: float, high: float) -> float:

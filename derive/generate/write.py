@@ -22,7 +22,7 @@ from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series
-from derive.generate import effects, emit_c, functions, slopes
+from derive.generate import browser, effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -59,7 +59,9 @@ def files(proved: list[Record]) -> dict[str, str]:
     for name, text in texts.items():
         if name.endswith(".py"):
             texts[name] = emit.wrapped(text)
-    return {name: header(name, text) + text for name, text in sorted(texts.items())}
+    written = {name: header(name, text) + text for name, text in texts.items()}
+    written[browser.NAME] = browser.text(written["_flow.c"], FOLDER / browser.NAME)
+    return dict(sorted(written.items()))
 
 
 def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:

@@ -64,8 +64,10 @@ def first_swing(slide: Slide) -> Swing:
     middle = (slide.theta_1 + slide.theta_2) / 2
     alpha = (opening / 2).min(arb.pi() / 2)
     half_inertia = moment("r^3", alpha) / 2
-    softens = slide.peak_friction is not None
-    peak = slide.peak_friction if slide.peak_friction is not None else slide.friction
+    drop, decay = arb(0), arb(0)
+    if slide.peak_friction is not None:
+        drop = slide.peak_friction - slide.friction
+        decay = slide.radius / slide.length
     return Swing(
         dip=abs(arb.pi() * 3 / 2 - middle),
         weight=moment("r^2 cos u", alpha) / half_inertia,
@@ -73,8 +75,8 @@ def first_swing(slide: Slide) -> Swing:
         polar=moment("r^2", alpha) / half_inertia if slide.centripetal else arb(0),
         cohesion=2 * alpha * slide.cohesion / (slide.radius * half_inertia),  # lambda c* = 2 alpha f c/(gamma f R)
         residual=slide.friction,
-        drop=peak - slide.friction if softens else arb(0),
-        decay=slide.radius / slide.length if softens else arb(0),
+        drop=drop,
+        decay=decay,
     )
 
 

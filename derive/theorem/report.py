@@ -1,7 +1,6 @@
 """Theorems from the command line: decimals in, which are exact, and decimals out, between which a number is proved."""
 
 import json
-import re
 from collections.abc import Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
@@ -13,7 +12,6 @@ from flint import arb
 from derive.check.truth import fraction, number
 from derive.theorem.motion import Slide, Theorem, theorem
 
-INTERVAL = re.compile(r"(.+?)\+-(.+)")
 # The slide of Vaiont: Table 2-1 of the paper with the residual friction of its section 4, and the softening that the
 # scene of this name assumes.
 VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", "friction_deg": "10"}
@@ -49,12 +47,10 @@ class Interval(NamedTuple):
 
 def interval(text: str) -> Interval:
     """Of a decimal, or of one with its uncertainty: "10+-0.1"; ArithmeticError for other words."""
-    match = INTERVAL.fullmatch(text)
-    middle, half = [Decimal(part) for part in match.groups()] if match else [Decimal(text), Decimal(0)]
-    if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in (middle, half)):
+    decimals = [Decimal(part) for part in text.split("+-", 1)]
+    if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in decimals):
         raise ArithmeticError
-    centre = Fraction(middle)
-    radius = Fraction(half)
+    centre, radius = (*map(Fraction, decimals), Fraction(0))[:2]
     return Interval(centre - radius, centre + radius)
 
 

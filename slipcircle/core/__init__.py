@@ -6,10 +6,12 @@ The names listed here are public: all that the workbench, or any program built o
 need stands in rooms beside it, which `slipcircle.core.doors` lists.
 """
 
+from slipcircle.core.motion.forces import OUTPUTS
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
-from slipcircle.core.motion.states import ANSWERED, Energy, State, Status
+from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Energy, State, Status
 from slipcircle.core.problem.plan import Plan, plan
+from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.friction import (
@@ -23,14 +25,16 @@ from slipcircle.core.scene.friction import (
 )
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import Scene, checked
-from slipcircle.core.walk.compiled import numpy_only
+from slipcircle.core.walk.compiled import numpy_only, program_integers
 
 __all__ = [
     "ANSWERED",
     "ARC_BOUNDS",
     "GIVEN",
     "GRAVITY",
+    "OUTPUTS",
     "RATE_LAWS",
+    "STATUS_OF_END",
     "WIDTH",
     "Arc",
     "Dimensionless",
@@ -38,6 +42,7 @@ __all__ = [
     "Mass",
     "Motion",
     "Plan",
+    "Problem",
     "Scene",
     "State",
     "Status",
@@ -51,5 +56,7 @@ __all__ = [
     "may_have_rate",
     "numpy_only",
     "plan",
+    "problem_of",
+    "program_integers",
     "solve",
 ]

@@ -12,6 +12,7 @@ class Door(NamedTuple):
 
 
 DOORS = {
+    "given": Door("coefficients are given in place of computed ones", "slipcircle.core.scene.given"),
     "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
     "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
     "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),

@@ -7,7 +7,7 @@ the motion's own are a jump, unlike slopes a kink. What one ladder leaves open g
 ends.
 """
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
 from typing import Any, NamedTuple
@@ -32,6 +32,7 @@ SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
 SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
 _Known = tuple[Floats, Floats]  # values and errors
+Outcomes = Callable[[Any], Sequence[Any] | Floats]
 
 
 class Derivatives(NamedTuple):
@@ -61,11 +62,12 @@ class _Values(NamedTuple):
 
 
 def neighbour_derivatives(
-    scene: Scene[float], outcomes: Collection[str], free: Mapping[str, Free], error: float = 0.0
+    scene: Scene[float], outcomes: Outcomes, free: Mapping[str, Free], error: float = 0.0
 ) -> Derivatives:
     """Derivatives of outcomes of a single scene by numbers that may vary alone.
 
-    ``error`` is the relative error that the outcomes of the motion and of its neighbours have alike.
+    ``outcomes`` reads them off a motion, or off an ensemble, in rows. ``error`` is the relative error that those of the
+    motion and of its neighbours have alike.
     """
     every = list(free.values())
     scales = np.array([number.scale for number in every])
@@ -98,7 +100,7 @@ def neighbour_derivatives(
 # --- ensembles -------------------------------------------------------------------------------------------------------
 
 
-def _solved(scene: Scene[float], outcomes: Collection[str], numbers: Sequence[Free], steps: Floats) -> _Values:
+def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> _Values:
     parts = list[_Values]()
     for part in _parts(scene, numbers):
         values = _neighbours(scene, outcomes, numbers[part], steps[part])
@@ -120,7 +122,7 @@ def _parts(scene: Scene[float], numbers: Sequence[Free]) -> Iterator[slice]:
             first = last
 
 
-def _neighbours(scene: Scene[float], outcomes: Collection[str], numbers: Sequence[Free], steps: Floats) -> _Values:
+def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> _Values:
     """One ensemble of the scene and its neighbours."""
     each_side = steps[:, None, :]
     offsets = each_side * SIDES
@@ -134,8 +136,7 @@ def _neighbours(scene: Scene[float], outcomes: Collection[str], numbers: Sequenc
     accurate = replace(changed, accuracy=ACCURACY)
     with np.errstate(all="ignore"):
         motion = solve(accurate, invalid=invalid)
-    of_motion = [motion.outcomes[name] for name in outcomes]
-    values = np.array(of_motion)
+    values = np.array(outcomes(motion))
     of_scene = values[:, :1]
     of_others = values[:, 1:]
     here = np.repeat(of_scene, len(numbers), axis=1)

@@ -27,7 +27,7 @@ def sensitivity(scene: Scene[float], outputs: Mapping[str, float], error: float)
     free = parameters(scene)
     warnings = list[str]()
     if any(outputs.values()):
-        found = neighbour_derivatives(scene, OUTPUTS, free, error)
+        found = neighbour_derivatives(scene, _outcomes, free, error)
         kept = list(_mattering(found, free))
         found = found.at(kept)
         names = [*free]
@@ -40,6 +40,10 @@ def sensitivity(scene: Scene[float], outputs: Mapping[str, float], error: float)
     values = {name: number.value for name, number in free.items()}
     at = dict(outputs) | values
     return Sensitivity(OUTPUTS, units, at, *found, scene=scene, warnings=tuple(warnings))
+
+
+def _outcomes(motion: Any) -> list[Any]:
+    return [motion.outcomes[name] for name in OUTPUTS]
 
 
 def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:

@@ -22,6 +22,7 @@ from generated import layout as ix
 from generated import walk as in_numpy
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
+from slipcircle.base.sections import Mask, first_section
 from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Samples
@@ -198,10 +199,14 @@ def _ahead(now: Now) -> Ahead:
     count = now.lanes.size
     low = np.zeros(count)
     high = np.full(count, np.pi)
-    low, high, falls = _bracket(now, low, high, AHEAD)
+
+    def stops(distance: Floats) -> Mask:
+        return _net(now, distance) <= 0.0
+
+    low, high, falls = first_section(stops, low, high, AHEAD)
     high = np.where(falls, high, low)
     while np.any(high - low > np.spacing(high)):
-        low, high, _ = _bracket(now, low, high, SECTIONS)
+        low, high, _ = first_section(stops, low, high, SECTIONS)
     shares = np.linspace(0.0, 1.0, POSITIONS + 1)
     shares[0] = NEXT
     left = shares[:, None] * low
@@ -215,21 +220,6 @@ def _ahead(now: Now) -> Ahead:
         stiffness=stiffness[0],
         greatest=np.fmax.reduce(stiffness),
     )
-
-
-def _bracket(now: Now, low: Floats, high: Floats, shares: Floats) -> tuple[Floats, Floats, Any]:
-    """The first section between two distances in which the net moment falls through zero, and whether it does."""
-    width = high - low
-    edges = low + shares[:, None] * width
-    net = _net(now, edges)
-    drives = net[:-1] > 0.0
-    stops = net[1:] <= 0.0
-    falls = drives & stops
-    first = falls.argmax(axis=0)
-    lane = np.arange(low.size)
-    before = edges[first, lane]
-    behind = edges[first + 1, lane]
-    return before, behind, falls.any(axis=0)
 
 
 def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:

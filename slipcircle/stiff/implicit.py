@@ -99,7 +99,7 @@ class _Implicit(walk.Lanes):
         if self.status == ix.MOVING:
             self.make_step()
         else:
-            walk.wait(self, _HERE)
+            walk.rest_on(self, _HERE)
         walk.begin_phases(self)
         walk.stop_endless(self, _HERE)
 

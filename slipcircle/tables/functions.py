@@ -4,18 +4,18 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import Polynomial
-from numpy.polynomial.chebyshev import cheb2poly, chebfit, chebval
+from numpy.polynomial.chebyshev import chebvander
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.piecewise import Data, continuous
-from slipcircle.tables.interpolation import NODES, TERMS
+from slipcircle.tables.interpolation import NODES, ORDERS, POWERS, TERMS, TO_CHEBYSHEV
 
 Function = Callable[[Any], Any]
 FIRST_SLIP = 1 / 256  # over the radius, to which a function is sampled at first
 _CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
+_AT_CHECKED = chebvander(_CHECKED, TERMS - 1)
 _PLACES = 1.0 + np.concatenate([NODES, _CHECKED])  # from the left end, over half a width
 CLOSE = 1e-13  # error of a piece, over its greatest value
 NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
@@ -91,17 +91,12 @@ def _piece(function: Function, left: float, width: float) -> Floats | None:
     """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
     half = width / 2
     values = _values(function, left + half * _PLACES)
-    chebyshev = chebfit(NODES, values[:TERMS], TERMS - 1)
-    between_nodes = chebval(_CHECKED, chebyshev)
-    error = np.abs(between_nodes - values[TERMS:])
+    chebyshev = TO_CHEBYSHEV @ values[:TERMS]
+    error = np.abs(_AT_CHECKED @ chebyshev - values[TERMS:])
     greatest = np.abs(values).max()
     if error.max() > CLOSE * greatest:
         return None
-    about_middle = Polynomial(cheb2poly(chebyshev))
-    place = Polynomial([-1.0, 1.0 / half])
-    coefficients = about_middle(place).coef
-    missing = TERMS - coefficients.size
-    return np.pad(coefficients, (0, missing))
+    return POWERS @ chebyshev / half**ORDERS
 
 
 def _values(function: Function, slip: Floats) -> Floats:

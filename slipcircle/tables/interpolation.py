@@ -14,11 +14,11 @@ from slipcircle.base.kinds import Floats
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
-_ORDERS = np.arange(TERMS)
-_ANGLES = np.pi * (_ORDERS + 0.5) / TERMS
+ORDERS = np.arange(TERMS)
+_ANGLES = np.pi * (ORDERS + 0.5) / TERMS
 NODES = np.cos(_ANGLES)
-_POLYNOMIALS = np.cos(np.outer(np.arccos(NODES), _ORDERS))
-_TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
+_POLYNOMIALS = np.cos(np.outer(np.arccos(NODES), ORDERS))
+TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
 _SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
 _SAME = 1e-13  # rad, between kinks that are one
 
@@ -33,7 +33,7 @@ def _powers_of_chebyshev() -> Floats:
     return powers
 
 
-_POWERS = _powers_of_chebyshev()
+POWERS = _powers_of_chebyshev()
 
 # --- functions of the rotation ---------------------------------------------------------------------------------------
 
@@ -136,7 +136,7 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
     every_rotation = rotation.reshape(-1, lanes)
     values = function(every_rotation)
     by_piece = values.reshape(-1, *rotation.shape)
-    return np.einsum("kj,fpjn->pkfn", _TO_CHEBYSHEV, by_piece)
+    return np.einsum("kj,fpjn->pkfn", TO_CHEBYSHEV, by_piece)
 
 
 def _next_coefficients(chebyshev: Floats) -> Floats:
@@ -152,10 +152,10 @@ def _next_coefficients(chebyshev: Floats) -> Floats:
 
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
     """The same polynomials in powers of the distance to the beginning of each piece."""
-    powers = np.einsum("tk,pkfn->ptfn", _POWERS, chebyshev)
+    powers = np.einsum("tk,pkfn->ptfn", POWERS, chebyshev)
     is_empty = width <= _SAME  # of which only the value has digits
     half = np.where(is_empty, np.inf, width / 2)
-    exponents = _ORDERS[:, None, None]
+    exponents = ORDERS[:, None, None]
     units = half[:, None, None] ** exponents
     return np.asarray(powers / units)
 

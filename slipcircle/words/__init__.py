@@ -1,6 +1,7 @@
 """What is said of a scene and its motion: equation, warnings, summary, error estimate."""
 
+from slipcircle.words.accuracy import ROUNDED, RUNS, perturbed_runs
 from slipcircle.words.summary import standing
 from slipcircle.words.velocity import VelocityTimes
 
-__all__ = ["VelocityTimes", "standing"]
+__all__ = ["ROUNDED", "RUNS", "VelocityTimes", "perturbed_runs", "standing"]

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.base.sections import Mask, first_section
 
 # Least velocities of the classes above the slowest, m/s: 16 mm and 1.6 m a year, 13 m a month, 1.8 m an hour, 3 m a
 # minute, 5 m a second.
@@ -66,18 +67,13 @@ def _time_above(motion: Any, times: Floats, limit: float) -> float:
     begins_faster = before[crosses]
     start = times[:-1][crosses]
     end = times[1:][crosses]
-    low = start
-    high = end
-    every = np.arange(start.size)
+    low, high = start, end
+
+    def has_passed(inside: Floats) -> Mask:
+        return (_speed(motion, inside) > limit) != begins_faster
+
     for _ in range(ROUNDS if start.size else 0):
-        width = high - low
-        inside = low[:, None] + width[:, None] * SECTIONS
-        is_faster = _speed(motion, inside) > limit
-        has_passed = is_faster != begins_faster[:, None]
-        has_passed[:, -1] = True
-        first = np.maximum(has_passed.argmax(axis=1), 1)
-        low = inside[every, first - 1]
-        high = inside[every, first]
+        low, high, _found = first_section(has_passed, low, high, SECTIONS)
     parts = np.where(begins_faster, high - start, end - high)
     return float(whole + np.sum(parts))
 

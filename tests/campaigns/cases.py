@@ -6,7 +6,7 @@ apply, and the program what it answers.
 """
 
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ OBSERVABLE: Mapping[str, tuple[str, Callable[[Any], float]]] = {
     "duration_s": ("duration, s", lambda motion: motion.duration),
     "factor_of_safety": ("factor of safety", lambda motion: motion.factor_of_safety),
 }
+Row = tuple[str, str, float | None]  # a key, in words, what comes out
 
 
 def mistakes(case: Mapping[str, Any]) -> Iterator[str]:
@@ -43,7 +44,7 @@ def verdict(value: float, low: float, high: float) -> str:
     return "within a factor of 2" if low / 2 <= value <= 2 * high else "outside"
 
 
-def computed(case: Mapping[str, Any]) -> tuple[list[tuple[str, str, float | None]], str]:
+def computed(case: Mapping[str, Any]) -> tuple[list[Row], str]:
     """What is observed by its key, in words and as it comes out; and what the program says where it refuses or wonders.
 
     A published factor is set beside that of Bishop's method, and that of the paper's, from which motions start.
@@ -63,9 +64,9 @@ def computed(case: Mapping[str, Any]) -> tuple[list[tuple[str, str, float | None
     return [(key, OBSERVABLE[key][0], float(OBSERVABLE[key][1](motion))) for key in case["observed"]], says
 
 
-def judged(case: Mapping[str, Any]) -> Iterator[tuple[str, str, str, str, str]]:
+def judged(case: Mapping[str, Any], rows: Iterable[Row]) -> Iterator[tuple[str, str, str, str, str]]:
     """Of each observed quantity: its words, the interval, what comes out, that over the interval's middle, verdict."""
-    for key, words, value in computed(case)[0]:
+    for key, words, value in rows:
         low, high = case["observed"][key]
         shown, ratio, decided = "none", "", "outside the method"
         if value is not None:
@@ -92,13 +93,14 @@ def report(cases: Mapping[str, Any]) -> Iterator[str]:
     """Lines of Markdown."""
     yield "# Cases\n\n## Verdicts\n"
     yield "| case | quantity | observed or published | computed | of the middle | verdict |\n|---|---|---|---|---|---|"
-    for case in cases["case"]:
-        for row in judged(case):
+    solved = [(case, *computed(case)) for case in cases["case"]]
+    for case, rows, _ in solved:
+        for row in judged(case, rows):
             yield f"| {' | '.join([case['name'], *row])} |"
     yield "\n## Where the method does not apply\n"
-    for case in (case for case in cases["case"] if "outside" in case):
-        _, says = computed(case)
-        yield f"- **{case['name']}**: {case['outside']}." + (f" The program: `{says}`" if says else "")
+    for case, _, says in solved:
+        if "outside" in case:
+            yield f"- **{case['name']}**: {case['outside']}." + (f" The program: `{says}`" if says else "")
     yield "\n## Sources\n"
     yield from (f"- **{case['name']}**: {case['source']}." for case in cases["case"])
     yield "\n## Not included, and what is missing\n"

@@ -39,7 +39,7 @@ def posed(scene: Scene, accuracy: float | None = None) -> Problem:
 
 def walked(motion: Motion) -> Problem:
     """The problem that was solved."""
-    return motion._problem
+    return motion.problem
 
 
 def integrate(problem: Problem, which: Any = slice(None), name: str = BACKENDS[0], **options: Any) -> Floats:

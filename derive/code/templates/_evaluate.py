@@ -28,19 +28,20 @@ def lost(a: Any, b: Any) -> Any:
     return (a - (total - of_b)) + (b - of_b)
 
 
-def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
-    """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
+def real(name: str, args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
+    """The arguments of a function as arrays or Python's numbers, and the type of its result: real, at most 64 bits."""
     items = []
     for x in args:
         if isinstance(x, np.ma.MaskedArray):
-            raise TypeError("masked arrays are not supported: give x.filled(np.nan), or x.data with where=~x.mask")
+            how = "give x.filled(np.nan), or x.data with where=~x.mask"
+            raise TypeError(f"{name}: masked arrays are not supported: {how}")
         number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
         items.append(x if number else np.asarray(x))
     kind = np.result_type(*items)
     if kind.kind in "biu":
         kind = np.dtype(np.float64)
     if kind.kind != "f" or kind.itemsize > 8:
-        raise TypeError(f"arguments of type {kind} are not supported: give real numbers of at most 64 bits")
+        raise TypeError(f"{name}: arguments of type {kind} are not supported: give real numbers of at most 64 bits")
     return items, kind
 
 
@@ -61,7 +62,7 @@ def evaluate(
     """
     if where is True and out is None and all(type(x) is float for x in args):
         return _evaluate_numbers(name, body, inside, args)
-    items, kind = real(args)
+    items, kind = real(name, args)
     eps = float(np.finfo(kind).eps)
     arrays = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
     result = np.empty(np.broadcast_shapes(*(x.shape for x in arrays)), kind)

@@ -9,7 +9,7 @@
  *
  * How a lane is integrated is written once, in `derive/flow/walk`, for this file and for `walk.py`, the same in NumPy.
  * This file is compiled once for every kind of processor (with LEVEL, its name), and once more for the module, which
- * runs the best of those that the machine has. */
+ * runs the best of those that the machine has; for a browser it is one module of WebAssembly. */
 #define PY_SSIZE_T_CLEAN
 #if !defined(__GNUC__)
 #error "the integrator needs the vectors of GCC or Clang"
@@ -54,10 +54,32 @@ typedef struct {
     int order; /* the highest of all lanes */
 } Job;
 
+#if !defined(LEVEL) || defined(__wasm__)
+/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
+ * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 9, WIDEST = 64 };
+
+static int read_program(Job *job, const int32_t *p, const int32_t *end)
+{
+    if (end - p < HEAD) return -1;
+    job->cells = p[0], job->made = p[1], job->registers = p[2], job->states = p[3], job->tables = p[4];
+    job->scalar = p + HEAD + sizeof(Roles) / 4;
+    job->role = (const Roles *)(p + HEAD);
+    job->scalar_end = job->series = job->scalar + p[5];
+    job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
+    job->state = (const State *)job->later_end;
+    job->autonomous = p[8];
+    job->table = (const Table *)(job->state + job->states);
+    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
+    return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
+}
+#endif
+
 #ifndef LEVEL
 /* --- the module --------------------------------------------------------------------------------------------------- */
 
 #include <Python.h>
+#include <stdlib.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -85,26 +107,6 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
- * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 9, WIDEST = 64 };
-
-static int read_program(Job *job, const Py_buffer *program)
-{
-    const int32_t *p = program->buf, *end = p + program->len / 4;
-    if (end - p < HEAD) return -1;
-    job->cells = p[0], job->made = p[1], job->registers = p[2], job->states = p[3], job->tables = p[4];
-    job->scalar = p + HEAD + sizeof(Roles) / 4;
-    job->role = (const Roles *)(p + HEAD);
-    job->scalar_end = job->series = job->scalar + p[5];
-    job->series_end = job->series + p[6], job->later_end = job->series_end + p[7];
-    job->state = (const State *)job->later_end;
-    job->autonomous = p[8];
-    job->table = (const Table *)(job->state + job->states);
-    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
-    return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
-}
-
 static const char doc[] = "integrate(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
@@ -125,7 +127,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_ssize_t begin, end, budget;
     if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
                           &budget, &times, &outputs, &notes, &level)) return NULL;
-    const int bad = read_program(&job, &program) || order < 5 || order > HIGHEST || PyTuple_GET_SIZE(tables) != job.tables;
+    const int32_t *const code = program.buf;
+    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
         goto done;
@@ -134,7 +137,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         Data *d = job.data + t;
         long long across;
         Py_buffer *b = held + views;
-        if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+        if (!PyArg_ParseTuple(PyTuple_GetItem(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
                               &d->open)) goto done;
         d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
         d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
@@ -155,7 +158,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
     job.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -165,7 +168,7 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
-    PyMem_RawFree(memory);
+    free(memory);
     result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);
@@ -579,4 +582,34 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
     EACH(k, b->held) store_lane(b, k), left++;
     return left + (job->end - next);
 }
+
+#ifdef __wasm__
+/* --- the module of a browser: what `integrate` of the Python module takes, by addresses ------------------------------ */
+
+#include <stdlib.h>
+
+/* A table: addresses of its breaks, coefficients and jumps, pieces, terms, lanes across and apart, sine, open. */
+typedef struct { const double *breaks, *coefficients, *jumps; int32_t pieces, terms, across, apart, sine, open; } Given;
+
+/* Lanes that have not ended, or -1 where the program and what it is given do not fit. */
+__attribute__((export_name("integrate"))) int integrate(const int32_t *program, int length, const Given *tables, double *cells,
+    int count, int order, int begin, int end, int budget, const double *times, int samples, int across, double *outputs)
+{
+    Job job = {.all = cells, .count = count, .begin = begin, .end = end, .budget = budget, .order = order,
+               .times = samples ? times : NULL, .samples = samples, .times_across = across, .outputs = outputs};
+    if (read_program(&job, program, program + length) || order < 5 || order > HIGHEST) return -1;
+    for (int t = 0; t < job.tables; t++) {
+        const Given *const g = tables + t;
+        job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};
+    }
+    void *const memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    if (memory == NULL) return -1;
+    job.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    const int left = (int)flow_integrate_wasm(&job);
+    free(memory);
+    return left;
+}
+__attribute__((export_name("room"))) void *room(int bytes) { return malloc((size_t)bytes); }
+__attribute__((export_name("leave"))) void leave(void *room) { free(room); }
+#endif
 #endif

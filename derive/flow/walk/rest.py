@@ -109,7 +109,7 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
         pass_breaks(lane)
 
 
-def wait(s: Lanes, here: M) -> None:
+def rest_on(s: Lanes, here: M) -> None:
     """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
     limit = next_break(s)
     room = where(limit < INFINITY, limit - s.time, 1.0)
@@ -157,6 +157,6 @@ def advance(s: Lanes, here: M) -> None:
     if any_lane(moving):
         make_step(s, moving)
     if any_lane(resting):
-        wait(s, resting)
+        rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

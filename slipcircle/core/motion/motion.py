@@ -161,14 +161,14 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         However slowly a mass creeps, it rests there: with constant friction and no water at R (psi_0 - delta). A free
         mass arrives with speed and rests about twice as far from the start. Its initial velocity is ignored.
         """
-        if self._problem.other_than_position:
-            return self._shaped(np.full(self._problem.lanes, np.nan))
-        rotation = self._shaped(room("creep").slow_rotation(self._problem))
+        if self.problem.other_than_position:
+            return self._shaped(np.full(self.problem.lanes, np.nan))
+        rotation = self._shaped(room("creep").slow_rotation(self.problem))
         return self._known(self._radius * rotation)
 
     @property
     def no_slow_run_out(self) -> str:
-        if other := self._problem.other_than_position:
+        if other := self.problem.other_than_position:
             return f"forces depend on {other}"
         return "nothing holds it" if np.any(np.isnan(self.slow_run_out)) else ""
 
@@ -211,9 +211,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
-        states = States(at, rotation, omega, None, np.arange(self._problem.lanes))
+        states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self._shaped(self._mean_forces.outputs(states)["pressing"])
-        return pressing * self._stress_unit + 0.0
+        return pressing * self.stress_unit + 0.0
 
     @property
     def swings_back(self) -> Any:
@@ -297,7 +297,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def _errors(self) -> Any:
         final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
-        return room("estimate").estimate(self.plan, self._problem, final)
+        return room("estimate").estimate(self.plan, self.problem, final)
 
     @property
     def error_estimate(self) -> Numbers:

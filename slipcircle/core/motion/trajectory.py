@@ -48,7 +48,7 @@ class Trajectory:
         self._time_scale = plan.scene.arc.time_scale
         self._last_read: tuple[bytes, Floats] | None = None
         if problem is not None:
-            self._problem = problem
+            self.problem = problem
 
     @property
     def is_finite(self) -> bool:
@@ -58,12 +58,12 @@ class Trajectory:
         return self._solved and math.isfinite(run_out + self._radius * angular_velocity)
 
     @cached_property
-    def _problem(self) -> Problem:
+    def problem(self) -> Problem:
         return problem_of(self.plan, self.invalid)
 
     @cached_property
     def _forces(self) -> Forces:
-        return Forces(self._problem)
+        return Forces(self.problem)
 
     @cached_property
     def _mean_forces(self) -> Forces:
@@ -202,7 +202,7 @@ class Trajectory:
             if last_key == key:
                 return last_rows
         flat_times = np.ravel(time)
-        rows = self._read(self._problem, flat_times)
+        rows = self._read(self.problem, flat_times)
         ended = self._has_ended(flat_times)
         at_end = (ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
         for row, entry in zip(rows, at_end, strict=False):
@@ -223,23 +223,23 @@ class Trajectory:
     def _states(self, time: Floats) -> States:
         """States at times in s, as separate lanes, time by time."""
         rows = self._rows(time)
-        rotation, omega, _, *further = rows.reshape(len(rows), time.size * self._problem.lanes)
-        lane = np.tile(np.arange(self._problem.lanes), time.size)
+        rotation, omega, _, *further = rows.reshape(len(rows), time.size * self.problem.lanes)
+        lane = np.tile(np.arange(self.problem.lanes), time.size)
         return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
 
     def _by_state(self, time: Floats, values: Floats) -> Any:
         """A number of each of `_states` in the scene's shape followed by that of the times."""
-        return self._over_time(time, values.reshape(time.size, self._problem.lanes))
+        return self._over_time(time, values.reshape(time.size, self.problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
         outputs = self._mean_forces.outputs(self._states(time))
-        unit = _before(self._stress_unit, time.ndim)
+        unit = _before(self.stress_unit, time.ndim)
         total = self._by_state(time, outputs["pressing"])
         effective = self._by_state(time, outputs["normal"])
         return Stresses(total * unit, effective * unit)
 
     @property
-    def _stress_unit(self) -> Any:
+    def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
         arc = self.plan.scene.arc
         return plain(arc.reference_stress / arc.moment_coefficients.resistance_factor)
@@ -279,12 +279,12 @@ class Trajectory:
         """The energy balance from the start to any times, as for `at`; integrated with the motion on request."""
         time = self._checked(times)
         flat_times = np.ravel(time)
-        problem = self._problem.with_outputs(("energy",))
+        problem = self.problem.with_outputs(("energy",))
         program = problem.program
         _, omega, _, _, *further = self._read(problem, flat_times)
         names = [program.cells[cell] for cell, _, _ in program.states[2:]]
         rows = dict(zip(names, further, strict=True))
-        unit = self._energy_unit
+        unit = self.energy_unit
         rests = np.ravel(self._rests_at_end) & self._has_ended(flat_times)
         kinetic = np.where(rests, 0.0, omega**2 / 2)
         of_times = partial(self._over_time, time)
@@ -298,7 +298,7 @@ class Trajectory:
         )
 
     @property
-    def _energy_unit(self) -> Any:
+    def energy_unit(self) -> Any:
         """J for one of omega*^2/2."""
         arc = self.plan.scene.arc
         weight_of_area = np.multiply(arc.width, arc.mean_unit_weight)

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from generated.effects import EFFECTS
 from slipcircle.base.checks import (
     INFINITY,
     Bounds,
@@ -24,7 +23,8 @@ from slipcircle.base.checks import (
     shape_mistakes,
     two_sum,
 )
-from slipcircle.base.kinds import Array, Effects, Numbers
+from slipcircle.base.kinds import Array, Numbers
+from slipcircle.core.doors import room
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -49,18 +49,6 @@ GIVEN: Mapping[str, Bounds] = {
     "resistance_factor": _POSITIVE,
     "dynamic_coefficient": _POSITIVE,
 }
-
-
-def _given_mistakes(given: Any) -> list[str]:
-    """What is wrong with coefficients that replace the computed ones."""
-    if not isinstance(given, Mapping):
-        return [f"given = {given!r}: must be a mapping of coefficients, or None"]
-    found = [f"given: {name!r} is missing" for name in GIVEN if name not in given]
-    known = ", ".join(GIVEN)
-    found += [f"given: {name!r} is unknown; known are {known}" for name in given if name not in GIVEN]
-    bounds = {name: GIVEN[name] for name in GIVEN if name in given}
-    found += [f"given: {mistake}" for mistake in mistakes(given, bounds, one=bounds)]
-    return found
 
 
 @dataclass(frozen=True)
@@ -136,7 +124,7 @@ class Arc(Mass, Generic[Numbers]):
     def __new__(cls, *numbers: Any, **named: Any) -> Self:
         """With given coefficients it is another mass, a `GivenArc`."""
         given = named.get("given", numbers[6] if len(numbers) > 6 else None)
-        kind: Any = cls if given is None else GivenArc
+        kind: Any = cls if given is None else room("given").GivenArc
         arc: Self = object.__new__(kind)
         return arc
 
@@ -324,74 +312,30 @@ class Arc(Mass, Generic[Numbers]):
         return _point(self.radius, np.sin(angle), np.cos(angle))
 
     @cached_property
+    def area(self) -> Any:
+        """Of the segment between arc and chord, m^2: R^2 (x - sin(x))/2 with x = 2 alpha, by its series."""
+        x: Any = 2.0 * self.half_angle
+        share: Any = 1.0  # of the first term, x^3/6
+        for k in range(30, 2, -2):  # more than x = pi needs
+            share = 1.0 - x * x * share / (k * (k + 1))
+        return np.square(self.radius) * x**3 / 12 * share
+
+    @property
+    def mass_per_metre(self) -> Any:
+        """Of width, kg/m."""
+        return self.area * np.divide(self.unit_weight, self.gravity)
+
+    @cached_property
     def centroid(self) -> Any:
         """Of the segment between arc and chord: C_theta over its area from the centre, x and y, m."""
-        alpha = self.half_angle
-        area = alpha - np.sin(alpha) * np.cos(alpha)
-        distance = self.radius * kernels.weight_moment_amplitude(alpha) / area
+        moment = kernels.weight_moment_amplitude(self.half_angle)
+        distance = self.radius * (np.square(self.radius) * moment / self.area)
         return _point(distance, *self._middle)
 
     @cached_property
     def limit_friction_angle(self) -> Any:
         """Friction angle at limit equilibrium (3.21), rad."""
         return np.arctan(self.dimensionless.limit_friction)
-
-
-@dataclass(frozen=True)
-class GivenArc(Arc[Numbers]):
-    """An arc with coefficients from a printed table in place of computed ones; they belong to its initial position."""
-
-    def _mistakes(self) -> list[str]:
-        return super()._mistakes() + _given_mistakes(self.given)
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        object.__setattr__(self, "given", dict(self.coefficients))
-
-    @property
-    def coefficients(self) -> Mapping[str, float]:
-        """Those of `GIVEN`."""
-        assert self.given is not None
-        return self.given
-
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
-        """They do not turn with the mass."""
-        if any(EFFECTS[name].turns for name in effects if name in EFFECTS):
-            return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
-        return []
-
-    @cached_property
-    def facing(self) -> Any:
-        return choose(self.coefficients["weight_moment"] < 0.0, -1.0, 1.0)
-
-    @cached_property
-    def dimensionless(self) -> Dimensionless:
-        g = {**self.coefficients, "weight_moment": self.facing * self.coefficients["weight_moment"]}
-        return Dimensionless(
-            **g,
-            static_normal_stress=g["radial_weight"] / g["resistance_factor"],
-            limit_friction=g["weight_moment"] / g["radial_weight"],
-            radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
-            polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
-        )
-
-    @cached_property
-    def _quotients(self) -> tuple[Any, Any, Any]:
-        d = self.dimensionless
-        return d.limit_friction, d.static_normal_stress, d.polar_moment_per_inertia
-
-    @cached_property
-    def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        driving_moment = self.dimensionless.limit_friction * self.normal_load
-        of_level, radial_of_level = super().amplitudes_per_inertia
-        is_level = np.equal(self.dip, 0.0)
-        sine = np.sin(choose(is_level, 1.0, self.dip))
-        weight = choose(is_level, of_level, driving_moment / sine)  # J_theta = C_theta sin, J_r = C_r cos
-        return weight, choose(is_level, radial_of_level, self.normal_load / np.cos(self.dip))
-
-    @cached_property
-    def normal_load(self) -> Any:
-        return self.dimensionless.radial_weight_per_inertia
 
 
 def _point(distance: Any, sine: Any, cosine: Any) -> Any:

@@ -57,6 +57,10 @@ class Scene(Generic[Numbers]):
         in a scene file, ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``,
         ``"friction"``; values are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10,
         "std": 1}``, in the key's unit.
+    observed : mapping, optional
+        What was observed of the motion, for `backanalyse`, by ``"run_out"``, ``"reach"``, ``"peak_velocity"``,
+        ``"duration"`` or ``"toe_rise"``: a number, one with its standard error, or an `Interval`; m, m/s, s. No motion
+        depends on it.
 
     Notes
     -----
@@ -78,6 +82,7 @@ class Scene(Generic[Numbers]):
     name: str = ""
     note: str = ""
     uncertain: Values = field(default_factory=dict)
+    observed: Values = field(default_factory=dict)
 
     if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
 
@@ -93,6 +98,7 @@ class Scene(Generic[Numbers]):
             name: str = ...,
             note: str = ...,
             uncertain: Values = ...,
+            observed: Values = ...,
         ) -> None: ...
         @overload
         def __init__(
@@ -112,6 +118,7 @@ class Scene(Generic[Numbers]):
             name: str = ...,
             note: str = ...,
             uncertain: Values = ...,
+            observed: Values = ...,
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
@@ -150,9 +157,13 @@ class Scene(Generic[Numbers]):
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         faults = mistakes(vars(self), bounds)
         faults += accuracy_mistakes(self.accuracy)
-        uncertain: Any = self.uncertain
-        if not isinstance(uncertain, Mapping):
-            faults.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
+        maps = {
+            "uncertain": "from numbers to their distributions",
+            "observed": "from outcomes to what was seen of them",
+        }
+        for name, which in maps.items():
+            if not isinstance(value := vars(self)[name], Mapping):
+                faults.append(f"{name} = {value!r}: must be a mapping {which}")
         return faults
 
     @cached_property

@@ -58,7 +58,12 @@ def engine() -> Any:
 
 @lru_cache(maxsize=256)
 def encoded(program: Program) -> bytes:
-    """A program as the C integrator reads it: sizes, roles, operations, states and tables, as 32-bit integers."""
+    """A program as the C integrator reads it, 32-bit integers."""
+    return np.array(program_integers(program), dtype=np.int32).tobytes()
+
+
+def program_integers(program: Program) -> list[int]:
+    """Sizes, roles, operations, states and tables of a program."""
     rates, others = _split(program)
     series = _encoded_series(program, rates)
     later = _encoded_series(program, others)
@@ -85,7 +90,7 @@ def encoded(program: Program) -> bytes:
         integers += [cell, _begin(register), _begin(rate)]
     for table in program.tables:
         integers += [ix.KINDS.index(table.kind), _begin(table.register), table.cells, table.degree]
-    return np.array(integers, dtype=np.int32).tobytes()
+    return integers
 
 
 def _begin(register: int) -> int:

@@ -1,3 +1,3 @@
 """Commands of `slipcircle`: one module each, named as it is typed, with `HELP`, `options(parser)`, `run(options)`."""
 
-COMMANDS = ("run", "plan", "sweep", "records", "search", "backanalyse", "sensitivity", "schema", "cost", "info")
+COMMANDS = ("new", "run", "plan", "sweep", "records", "search", "backanalyse", "sensitivity", "schema", "cost", "info")

@@ -8,8 +8,8 @@ from typing import Any
 from slipcircle.base.text import digits_left, shown
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene
-from slipcircle.workbench.common import quantities
-from slipcircle.workbench.common.quantities import OUTCOMES, to_error
+from slipcircle.workbench.common import records
+from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
@@ -17,7 +17,7 @@ from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solu
 
 HELP = "the friction, or another number, that explains an observed motion"
 # The options by outcome; each ends in its unit.
-OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
+OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OBSERVABLE.items()}
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -28,7 +28,7 @@ def options(parser: argparse.ArgumentParser) -> None:
             type=values.observed,
             dest=name,
             metavar="X[+-S]|LOW:HIGH",
-            help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20; or an interval: 300:450",
+            help=f"observed {OBSERVABLE[name].label}, and its standard error: 400+-20; or an interval: 300:450",
         )
     parser.add_argument(
         "--field",
@@ -46,11 +46,13 @@ def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
     fields = values.by_key("field", options.field or [], form, values.bounds)
-    observed = {name: getattr(options, name) for name in OUTCOMES}
-    if all(value is None for value in observed.values()):
-        raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(OPTIONS.values())}")
+    observed = {name: getattr(options, name) for name in OBSERVABLE}
+    scene = load(options.scene)
+    if not scene.observed and all(value is None for value in observed.values()):
+        known = ", ".join(OPTIONS.values())
+        raise ValueError(f"backanalyse: nothing observed: give one of {known}, or [observed] in the scene file")
     bounds = {key: ends for key, ends in fields.items() if ends}
-    fit = backanalyse(load(options.scene), field=list(fields) or None, bounds=bounds, **observed)
+    fit = backanalyse(scene, field=list(fields) or None, bounds=bounds, **observed)
     name = fit.motion.plan.scene.name
     columns = [_column(fit, solution) for solution in fit.solutions]
     heads = [name] if len(columns) == 1 else [f"solution {k}" for k in range(1, len(columns) + 1)]
@@ -64,7 +66,7 @@ def _record(fit: BackAnalysis) -> dict[str, Any]:
     solutions = []
     for solution in fit.solutions:
         derived = {"standard_errors": solution.standard_errors, "correlation": solution.correlation}
-        solutions.append(vars(solution) | derived | {"motion": quantities.record(solution.motion)})
+        solutions.append(vars(solution) | derived | {"motion": records.record(solution.motion)})
     return {"scene": fit.motion.plan.scene.name} | vars(fit) | {"solutions": solutions}
 
 
@@ -80,7 +82,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
         for (i, one), (j, other) in combinations(enumerate(solution.values), 2):
             cells[f"correlation of {one} and {other}"] = f"{solution.correlation[i, j]:+z.3f}"
     motion = solution.motion
-    for name, quantity in OUTCOMES.items():
+    for name, quantity in OBSERVABLE.items():
         value = float(quantity.read(motion))
         cells[quantity.heading] = shown(value, digits_left(motion.error_estimate)) + _observation(fit, name, value)
     if fit.method == FITTED:

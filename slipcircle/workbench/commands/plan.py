@@ -5,7 +5,7 @@ from dataclasses import asdict
 from functools import partial
 
 from slipcircle.core import plan
-from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
+from slipcircle.workbench.commands.common import add_files, add_scene, with_scene_context
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
@@ -16,7 +16,7 @@ FIELDS = ("effects", "left_out", "law", "method", "why", "accuracy")  # in JSON
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument("scene", metavar="SCENE", help=SCENE)
+    add_scene(parser)
     parser.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
     add_files(parser, "the ladder")
 

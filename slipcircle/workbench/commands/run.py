@@ -8,7 +8,7 @@ from slipcircle.base.progress import track
 from slipcircle.core import Motion, solve
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
-from slipcircle.workbench.common.quantities import record
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import find, load
@@ -27,8 +27,8 @@ def options(parser: argparse.ArgumentParser) -> None:
     table = "the motion over time, in SI units and full precision"
     slide = "a page on which one can drag the slide, which needs nothing else"
     add_files(parser, picture, report=REPORT, csv=table, live=slide)
-    varied = "--live with a second slider, for these values of a number: friction.residual_deg=8:18:21"
-    parser.add_argument("--vary", metavar="KEY=FROM:TO:COUNT", help=varied)
+    varied = "the first slider of --live, and its range: friction.residual_deg=8:18"
+    parser.add_argument("--vary", metavar="KEY=FROM:TO", help=varied)
     times = "times of --csv in s, by default 401 even ones from start to end: 0:60:1"
     parser.add_argument("--times", type=values.times, metavar="FROM:TO:STEP", help=times)
 
@@ -67,7 +67,7 @@ def _check_options(options: argparse.Namespace) -> None:
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
     if options.vary and not options.live:
-        raise ValueError("run: --vary: is the second slider of a page; give --live FILE as well")
+        raise ValueError("run: --vary: is a slider of a page; give --live FILE as well")
     if options.live and len(options.scenes) > 1:
         raise ValueError("run: --live: shows one scene; --report has room for all")
 
@@ -79,14 +79,14 @@ def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> s
 
 
 def _live(motion: Motion, varied: str | None) -> str:
-    """The page of a motion, or of its scene at the values of `--vary`, beginning with the nearest to its own."""
+    """The page of a motion, with the slider of `--vary` in front."""
     from slipcircle.workbench.outputs import live
 
     if not varied:
-        return live.page([motion])
-    form = "KEY=FROM:TO:COUNT or KEY=A,B,C, such as friction.residual_deg=8:18:21"
-    ((key, levels),) = values.by_key("vary", [varied], form, values.levels).items()
-    return with_scene_context(motion.plan.scene, lambda scene: live.varied_page(scene, key, levels))
+        return live.page(motion)
+    form = "KEY=FROM:TO, such as friction.residual_deg=8:18"
+    ((key, (low, high)),) = values.by_key("vary", [varied], form, values.bounds).items()
+    return live.page(motion, with_scene_context(motion.plan.scene, lambda scene: live.slider(scene, key, low, high)))
 
 
 def _warnings(motions: Sequence[Motion]) -> Iterator[str]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
-from slipcircle.workbench.studies.problem import Interval, Observed
+from slipcircle.workbench.common.quantities import Interval, Observed
 
 MOST_TIMES = 1_000_000
 

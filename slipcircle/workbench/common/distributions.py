@@ -5,16 +5,14 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
+from slipcircle.base.optional import optional
+
 _FAR = 30.0  # standard deviations, beyond which the probability is zero in float64
 
 
 def statistics() -> Any:
     """SciPy's distributions, loaded on first use."""
-    try:
-        from scipy import stats
-    except ImportError as error:
-        raise ImportError("distributions need SciPy: pip install 'slipcircle[scenes]'") from error
-    return stats
+    return optional("scipy.stats", "distributions")
 
 
 class Distribution(NamedTuple):

@@ -3,24 +3,16 @@
 Names and units of columns are those of `quantities`.
 """
 
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, summary, words
-
-
-def library(name: str) -> Any:
-    """Import a library that a conversion needs; an error says how to install it."""
-    try:
-        return import_module(name)
-    except ImportError as error:
-        raise ImportError(f"to_{name} needs {name}: pip install {name}") from error
 
 
 def html(motion: Motion) -> str:
@@ -58,7 +50,7 @@ def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
 
 def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
     """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
-    pandas = library("pandas")
+    pandas = optional("pandas", "to_pandas")
     axes, columns = _axes_and_columns(motion, times)
     frame = pandas.DataFrame({name: np.ravel(values) for name, values in columns.items()})
     if len(axes) > 1:
@@ -71,7 +63,7 @@ def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
 
 def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
     """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates."""
-    xarray = library("xarray")
+    xarray = optional("xarray", "to_xarray")
     axes, columns = _axes_and_columns(motion, times)
     lane_dims = _dimensions(motion)
     units = _units(motion)

@@ -35,14 +35,17 @@ def terms(facts: Iterable[tuple[str, str]]) -> Raw:
     return Raw("".join(tag("div", Raw(tag("dt", name) + tag("dd", value))) for name, value in facts))
 
 
-def document(title: str, parts: Iterable[str], style: str, script: str = "") -> str:
-    """A self-contained page: its security policy allows only its own style and script, and embedded images."""
+def document(title: str, parts: Iterable[str], style: str, script: str = "", compiles: bool = False) -> str:
+    """A self-contained page: its security policy allows only its own style and script, and embedded images.
+
+    One that ``compiles`` may run WebAssembly that it holds, and no other text as a program.
+    """
     program = f"//<![CDATA[\n{script}//]]>"  # valid XML for any script
     policy = {
         "default-src": "'none'",
         "img-src": "data:",
         "style-src": _digest(style),
-        "script-src": _digest(program) if script else "'none'",
+        "script-src": " ".join([_digest(program), *(["'wasm-unsafe-eval'"] * compiles)]) if script else "'none'",
         "base-uri": "'none'",
         "form-action": "'none'",
     }

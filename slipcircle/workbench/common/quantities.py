@@ -3,20 +3,20 @@
 JSON, tables, CSV, pictures, reports, sensitivities, studies and back-analyses use these lists.
 """
 
+import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, is_dataclass
 from operator import attrgetter
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
-from slipcircle.layers import LayeredSection, stretches
 from slipcircle.words import VelocityTimes
-from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -40,6 +40,7 @@ class Quantity:
     key: bool = False  # in every summary
     point: bool = False  # a point, x and y
     sparse: bool = False  # printed where it is not zero
+    instead: Callable[[Any], str] = lambda motion: ""  # printed in its place where a motion has none
 
     def read(self, motion: Any) -> Any:
         """The value in SI units; an array for an ensemble."""
@@ -63,10 +64,8 @@ class Quantity:
             return "yes" if value else "no"
         if isinstance(value, str) or (self.sparse and not value):
             return value or ""
-        if self.name == "travel_angle" and not motion.moves:
-            return "-"
-        if self.name == "slow_run_out" and motion.no_slow_run_out:
-            return f"not given: {motion.no_slow_run_out}"
+        if missing := self.instead(motion):
+            return missing
         if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
@@ -88,6 +87,10 @@ class Quantity:
     def head(self) -> str:
         """Name and unit as the head of a column."""
         return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))
+
+
+def _not_slow(motion: Any) -> str:
+    return motion.no_slow_run_out and f"not given: {motion.no_slow_run_out}"
 
 
 OF_MOTION = "paper"  # of `METHODS`, that whose factor of safety a motion starts from
@@ -120,7 +123,7 @@ RESULTS: tuple[Quantity, ...] = (
 )
 # Of single motions: of an ensemble it takes a hundred times as long as to solve it.
 SINGLE: tuple[Quantity, ...] = (
-    Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True),
+    Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True, instead=_not_slow),
     Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
     *(
         Quantity(f"time_{name}", "s", f"time {words(name)}", f"velocity_times.{name}", sparse=True)
@@ -132,7 +135,15 @@ JOURNEY: tuple[Quantity, ...] = (
     Quantity("toe_rise", "m", "rise of the toe", "journey.rise", solved=True),
     Quantity("centroid_travel", "m", "horizontal travel of the centroid", "journey.travel", solved=True),
     Quantity("fall", "m", "fall of the centroid", "journey.fall", solved=True),
-    Quantity("travel_angle", "rad", "travel angle of the centroid", "journey.travel_angle", degrees=True, solved=True),
+    Quantity(
+        "travel_angle",
+        "rad",
+        "travel angle of the centroid",
+        "journey.travel_angle",
+        degrees=True,
+        solved=True,
+        instead=lambda motion: "" if motion.moves else "-",
+    ),
 )
 # Of sections, which have a position.
 POSITION: tuple[Quantity, ...] = (
@@ -186,9 +197,19 @@ def summary(motion: Any) -> dict[str, str]:
         column |= {q.label: q.text(motion) for q in SINGLE if q.key}
     known = factors(motion)
     column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
+    for name, seen in motion.plan.scene.observed.items():
+        column[f"observed {OBSERVABLE[name].label}"] = observed_text(motion, name, seen)
     if known[OF_MOTION] < 1.0 <= known.get("bishop", 0.0):
         column["at the start"] = "stable by Bishop, moves by the paper's method"
     return column
+
+
+def observed_text(motion: Any, name: str, seen: Any) -> str:
+    """What was observed of an outcome, and whether the motion is inside, where it is an interval."""
+    value, *error = [seen] if isinstance(seen, Interval) else np.ravel(seen).tolist()
+    text = " +- ".join([str(value) if isinstance(value, Interval) else shown(value), *map(shown, error)])
+    inside = isinstance(seen, Interval) and seen.low <= observable(motion, name) <= seen.high
+    return f"{text} {OBSERVABLE[name].unit}" + (": inside" if inside else ": outside" * isinstance(seen, Interval))
 
 
 def slow_words(motion: Any) -> str:
@@ -204,10 +225,48 @@ def factor_text(factor: float | None) -> str:
     return "refused" if factor is None or math.isnan(factor) else shown(factor)
 
 
-# What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.
+# What an ensemble is drawn for and a derivative taken of: `Motion` has them of every scene.
 OUTCOMES: Mapping[str, Quantity] = {
     q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
 }
+# What may be observed: a back-analysis is given it.
+OBSERVABLE: Mapping[str, Quantity] = {**OUTCOMES, **{q.name: q for q in JOURNEY if q.name == "toe_rise"}}
+
+
+def observable(motion: Any, name: str) -> Any:
+    """One of `OBSERVABLE`; an array for an ensemble."""
+    return motion.outcomes[name] if name in OUTCOMES else OBSERVABLE[name].read(motion)
+
+
+class Interval(NamedTuple):
+    """What was observed lies between two values, as likely in one place as in another.
+
+    In a back-analysis it counts as its middle with the standard error of a uniform distribution, its width over
+    sqrt(12).
+
+    Attributes
+    ----------
+    low, high : float
+        SI units, the lower one first.
+    """
+
+    low: float
+    high: float
+
+    @property
+    def middle(self) -> float:
+        return (self.low + self.high) / 2
+
+    @property
+    def standard_error(self) -> float:
+        """Of a uniform distribution; negative where the ends are reversed."""
+        return (self.high - self.low) / math.sqrt(12.0)
+
+    def __str__(self) -> str:
+        return f"{shown(self.low)} to {shown(self.high)}"
+
+
+Observed = float | tuple[float, float] | Interval
 HISTORY: Mapping[str, Quantity] = {
     q.name: q
     for q in (
@@ -229,51 +288,6 @@ HISTORY: Mapping[str, Quantity] = {
 }
 
 
-def record(motion: Any) -> dict[str, Any]:
-    """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
-    scene, law = motion.plan.scene, motion.plan.scene.friction
-    stability = stability_of(scene)
-    states = {name: asdict(getattr(motion, name)) for name in ("reach", "peak", "end")}
-    return plain(
-        {
-            "scene": scene.name,
-            "note": scene.note,
-            "effects": motion.plan.effects,
-            "left_out": motion.plan.left_out,
-            "method": motion.plan.method,
-            "law": law if isinstance(law, Mapping) else {"law": motion.plan.law},
-            "dimensionless": scene.arc.dimensionless,
-        }
-        | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
-        | {"factor_of_safety_method": OF_MOTION}
-        | states
-        | ({"stability": stability.record()} if stability else {})
-        | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})
-        | {
-            "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
-            "error_estimate": motion.error_estimate,
-            "warnings": warnings_of(motion),
-        }
-    )
-
-
-def stretch_records(motion: Any) -> list[dict[str, Any]]:
-    """The stretches of a layered arc from entry to exit with their soils; empty for another arc."""
-    arc = motion.plan.scene.arc
-    if not isinstance(arc, LayeredSection):
-        return []
-    return [stretch._asdict() | {"soil": stretch.soil.name} for stretch in stretches(arc)]
-
-
-def foreland_words(arc: Any) -> str:
-    """The soil whose strength continues beyond the exit of a layered arc; empty for another arc."""
-    if not isinstance(arc, LayeredSection) or arc.lanes_shape or arc.strength == "mass":
-        return ""
-    (layer,) = arc.arc_strength.stretches.last
-    why = "as given" if arc.foreland else "the lowest of the soils that meet there"
-    return f"the strength of {arc.soils[layer].name}, {why}"
-
-
 def plain(value: Any) -> Any:
     """A value in types of JSON; None if it is not finite."""
     if is_dataclass(value) and not isinstance(value, type):
@@ -285,6 +299,14 @@ def plain(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [plain(v) for v in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def json_text(record: Any) -> str:
+    """Records as JSON, each with the version of its keys first; the schema of scene files has its own."""
+    content = plain(record)
+    many = [content] if isinstance(content, dict) else content
+    stamped = [one if "$schema" in one else {"format": JSON_FORMAT} | one for one in many]
+    return json.dumps(stamped if many is content else stamped[0], indent=2, allow_nan=False)
 
 
 def to_error(value: float, error: float) -> str:

@@ -5,7 +5,6 @@ Inputs are uniform in value, and uniform in decades towards both ends of [0, pi/
 
 from collections.abc import Callable, Iterator
 from functools import cache, partial
-from importlib.util import find_spec
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from generated import _compiled, kernels, printed, tiers
 from generated.definitions import CLOSED, QUOTIENTS
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.workbench.cost.rows import Row, judged, medians
 
 KERNELS = (*CLOSED, *QUOTIENTS)
@@ -51,8 +51,7 @@ class Exact(NamedTuple):
 
 def of_kernel(name: str) -> list[Row]:
     """Errors and times of all ways to compute a kernel."""
-    if find_spec("flint") is None:
-        raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
+    optional("flint", "the reference", "python-flint")
     inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
     every = list(ways(name))
     seconds = medians([partial(way.function, inputs_in_order.astype(way.kind)) for way in every])

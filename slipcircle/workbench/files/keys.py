@@ -13,7 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
+from slipcircle.base import SCENE_FORMAT
 from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
@@ -68,8 +70,8 @@ class Key(NamedTuple):
     """A key of a scene file: its argument, meaning and allowed values.
 
     ``kind`` is "text", "flag", "number", "fixed" (a number that no scene varies), "list" (of numbers), "series" (a
-    number or a list), "pair" and "points" (of two numbers), "line" (a number or points), "load" (a number or two), or
-    words: "this|that".
+    number or a list), "pair" and "points" (of two numbers), "line" (a number or points), "load" (a number or two),
+    "seen" (a number or an interval), or words: "this|that".
     """
 
     name: str
@@ -87,6 +89,7 @@ class Key(NamedTuple):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
         right = dict.fromkeys(("number", "fixed", "series", "line"), self._number(value)) | {
             "load": self._number(value) or self._pair(value),
+            "seen": self._number(value) or (self._pair(value) and value[0] < value[1]),
             "text": isinstance(value, str),
             "flag": isinstance(value, bool),
             "pair": self._pair(value),
@@ -101,6 +104,8 @@ class Key(NamedTuple):
             return np.array(value)
         if self.kind == "pair":
             return float(value[0]), float(value[1])
+        if self.kind == "seen":
+            return Interval(*map(float, value)) if isinstance(value, list) else float(value)
         if self.kind not in ("number", "fixed", "list", "series", "line", "load"):
             return value
         return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
@@ -186,7 +191,13 @@ def declare(
     return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
 
 
-_TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
+_TEXT = {
+    "format": Key(
+        "format", "version of the keys; a newer one needs a newer slipcircle", SCENE_FORMAT, False, SCENE_FORMAT
+    ),
+    "name": Key("name", "name of the scene, by default the file's"),
+    "note": Key("note", "source of the numbers"),
+}
 _TOP = (
     declare(
         "initial_velocity",
@@ -230,6 +241,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
         "series": f"{one}, or {many}",
         "line": "a height (m), or a list of two points or more, [[x, y], [x, y], ...] (m)",
         "load": f"{one}, or two of them, [left, right]",
+        "seen": one.replace("a number", "a number, or an interval [low, high], low first,"),
     }
     return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
 
@@ -304,5 +316,11 @@ EFFECT_TABLES = {
 }
 _GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
 ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
+_SEEN = []
+for _q in OBSERVABLE.values():
+    _most = LIMITS[_q.unit][1]
+    _least = -5e-324 if _q.unit == "s" else -_most
+    _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
+OBSERVED = table_of("what was observed of the motion, for `slipcircle backanalyse`", _SEEN)
 TOP = table_of("a scene of slipcircle", _TOP, _TEXT)
-WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES})
+WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES, "observed": OBSERVED})

@@ -73,7 +73,7 @@ def find(name: str | PathLike[str]) -> Any:
             return candidate
     if str(name) and os.path.isdir(path):
         raise ValueError(f"{path}: is a folder; give a scene's file")
-    near = get_close_matches(path.stem, names, 1)
+    near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
@@ -174,12 +174,14 @@ def _parts(
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     effects = _effects(document.arguments, Path(file).parent)
     parts = {"arc": arc, "friction": _short(friction), "effects": effects, "uncertain": document.uncertain}
+    parts["observed"] = document.arguments.get("observed", {})
     parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
+    document.arguments[""].pop("format", None)  # read by this version, as it is no mistake
     return parts | document.arguments[""], keys
 
 

@@ -11,6 +11,7 @@ from slipcircle.workbench.files.keys import (
     ARC,
     EFFECT_TABLES,
     FRICTION,
+    OBSERVED,
     OF_SOIL,
     RATE_OF_SOILS,
     TOP,
@@ -215,7 +216,7 @@ _SLIP = table_of(
 _COHESION = EFFECT_TABLES["cohesion"].keys["cohesion_kPa"]
 _PLAUSIBLE = _COHESION._replace(number=replace(_COHESION.number, high=_MOST_COHESION))
 _OF_EFFECTS = EFFECT_TABLES | {"cohesion": EFFECT_TABLES["cohesion"]._replace(keys={"cohesion_kPa": _PLAUSIBLE})}
-WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS})
+WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, "observed": OBSERVED})
 _GROUND = SLOPING["ground"]
 _OF_LAYERS = {name: table for name, table in WITH_ONE_SOIL.tables.items() if name not in NOT_WITH_LAYERS} | {
     "ground": _GROUND._replace(keys={k: key for k, key in _GROUND.keys.items() if key.name != "unit_weight"})

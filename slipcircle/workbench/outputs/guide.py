@@ -34,9 +34,11 @@ adds to these; notebooks/0_the_method.ipynb derives them.
 def guide() -> str:
     """The text, at most 100 columns wide."""
     lines = [HEAD, "Above the first table", *_keys(TOP)]
-    forms = (WITH_ARC.tables, SLOPING, {name: WITH_LAYERS.tables[name] for name in ("soils", "layers", "slip")}, LOADS)
-    for name, table in chain.from_iterable(tables.items() for tables in forms):
-        if name not in (*EFFECTS, "friction"):
+    layered = {name: WITH_LAYERS.tables[name] for name in ("soils", "layers", "slip")}
+    of_forms = [WITH_ARC.tables, SLOPING, layered, LOADS]
+    apart = {*EFFECTS, "friction"}
+    for name, table in chain.from_iterable(tables.items() for tables in of_forms):
+        if name not in apart:
             lines += _tables(name, table)
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
     for method, (name, description) in METHODS.items():
@@ -58,10 +60,15 @@ def guide() -> str:
 
 def _tables(path: str, table: Table) -> Iterator[str]:
     """Lines of a table and those inside it; of one that chooses a law, its laws."""
-    path = f"{path}.NAME" if table.repeats == "named" else path
+    if table.repeats == "named":
+        path = f"{path}.NAME"
     head = f"[[{path}]]" if table.repeats == "numbered" else f"[{path}]"
-    laws = f": with the keys of [friction], law one of {', '.join(table.laws)}" if table.laws else ""
-    yield from ("", *_title(head, table.title + laws), *_keys(table))
+    words = table.title
+    if table.laws:
+        words += f": with the keys of [friction], law one of {', '.join(table.laws)}"
+    yield ""
+    yield from _title(head, words)
+    yield from _keys(table)
     for name, inner in table.tables.items():
         yield from _tables(joined(path, name), inner)
 

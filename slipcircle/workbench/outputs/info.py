@@ -4,23 +4,29 @@ import hashlib
 import platform
 import re
 from importlib import metadata
+from importlib.util import find_spec
 from pathlib import Path
 
 import generated
 from generated._compiled import LEVEL
 from slipcircle.base import VERSION
+from slipcircle.base.optional import EXTRAS, install
 
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
-    for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
+    for library in ("numpy", *EXTRAS):
         try:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
-            found[library] = "not installed"
-    for path in sorted(Path(str(generated.__file__)).parent.glob("*.py")):
+            found[library] = f"not installed: {install(library)}"
+    ours = Path(str(generated.__file__)).parent
+    derive = find_spec("derive")
+    if derive is not None and derive.origin != str(ours.parent / "derive" / "__init__.py"):
+        found["derive"] = f"in the way is {derive.origin}: rename it, or start in another folder"
+    for path in sorted(ours.glob("*.py")):
         found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
     return found
 
@@ -36,4 +42,4 @@ def processor() -> str:
 
 def machine() -> str:
     """Processor and versions, to be printed with measured times."""
-    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and v != "not installed")
+    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and not v.startswith("not "))

@@ -1,11 +1,14 @@
-"""The live page of a slide: a self-contained page with sliders for time and case, also for reports and notebooks.
+"""The live page of a slide: a self-contained page that solves its scene as one drags its numbers, also for reports.
 
-Layout, colours and program are in the folder `page`; this module supplies numbers and drawings.
+Layout, colours and programs are in the folder `page`, the integrator is `generated/flow.wasm.txt`; this module supplies
+numbers, drawings, and the motion as it is, which a browser without WebAssembly plays.
 """
 
+import base64
+import gzip
 import json
-import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from importlib import resources
 from pathlib import Path
 from string import Template
 from typing import Any
@@ -14,21 +17,28 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
-from slipcircle.derivatives import parameter_value, with_parameters
+from slipcircle.derivatives import with_parameters
 from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
-from slipcircle.workbench.common.quantities import OUTCOMES, end_words, summary
+from slipcircle.workbench.common.quantities import OUTCOMES, Interval, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.interpolant import BYTES, TOLERANCE, Interpolant, interpolant
-from slipcircle.workbench.outputs.livesection import Section, axes, common_magnification, frame_around, section
-from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace, quantity_words
-from slipcircle.workbench.studies import motions as study_motions
+from slipcircle.workbench.outputs.livemodel import (
+    MOST_COEFFICIENTS,
+    Slider,
+    default_sliders,
+    interpolates,
+    model,
+    unsolvable,
+)
+from slipcircle.workbench.outputs.livesection import Section as Drawn
+from slipcircle.workbench.outputs.livesection import axes, frame_around, section
+from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace
+from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
-MOST_CASES = 61
-_SIZE = 270_000  # bytes of a page besides its program and style
-_OF_CASE = 800  # bytes of a case besides its points
-_LEAST_POINTS = 100  # of a motion
+_SAMPLES = 241  # of the motion as it is
+_DIGITS = 8
+INTERPOLATED = 1e-6  # error of inputs that a page may have and show, where a slider is asked for
 _SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
 _LONGEST = 10.0
 _PAGE = Path(__file__).with_name("page")
@@ -53,130 +63,103 @@ def style() -> str:
 
 
 def script() -> str:
-    """The program of `fragment`; a page needs it once, at its end."""
-    return text("live.js")
+    """The programs of `fragment`; a page needs them once, at its end."""
+    return text("engine.js") + text("live.js")
 
 
-def page(motions: Sequence[Motion], varied: str = "", labels: Sequence[str] = (), first: int = 0) -> str:
-    """One motion, or one scene's motions with a number varied, as a page of its own.
+def engine() -> Raw:
+    """The integrator for a browser, compressed; a page needs it once."""
+    _, packed = (resources.files("generated") / "flow.wasm.txt").read_text("utf-8").split()
+    return Raw(f'<script type="text/plain" id="slide-engine">{packed}</script>')
+
+
+def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
+    """A single motion as a page of its own, which solves its scene for other values of the sliders' numbers.
 
     Parameters
     ----------
-    motions : sequence of Motion
-        Single motions; those without a result are shown at their start.
-    varied, labels
-        Name of the varied number, and its values.
-    first : int
-        The motion that is shown first.
+    motion : Motion
+        One without a result is shown at its start.
+    sliders : sequence of Slider, optional
+        By default the numbers of strength and load, and the shape of an arc.
     """
-    scene = motions[first].plan.scene
+    scene = motion.plan.scene
     title = " \N{MIDDLE DOT} ".join(filter(None, [scene.name or "slide", scene.note]))
-    slide = fragment(motions, "slide", varied, labels, first)
-    return document(scene.name or "slide", [tag("h1", title), slide], _SHELL + style(), script())
+    parts = [tag("h1", title), fragment(motion, "slide", sliders), engine()]
+    return document(scene.name or "slide", parts, _SHELL + style(), script(), compiles=True)
 
 
 def framed(motion: Motion) -> Raw:
     """The page of a motion in an isolated frame of another page, such as a notebook."""
-    attributes = 'sandbox="allow-scripts" width="100%" height="760" style="border: 0" title="the slide"'
-    return Raw(f'<iframe {attributes} srcdoc="{escaped(page([motion]))}"></iframe>')
+    attributes = 'sandbox="allow-scripts allow-downloads" width="100%" height="980" style="border: 0" title="the slide"'
+    return Raw(f'<iframe {attributes} srcdoc="{escaped(page(motion))}"></iframe>')
 
 
-def fragment(motions: Sequence[Motion], name: str, varied: str = "", labels: Sequence[str] = (), first: int = 0) -> Raw:
-    """The slide as a part of a page, which needs `style` and `script`; the name is its identifier there."""
-    frame, magnification = frame_around(motions), common_magnification(motions)
-    arcs = {id(motion.plan.scene.arc): motion for motion in motions}  # one of cases that differ in other numbers
-    shapes = [section(motion, frame, magnification, f"{name}-{k}") for k, motion in enumerate(arcs.values())]
-    size_of_drawings = sum(len(shape.drawing) for shape in shapes)
-    room = (_SIZE - size_of_drawings) // BYTES
-    histories = _interpolants(motions, room)
-    cases = [*map(_case, motions, histories, labels or [""] * len(motions))]
-    for case, motion in zip(cases, motions, strict=True):
-        case["shape"] = [*arcs].index(id(motion.plan.scene.arc))
-    data = _data(shapes, cases, histories, first)
-    left = float(motions[first].plan.scene.arc.facing) > 0.0
+def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None) -> Raw:
+    """The slide as a part of a page, which needs `style`, `engine` and `script`; the name is its identifier there."""
+    scene = motion.plan.scene
+    frame, magnification = frame_around([motion]), magnified(motion)
+    drawn = section(motion, frame, magnification, name)
+    why_not = unsolvable(motion)
+    first = _first(motion)
+    data = _data(motion, drawn, sliders, why_not) | {"first": first}
     texts = {
         "name": name,
         "height": f"{frame.height:.1f}",
-        "sections": "".join(_groups(shapes, cases[first]["shape"])),
-        "axes": axes(frame, names_left=left),
-        "parameter": escaped(varied),
-        "first": str(first),
-        "last": str(len(motions) - 1),
-        "caption": escaped(" ".join(_caption(motions, histories, magnification))),
+        "section": drawn.drawing,
+        "axes": axes(frame, names_left=float(scene.arc.facing) > 0.0),
+        "headline": escaped(first["headline"]),
+        "label": escaped(f"section to scale: {first['headline']}"),
+        "time": shown(_duration(motion)),
+        "duration": repr(_duration(motion)),
+        "state": escaped(first["end"]),
+        "facts": terms(first["facts"]),
+        "warnings": "".join(tag("li", warning) for warning in first["warnings"]),
+        "caption": escaped(" ".join(_caption(motion, magnification, why_not))),
         "data": _as_script_data(data),
     }
-    template = Template(text("live.html"))
-    return Raw(template.substitute(texts | _first_texts(cases[first], data["duration"])))
+    return Raw(Template(text("live.html")).substitute(texts))
 
 
-def _interpolants(motions: Sequence[Motion], points: int) -> list[Interpolant]:
-    """Interpolants of all motions, with at most so many points in all; points that one does not need go to the next."""
-    points -= len(motions) * _OF_CASE // BYTES
-    histories: list[Interpolant] = []
-    for motion in motions:
-        missing = len(motions) - len(histories)
-        histories.append(interpolant(motion, max(points // missing, _LEAST_POINTS)))
-        points -= histories[-1].times.size
-    return histories
-
-
-def _data(
-    shapes: Sequence[Section], cases: Sequence[dict[str, Any]], histories: Sequence[Interpolant], first: int
-) -> dict[str, Any]:
-    """Data for the script."""
-    duration = max(float(history.times[-1]) for history in histories)
-    return {
-        "duration": duration,
+def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> dict[str, Any]:
+    """Data for the script: the motion as it is, what was observed, and what the engine solves."""
+    scene = motion.plan.scene
+    duration = _duration(motion)
+    data: dict[str, Any] = {
+        "shape": {"centre": drawn.centre, "turn": drawn.turn},
+        "stored": _stored(motion),
         "pace": pace(duration, min(max(duration, _SHORTEST), _LONGEST)),
-        "first": first,
-        "velocity": _range(history.velocity for history in histories),
-        "displacement": _range(history.displacement for history in histories),
-        "shapes": [{"centre": shape.centre, "turn": shape.turn} for shape in shapes],
-        "cases": cases,
+        "observed": {n: list(x) if isinstance(x, Interval) else x for n, x in scene.observed.items()},
+        "sliders": [],
+        "model": None,
     }
+    if not why_not:
+        chosen = default_sliders(scene) if sliders is None else sliders
+        found = model(scene, chosen)
+        data |= {"sliders": [one.described(scene) for one in chosen], "input_error": found.pop("input_error")}
+        data["model"] = _packed(found)
+    return data
 
 
-def _first_texts(case: Mapping[str, Any], duration: float) -> dict[str, str]:
-    """Texts for the first case at its end, shown until the script runs."""
-    return {
-        "headline": escaped(case["headline"]),
-        "label": escaped(f"section to scale: {case['headline']}"),
-        "time": shown(duration),
-        "duration": repr(duration),
-        "state": escaped(case["end"]),
-        "facts": terms(case["facts"]),
-        "warnings": "".join(tag("li", warning) for warning in case["warnings"]),
-    }
-
-
-def varied_page(scene: Scene, key: str, values: Sequence[float]) -> str:
-    """The page of a scene's motions at values of one of its numbers; the value nearest to the scene's is shown first.
-
-    Parameters
-    ----------
-    key : str
-        As a scene file has it, ``friction.residual_deg``.
-    values : sequence of float
-        In the key's unit.
+def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
+    """Sliders of a scene's page, of which the first is for a number of it, between two values in its key's unit.
 
     Raises
     ------
     ValueError
-        For a key without a value in the scene, for invalid values, and for too many values.
+        For a key without a value in the scene, and for values that it cannot have.
     """
-    number = varied_number(scene, key, values)
-    if len(values) > MOST_CASES:
-        raise ValueError(f"--vary {key}: {len(values)} values; a page shows at most {MOST_CASES}")
-    levels = np.asarray(values, dtype=np.float64)
-    in_si = number.to_si(levels)
-    for value in in_si.tolist():
+    number = varied_number(scene, key, [low, high])
+    asked = Slider(number, low, high)
+    for value in asked.ends.tolist():
         with_parameters(scene, {number.name: value})  # raises an error for an invalid value
-    lanes = study_motions.motions(scene, {number.name: in_si})
-    cases = [lanes[lane] for lane in range(levels.size)]
-    present = float(number.from_si(parameter_value(scene, number.name)))
-    nearest = int(np.argmin(np.abs(levels - present)))
-    unit = f" ({number.unit})" if number.unit else ""
-    return page(cases, quantity_words(number) + unit, [shown(value) for value in values], nearest)
+    if not interpolates(scene, [asked], INTERPOLATED):
+        raise ValueError(
+            f"--vary {key}: what the motion starts from is not smooth enough between these values to be interpolated "
+            f"to {INTERPOLATED:.0e}; narrow the range"
+        )
+    others = [other for other in default_sliders(scene) if other.number.name != number.name]
+    return [asked, *others] if interpolates(scene, [asked, *others], INTERPOLATED, MOST_COEFFICIENTS) else [asked]
 
 
 def headline(motion: Motion) -> str:
@@ -189,55 +172,60 @@ def headline(motion: Motion) -> str:
     return f"{run_out} in {duration}, {ending(motion)}"
 
 
-def _case(motion: Motion, history: Interpolant, label: str) -> dict[str, Any]:
-    """Data of one case."""
+def _is_motion(motion: Motion) -> bool:
+    return motion.status in ANSWERED and bool(motion.moves)
+
+
+def _duration(motion: Motion) -> float:
+    """Of what is played, s; of a mass that creeps its settling time."""
+    return float(np.fmin(motion.duration, motion.settling_time)) if _is_motion(motion) else 0.0
+
+
+def _stored(motion: Motion) -> dict[str, Any]:
+    """The motion as it is at even times, to as many digits as a screen shows."""
+    times = np.linspace(0.0, _duration(motion), _SAMPLES if _is_motion(motion) else 1)
+    columns = {"t": times, "s": np.zeros(times.size), "v": np.zeros(times.size)}
+    if _is_motion(motion):
+        states = motion.at(times)
+        columns |= {"s": states.displacement, "v": states.velocity}
+    rounded = {name: [float(f"{x:.{_DIGITS}g}") for x in column.tolist()] for name, column in columns.items()}
+    return rounded | {"duration": _duration(motion)}
+
+
+def _first(motion: Motion) -> dict[str, Any]:
+    """What is said of the motion as it is."""
     answered = motion.status in ANSWERED
-    columns, units = history.encoded()
-    is_motion = answered and motion.moves
-    end = ending(motion) if is_motion else end_words(motion).get("comes to rest", "no result")
+    end = ending(motion) if _is_motion(motion) else end_words(motion).get("comes to rest", "no result")
     return {
-        "label": label,
         "headline": headline(motion),
         "end": end,
         "facts": [*summary(motion).items()] if answered else [],
         "warnings": warnings_of(motion) if answered else [],
-        "columns": columns,
-        "units": units,
     }
 
 
-def _groups(shapes: Sequence[Section], seen: int) -> Iterator[str]:
-    """The drawings of all sections, of which one is visible."""
-    for number, shape in enumerate(shapes):
-        display = "inline" if number == seen else "none"
-        yield f'<g class="shape" display="{display}">{shape.drawing}</g>\n'
-
-
-def _range(columns: Iterable[Any]) -> tuple[float, float]:
-    """Limits of an axis with all values and zero."""
-    values = np.concatenate([[0.0], *columns])
-    low, high = float(values.min()), float(values.max())
-    return (low, high) if high > low else (0.0, 1.0)
-
-
-def _caption(motions: Sequence[Motion], histories: Sequence[Interpolant], magnification: float) -> Iterator[str]:
-    """Sentences on what the drawing shows and on the error of interpolation."""
+def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str]:
+    """Sentences on what the drawing shows."""
+    arc = motion.plan.scene.arc
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
-    if isinstance(motions[0].plan.scene.arc, Arc):
+    if isinstance(arc, Arc):
         yield "The chord stands in place of the ground; coordinates are from the centre of the circle."
-    if any(len(getattr(motion.plan.scene.arc, "surcharge", ())) for motion in motions):
+    if len(getattr(arc, "surcharge", ())):
         yield "Arrows: surcharges, where they are at the start."
     if magnification > 1.0:
         yield f"Displacements are drawn {shown(magnification)} times as large."
-    if any(motion.moves and "rotation" not in motion.plan.effects for motion in motions):
+    if motion.moves and "rotation" not in motion.plan.effects:
         yield "Frozen geometry: the mass is drawn turned, its forces stay those of the start."
-    if not any(motion.moves for motion in motions):
-        return
-    if len(motions) > 1:
-        yield "Grey curves: the other cases."
-    error = max(TOLERANCE, *(history.error for history in histories))
-    digit = 10.0 ** math.floor(math.log10(error))
-    yield f"Interpolation error: at most {digit * math.ceil(error / digit):.0e} of the greatest values."
+    if why_not:
+        yield f"The page plays the motion as it was solved, and does not solve: {why_not}."
+    else:
+        yield "Grey, dashed: the scene as given, beside what the sliders make of it, which this page solves itself."
+
+
+def _packed(data: Mapping[str, Any]) -> str:
+    """Data that the script unpacks."""
+    text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+    return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
 
 
 def _as_script_data(data: Mapping[str, Any]) -> str:

@@ -7,9 +7,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base.optional import optional
 from slipcircle.base.progress import track
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import described, missing
+from slipcircle.workbench.outputs.plotstyle import described
 
 if TYPE_CHECKING:
     from slipcircle.workbench.outputs.film import Film
@@ -22,10 +23,7 @@ _COLOURS = 64  # of each frame
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
     """Check that pictures of this type can be drawn for this number of scenes; one scene may be animated."""
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError as error:
-        raise missing() from error
+    optional("matplotlib", "pictures")
     kind, known = Path(path).suffix[1:].lower(), (*_KINDS, *["gif"] * (command == "run"))
     if path and kind not in known:
         raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import standing
@@ -78,22 +79,13 @@ def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
 
 def new_figure(size: tuple[float, float]) -> Any:
     """An empty figure of pyplot of a size in inches."""
-    try:
-        from matplotlib import pyplot
-    except ImportError as error:
-        raise missing() from error
-    return pyplot.figure(figsize=size, layout="constrained")
+    return optional("matplotlib.pyplot", "pictures").figure(figsize=size, layout="constrained")
 
 
 def known(what: str, given: str, choice: Iterable[str]) -> None:
     """Reject a name that is not among the choices."""
     if given not in choice:
         raise ValueError(f"{what} = {given!r}: must be one of {', '.join(choice)}")
-
-
-def missing() -> ImportError:
-    """The error without matplotlib."""
-    return ImportError("pictures need matplotlib: pip install 'slipcircle[plot]'")
 
 
 def number(value: float) -> str:

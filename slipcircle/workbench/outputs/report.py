@@ -5,7 +5,6 @@ It is self-contained and has no date, so that the same scene, package and machin
 
 import base64
 import hashlib
-import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
@@ -23,13 +22,13 @@ from slipcircle.workbench.common.quantities import (
     RESULTS,
     Quantity,
     end_words,
-    plain,
+    json_text,
     prefixed,
-    record,
     results,
     summary,
     words,
 )
+from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
@@ -66,7 +65,9 @@ def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], c
     body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
     body.append(tag("pre", command))
     body.append(_scrolling(versions))
-    return document(title, body, live.style() + live.text("report.css"), script)
+    if script:
+        body.append(live.engine())
+    return document(title, body, live.style() + live.text("report.css"), script, compiles=bool(script))
 
 
 def chapter(
@@ -82,7 +83,7 @@ def chapter(
             yield part
         else:
             yield from _table(part)
-    numbers = json.dumps(plain(record), indent=2, allow_nan=False)
+    numbers = json_text(record)
     texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
     for heading, text in texts.items():  # folded
         yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")
@@ -167,7 +168,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
     parts = [_overview(motions, names)] if several else []
     scenes = zip(motions, names, files, strict=True)
     for number, (motion, name, file) in enumerate(scenes, 1):
-        slide = live.fragment([motion], f"slide-{number}")
+        slide = live.fragment(motion, f"slide-{number}")
         about = [slide, *_of_motion(motion, file)]
         parts.append(Raw(f'<section id="scene-{number}">'))
         if several:

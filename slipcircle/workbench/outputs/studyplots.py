@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, observable
 from slipcircle.workbench.files.numbers import Number, number_in
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
@@ -257,11 +257,11 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     at = _around(field, solved, error)
     lanes = motions(scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
-        curve = lanes.outcomes[name]
+        curve = observable(lanes, name)
         ax.plot(at, curve, **LINES["main"])
         label(ax, "computed", points_of(at, curve), LINES["main"]["color"])
-        _draw_observed(ax, observed, at)
-        reached = [OUTCOMES[name].read(s.motion) for s in analysis.solutions]
+        _draw_observed(ax, observed, analysis.intervals.get(name), at)
+        reached = [observable(s.motion, name) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
             words = f"{number(value)} {unit_of(field)}"
             mark(ax, value, outcome, "end", words)
@@ -271,13 +271,18 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         ax.grid(alpha=0.3)
 
 
-def _draw_observed(ax: Any, observed: tuple[float, float | None], places: Any) -> None:
-    """An observed value as a line with its standard error and its label."""
+def _draw_observed(ax: Any, observed: tuple[float, float | None], interval: Interval | None, places: Any) -> None:
+    """An observed value as a line with its standard error, or an interval, and its label."""
     seen, sigma = observed
-    ax.axhline(seen, **LINES["total"])
-    if sigma:
-        ax.axhspan(seen - sigma, seen + sigma, **AREAS["band"])
-    words = "observed, with its standard error" if sigma else "observed"
+    words = "observed"
+    band = interval
+    if sigma and interval is None:
+        band = Interval(seen - sigma, seen + sigma)
+        words = "observed, with its standard error"
+    if band is not None:
+        ax.axhspan(band.low, band.high, **AREAS["band"])
+    if interval is None:
+        ax.axhline(seen, **LINES["total"])
     label(ax, words, points_of(places, seen))
 
 
@@ -350,7 +355,7 @@ def _heights(study: "Study") -> list[float]:
 
 
 def _label(output: str) -> str:
-    return f"{OUTCOMES[output].label} ({OUTCOMES[output].unit})"
+    return f"{OBSERVABLE[output].label} ({OBSERVABLE[output].unit})"
 
 
 def _check(study: "Study", output: str, choice: Iterable[str]) -> None:

@@ -19,15 +19,14 @@ from slipcircle.workbench.common.quantities import (
     factor_label,
     factor_text,
     factors,
-    foreland_words,
     results,
     slow_words,
-    stretch_records,
     summary,
     time_text,
     to_error,
     words,
 )
+from slipcircle.workbench.common.records import foreland_words, stretch_records
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words

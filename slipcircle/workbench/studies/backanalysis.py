@@ -12,11 +12,12 @@ import numpy as np
 
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.studies.fits import fits
-from slipcircle.workbench.studies.problem import Bounds, Interval, Observed, SearchProblem, observations, search_problem
+from slipcircle.workbench.studies.problem import Bounds, SearchProblem, observations, search_problem
 from slipcircle.workbench.studies.roots import extreme, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
@@ -152,6 +153,7 @@ def backanalyse(
     run_out: Observed | None = None,
     peak_velocity: Observed | None = None,
     duration: Observed | None = None,
+    toe_rise: Observed | None = None,
     field: str | Sequence[str] | None = None,
     bounds: Bounds | Mapping[str, Bounds] | None = None,
 ) -> BackAnalysis:
@@ -161,9 +163,9 @@ def backanalyse(
     ----------
     scene : Scene
         Its values of the fields are ignored.
-    reach, run_out, peak_velocity, duration : float, tuple of float or Interval, optional
-        Observed value, value and standard error, or `Interval`; m, m, m/s, s; signs as in `Motion`. At least one. A
-        single observation is met exactly by one field, several in the sense of least squares.
+    reach, run_out, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
+        Observed value, value and standard error, or `Interval`; m, m, m/s, s, m; signs as in `Motion`. By default
+        what the scene has as ``observed``. A single one is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
@@ -193,25 +195,26 @@ def backanalyse(
     15.2147
     """
     checked(scene, "backanalyse")
-    given = {"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration}
-    observed = observations(given)
+    every = (reach, run_out, peak_velocity, duration, toe_rise)
+    asked = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
+    observed, intervals = observations(asked or scene.observed)
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     problem = search_problem(scene, field, bounds, observed)
     units = {f.key: f.unit for f in problem.fields}
-    intervals = {name: value for name, value in given.items() if isinstance(value, Interval)}
-    if len(problem.fields) == len(observed) == 1:
-        exact = _exact(problem)
-        return BackAnalysis(units, observed, tuple(exact), ROOT, tuple(_range_warnings(problem, exact[0])), intervals)
-    solutions, warnings = _fitted(problem)
-    return BackAnalysis(units, observed, tuple(solutions), FITTED, tuple(warnings), intervals)
+    is_exact = len(problem.fields) == len(observed) == 1
+    solutions, warnings = _exact(problem) if is_exact else _fitted(problem)
+    method = ROOT if is_exact else FITTED
+    return BackAnalysis(units, observed, tuple(solutions), method, tuple(warnings), intervals)
 
 
-def _exact(problem: SearchProblem) -> list[Solution]:
-    """All values of the one field with the one observation, the fewest swings first."""
-    if solutions := [_solution(problem, [value]) for value in solve_exact(problem)]:
-        return sorted(solutions, key=lambda s: (len(s.motion.phases), -s.value))
-    raise _unattainable(problem)
+def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+    """All values of the one field with the one observation, the fewest swings first, and what to know of them."""
+    solutions = [_solution(problem, [value]) for value in solve_exact(problem)]
+    if not solutions:
+        raise _unattainable(problem)
+    solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
+    return solutions, _range_warnings(problem, solutions[0])
 
 
 def _unattainable(problem: SearchProblem) -> Unattainable:
@@ -224,9 +227,9 @@ def _unattainable(problem: SearchProblem) -> Unattainable:
     outcomes = []
     for place in (low, high):
         motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
-        outcomes.append(float(motion.outcomes[name]))
+        outcomes.append(float(observable(motion, name)))
     least, greatest = outcomes
-    unit = OUTCOMES[name].unit
+    unit = OBSERVABLE[name].unit
     from_least = f"{least:.6g} {unit} (at {field.key} = {low:.6g})"
     to_greatest = f"{greatest:.6g} {unit} (at {field.key} = {high:.6g})"
     attainable = f"{from_least} to {to_greatest}"
@@ -269,8 +272,8 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
     is_far = problem.is_weighted and is_exact and best > _FAR**2
     if not is_far and (first.covariance is not None or best <= _MET):
         return
-    outcomes = first.motion.outcomes
-    nearest = ", ".join(f"{n} = {float(outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in problem.observed)
+    outcomes = zip(problem.observed, problem.seen(first.motion).tolist(), strict=True)
+    nearest = ", ".join(f"{n} = {value:.6g} {OBSERVABLE[n].unit}" for n, value in outcomes)
     at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
     how = f"that is {math.sqrt(best):.3g} standard errors off" if is_far else "with standard errors that is fitted"
     keys = ", ".join(first.values)
@@ -288,8 +291,8 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         si[field.name] = float(field.to_si(value))
     scene = with_parameters(problem.scene, si)
     motion = solve(scene)
-    slopes = neighbour_derivatives(scene, OUTCOMES, free_parameters(scene, si)).values
-    outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
+    slopes = neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values
+    outcomes = problem.seen(motion)
     residuals = outcomes - problem.targets
     scaled = residuals / problem.scales
     chi_square = float(np.sum(scaled**2))
@@ -310,12 +313,10 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
 
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
-    """Derivatives of the scaled residuals by the fields in their units, from those of all outcomes in SI units."""
-    order = [*OUTCOMES]
-    rows = [order.index(name) for name in problem.observed]
+    """Derivatives of the scaled residuals by the fields in their units, from those of what is observed in SI units."""
     with_values = zip(problem.fields, values, strict=True)
     per_key = np.array([field.slope(value) for field, value in with_values])
-    scaled = slopes[rows] / problem.scales[:, None]
+    scaled = slopes / problem.scales[:, None]
     return np.asarray(scaled * per_key)
 
 
@@ -372,10 +373,10 @@ def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
 
 def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
     """A sentence where the standard errors, if they are known, do not explain so large a misfit."""
-    from scipy.special import chdtrc
-
     free = problem.degrees_of_freedom
-    chance = float(chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    chance = (
+        float(optional("scipy.special", "back-analysis").chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
+    )
     if not problem.is_weighted or chance >= _UNLIKELY:
         return []
     reason = f"chance {chance:.1g}" if free else "as many unknowns as observations, so that all could be met"

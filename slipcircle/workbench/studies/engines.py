@@ -26,6 +26,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from slipcircle.base.optional import optional
 from slipcircle.workbench.common.files import replacing, write
 from slipcircle.workbench.studies.design import Result
 
@@ -88,19 +89,16 @@ def engine(name: str = "threads", workers: int | None = None, scheduler: str | N
 
 
 def _dask_client(workers: int, scheduler: str | None) -> Any:
-    try:
-        from distributed import Client, LocalCluster
-    except ImportError as error:
-        raise ImportError("--engine dask needs Dask: pip install 'slipcircle[dask]'") from error
+    distributed = optional("distributed", "--engine dask")
     if scheduler is None:
         with _blocked_interrupt():  # its processes inherit it: this one ends them, and they print no traceback
-            return Client(
-                LocalCluster(
+            return distributed.Client(
+                distributed.LocalCluster(
                     n_workers=workers, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, silence_logs=50
                 )
             )
     try:
-        return Client(scheduler, timeout="10s")
+        return distributed.Client(scheduler, timeout="10s")
     except OSError as error:
         raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
 

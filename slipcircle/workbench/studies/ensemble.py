@@ -19,6 +19,7 @@ from slipcircle.core import Scene, arc_numbers, checked, plan
 from slipcircle.derivatives import parameter_value
 from slipcircle.ground import Section
 from slipcircle.tables import Series
+from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
@@ -163,6 +164,7 @@ def _over_records(
     progress: IO[str] | None,
 ) -> SuiteStudy:
     """The study of a scene under records."""
+    statistics()  # which it ends with: missing, it is missed before hours of solving
     design = suite_design(replace(sampling, base=0), records, shaken)
     scenes = sum(map(design.scenes, range(design.blocks)))
     described = _described(design.sampling) | _suite_described(design)

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.base.progress import track
 from slipcircle.workbench.studies.problem import SearchProblem
 
@@ -57,7 +58,7 @@ def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
 
 def _minimum(problem: SearchProblem, start: Floats) -> Any:
     """SciPy's result of a fit within the ranges; where nothing moves it takes a shorter step."""
-    from scipy.optimize import least_squares
+    optimize = optional("scipy.optimize", "back-analysis")
 
     latest: list[Floats] = []  # the Jacobian, which comes with the residuals and is asked for after them
 
@@ -66,7 +67,7 @@ def _minimum(problem: SearchProblem, start: Floats) -> Any:
         latest[:] = [jacobian[:, :, 0]]
         return r[:, 0]
 
-    return least_squares(
+    return optimize.least_squares(
         residuals,
         start,
         lambda _: latest[0],

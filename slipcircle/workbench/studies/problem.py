@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,39 +14,13 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, law_depends
 from slipcircle.derivatives import DIP, parameter_value
-from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
 Kinds = NDArray[Any]  # of what kind each motion is
 
 
-class Interval(NamedTuple):
-    """What was observed lies between two values, as likely in one place as in another.
-
-    In a back-analysis it counts as its middle with the standard error of a uniform distribution, its width over
-    sqrt(12).
-
-    Attributes
-    ----------
-    low, high : float
-        SI units, the lower one first.
-    """
-
-    low: float
-    high: float
-
-    @property
-    def middle(self) -> float:
-        return (self.low + self.high) / 2
-
-    @property
-    def standard_error(self) -> float:
-        """Of a uniform distribution; negative where the ends are reversed."""
-        return (self.high - self.low) / math.sqrt(12.0)
-
-
-Observed = float | tuple[float, float] | Interval
 Observations = Mapping[str, tuple[float, float | None]]
 Bounds = tuple[float, float]
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
@@ -109,9 +83,12 @@ class SearchProblem:
         if is_open:
             counts &= motion.status != Status.MOVING
         kind = 10 * motion.turnings + motion.status
-        outcomes = np.stack([motion.outcomes[name] for name in self.observed])
-        outcomes = np.where(counts, outcomes, np.nan)
+        outcomes = np.where(counts, self.seen(motion), np.nan)
         return outcomes, np.where(counts, kind, -1)
+
+    def seen(self, motion: Any) -> Floats:
+        """What would be observed of a motion, (observations, ...)."""
+        return np.stack([observable(motion, name) for name in self.observed])
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
@@ -154,13 +131,13 @@ class SearchProblem:
 # --- observations and fields -----------------------------------------------------------------------------------------
 
 
-def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float, float | None]]:
-    """Values and standard errors of what is observed."""
+def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
+    """Values and standard errors of what is observed, and what of it are intervals."""
     found = dict[str, tuple[float, float | None]]()
-    mistakes = []
-    for name, value in given.items():
-        if value is None:
-            continue
+    unknown = [name for name in given if name not in OBSERVABLE]
+    mistakes = [f"observed.{name}: is no outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
+    asked = {name: value for name, value in given.items() if name in OBSERVABLE}
+    for name, value in asked.items():
         seen, sigma = _observation(value)
         has_error = sigma is None or 0.0 < sigma < math.inf
         is_duration = name == "duration"
@@ -170,15 +147,15 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
             found[name] = seen, sigma
         else:
             allowed = "a positive number" if is_duration else "a number other than 0"
-            also = f"it and its positive standard error, or an Interval in {OUTCOMES[name].unit}, the lower end first"
+            also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {value!r}: must be {allowed}, {also}")
     if not found and not mistakes:
-        mistakes.append(f"nothing observed: give one of {', '.join(given)}")
+        mistakes.append(f"nothing observed: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
     if len(has_errors) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")
     raise_all("backanalyse", mistakes)
-    return found
+    return found, {name: value for name, value in asked.items() if isinstance(value, Interval)}
 
 
 def _observation(given: Any) -> tuple[float, float | None]:

@@ -6,7 +6,7 @@ their covariances where they are not (13); correlations are taken to be those of
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -50,18 +50,21 @@ def propagated(design: Design) -> dict[str, Linear]:
         stds.append(number.slope(mean) * std)
     at_means = with_parameters(design.scene, means)
     motion = solve(at_means, design.accuracy)
-    outcomes = np.array([motion.outcomes[name] for name in OUTCOMES])
-    slopes = neighbour_derivatives(at_means, OUTCOMES, free_parameters(at_means, means)).values
+    slopes = neighbour_derivatives(at_means, _outcomes, free_parameters(at_means, means)).values
     is_known = np.all(np.isfinite(slopes), axis=0).tolist()
     unknown = [keys[name] for name, known in zip(means, is_known, strict=True) if not known]
     if unknown:
         raise ValueError(f"{', '.join(unknown)}: the motion at the means has no derivative by it")
     changes = slopes * np.array(stds)
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
-    means_of = np.abs(outcomes).tolist()
+    means_of = np.abs(_outcomes(motion)).tolist()
     stds_of = np.sqrt(np.maximum(variances, 0.0)).tolist()
     linear = map(Linear, means_of, stds_of)
     return dict(zip(OUTCOMES, linear, strict=True))
+
+
+def _outcomes(motion: Any) -> Any:
+    return np.array([motion.outcomes[name] for name in OUTCOMES])
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:

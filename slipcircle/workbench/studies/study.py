@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.core import Motion, Scene, Status
-from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
@@ -197,7 +197,7 @@ class Study(Pictured):
         """
         statuses = [Status(s) for s in self._kept["status"].tolist()]
         named = {"status": [s.name for s in statuses], "reason": [s.reason for s in statuses]}
-        frame = library("pandas").DataFrame({**self.samples, **named})
+        frame = optional("pandas", "to_pandas").DataFrame({**self.samples, **named})
         units = {name: quantity.unit for name, quantity in OUTCOMES.items()}
         units |= {number.key: number.unit for number in self.design.inputs.values()}
         frame.attrs["units"] = units

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
+from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, Status, solve
 from slipcircle.tables import Pulse
-from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.quantities import plain
 from slipcircle.workbench.studies.design import NO_RESULT, Result
 from slipcircle.workbench.studies.fragility import FragilityCurve, fragility_curve
@@ -253,7 +253,7 @@ class SuiteStudy(Pictured):
 
     def to_pandas(self) -> Any:
         """Every motion as a row of a pandas.DataFrame, indexed by record, polarity, scale and sample."""
-        return library("pandas").DataFrame(self.columns()).set_index([*DIMENSIONS])
+        return optional("pandas", "to_pandas").DataFrame(self.columns()).set_index([*DIMENSIONS])
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset over record, polarity, scale and sample, with units."""
@@ -267,7 +267,7 @@ class SuiteStudy(Pictured):
             "pga_g": (("record", "scale"), self.pga),
         }
         coordinates |= {key: ("sample", values) for key, values in self.samples.items()}
-        return library("xarray").Dataset(along | status, coordinates)
+        return optional("xarray", "to_xarray").Dataset(along | status, coordinates)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """The same as plain arrays by name, for NPZ."""

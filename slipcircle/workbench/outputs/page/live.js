@@ -1,63 +1,218 @@
-'use strict';
-// The slide of a page: time and case are its whole state, every view is drawn from them, and the address holds them.
-// The motion is interpolated as `interpolant.py` says; nothing is computed here that was not solved there.
+// The slide of a page: the time and the places of the sliders are its whole state; every view is drawn from them, and
+// the address holds them. On every move of a slider the engine solves the scene anew.
 
 const SVG = 'http://www.w3.org/2000/svg';
+const SAMPLES = 401; // of a motion
 const STEPS = 100; // of a key, from the start to the end
 const SHORTEST = 4, LONGEST = 10; // seconds in which a slide is played
+const ACROSS = 200; // motions of the curve over a number
+const FRAME = 6; // milliseconds of a frame for that curve
+const CHARTS = {
+  v: { title: 'velocity (m/s)', across: 't' },
+  s: { title: 'displacement (m)', across: 't' },
+  plane: { title: 'velocity (m/s) over displacement (m)', across: 's' },
+  stress: { title: 'mean normal stress (kPa)', across: 't' },
+  energy: { title: 'energy, of the work', across: 't' },
+  run_out: { title: 'run-out (m)', across: 'number' },
+  peak_velocity: { title: 'peak velocity (m/s)', across: 'number' },
+  duration: { title: 'duration (s)', across: 'number' },
+};
 
 const slides = document.querySelectorAll('.slide');
-for (const figure of slides) start(figure, slides.length === 1);
+const loaded = slides.length ? engine().catch(() => null) : Promise.resolve(null);
+for (const figure of slides) {
+  try {
+    start(figure, slides.length === 1);
+  } catch (fault) {
+    figure.prepend(made('p', `This page is damaged, or the browser is too old for it: ${fault.message}`));
+  }
+}
 
 function start(figure, addressed) {
   const find = (selector) => figure.querySelector(selector);
   const data = JSON.parse(find('script').textContent);
-  const cases = data.cases.map(decoded);
-  const shapes = [...figure.querySelectorAll('.shape')];
-  const slider = find('.at input'), chooser = find('.which input'), button = find('.play');
-  const charts = [...figure.querySelectorAll('.chart')].map((svg) => ({ svg, of: svg.dataset.of }));
-  const most = { v: data.velocity, s: data.displacement };
-  let time = data.duration, chosen = data.first, playing = 0, hovered = null;
+  const given = { ...data.stored, ...data.first }; // the scene as it is, solved when the page was made
+  const sliders = data.sliders.map((slider) => ({ ...slider, now: slider.value }));
+  const slider = find('.at input'), button = find('.play'), shape = find('.shape');
+  const mass = find('.mass'), ghost = mass.querySelector('.edge').cloneNode();
+  const charts = [...figure.querySelectorAll('.chart')].map((svg) => ({ svg, of: svg.dataset.of, ...CHARTS[svg.dataset.of] }));
+  let solver = null, motion = given, playing = 0, hovered = null, queued = 0, dragged = null, across = null;
+  let time = given.duration || 0;
 
-  find('.which').hidden = cases.length === 1;
-  figure.classList.toggle('still', data.duration === 0);
+  ghost.setAttribute('class', 'given');
+  mass.after(ghost);
+  controls();
   read();
   layout();
+  loaded.then(async (exports) => {
+    if (!data.model) return;
+    if (!exports) {
+      find('.warnings').append(made('li', 'this browser cannot run the engine (WebAssembly); the page plays the scene as it was given'));
+      return;
+    }
+    solver = solverOf(JSON.parse(new TextDecoder().decode(await unpacked(data.model))), exports);
+    figure.classList.add('solves');
+    dragged = sliders[0] || null;
+    solve();
+    layout();
+    curve();
+  });
+
+  // --- the motion ---
+
+  // A slider's place in its range, from -1 to 1; its angle is that of a coefficient where it is a tangent.
+  function place({ si: [low, high], tangent, per_unit: per }, value) {
+    const inside = tangent ? Math.tan(value * Math.PI / 180) : value * per;
+    return Math.min(Math.max((2 * inside - low - high) / (high - low), -1), 1);
+  }
+
+  function solve() {
+    if (!solver) return;
+    const asGiven = sliders.every((one) => one.now === one.value);
+    try {
+      const found = solver.motion(sliders.map((one) => place(one, one.now)), SAMPLES);
+      motion = described(found, asGiven);
+    } catch (fault) {
+      motion = { ...stopped(fault.message) };
+    }
+    if (time > longest() || !playing) time = Math.min(time, longest());
+  }
+
+  function stopped(words) {
+    return { t: [0], s: [0], v: [0], duration: 0, headline: `no result: ${words}`, end: 'no result', facts: [], warnings: [] };
+  }
+
+  function described(found, asGiven) {
+    const { end } = found;
+    if (!end.answered) return stopped(end.reason || end.words);
+    const still = { t: [0], s: [0], v: [0], duration: 0 };
+    const text = (value, unit) => `${Number(value.toPrecision(4))} ${unit}`;
+    const facts = found.moves
+      ? [['run-out along the arc', text(found.run_out, 'm') + verdict('run_out', found.run_out)],
+        ['peak velocity', text(found.peak_velocity, 'm/s') + verdict('peak_velocity', found.peak_velocity)],
+        ['duration', text(found.duration, 's') + verdict('duration', found.duration)]]
+      : [];
+    facts.push(['factor of safety by the paper\u2019s method', String(Number(found.factor.toPrecision(4)))]);
+    if (found.moves) facts.push(['estimated error', found.error.toExponential(1)]);
+    if (data.input_error > 1e-14) facts.push(['inputs interpolated within', data.input_error.toExponential(0)]);
+    const warnings = found.moves && Number.isFinite(found.lift) ? [`contact lost from ${text(found.lift, 's')} (lift-off)`] : [];
+    const headline = found.moves ? `${text(found.run_out, 'm')} in ${text(found.duration, 's')}, ${end.words}` : end.words;
+    return {
+      ...(found.moves ? found : still),
+      ...(asGiven ? { headline: given.headline, end: given.end, warnings: given.warnings } : { headline, end: end.words, warnings }),
+      facts,
+    };
+  }
+
+  function verdict(name, value) {
+    const seen = data.observed[name];
+    if (!Array.isArray(seen)) return '';
+    return value >= seen[0] && value <= seen[1] ? ' (as observed)' : ` (observed ${seen[0]} to ${seen[1]})`;
+  }
+
+  function longest() {
+    return Math.max(motion.duration, given.duration, 0);
+  }
+
+  // The curve over the dragged number, a few motions in each frame.
+  function curve() {
+    cancelAnimationFrame(queued);
+    if (!solver || !dragged) return;
+    const one = dragged, places = sliders.map((other) => place(other, other.now)), k = sliders.indexOf(one);
+    across = { number: [], run_out: [], peak_velocity: [], duration: [] };
+    const more = () => {
+      const begin = performance.now();
+      while (across.number.length < ACROSS && performance.now() - begin < FRAME) {
+        const value = one.low + (one.high - one.low) * across.number.length / (ACROSS - 1);
+        places[k] = place(one, value);
+        let found = {};
+        try { found = solver.outline(places); } catch { /* a gap */ }
+        across.number.push(value);
+        for (const name of ['run_out', 'peak_velocity', 'duration']) across[name].push(name in found ? found[name] : NaN);
+      }
+      charts.filter((chart) => chart.across === 'number').forEach(draw);
+      if (across.number.length < ACROSS) queued = requestAnimationFrame(more);
+    };
+    queued = requestAnimationFrame(more);
+  }
 
   // --- what is shown ---
 
   function show() {
-    const one = cases[chosen], now = at(one, time);
-    const shape = data.shapes[one.shape];
-    shapes.forEach((group, index) => group.setAttribute('display', index === one.shape ? 'inline' : 'none'));
-    const angle = shape.turn * now.s;
-    const mass = shapes[one.shape].querySelector('.mass');
-    mass.setAttribute('transform', `rotate(${angle} ${shape.centre[0]} ${shape.centre[1]})`);
-    put('.time', time, data.duration);
-    put('.velocity', now.v, most.v[1] - most.v[0]);
-    put('.displacement', now.s, most.s[1] - most.s[0]);
-    find('.state').textContent = state(one);
-    find('.headline').textContent = one.headline;
+    const now = at(motion, time), before = at(given, time);
+    const { centre: [x, y], turn } = data.shape;
+    mass.setAttribute('transform', `rotate(${turn * now.s} ${x} ${y})`);
+    ghost.setAttribute('transform', `rotate(${turn * before.s} ${x} ${y})`);
+    shape.setAttribute('transform', shaped(x, y));
+    put('.time', time, longest());
+    put('.velocity', now.v, spread(motion.v));
+    put('.displacement', now.s, spread(motion.s));
+    find('.state').textContent = state();
+    find('.headline').textContent = motion.headline;
+    slider.max = String(longest());
     slider.value = time;
-    slider.setAttribute('aria-valuetext', `${text(time, data.duration)} s`);
-    chooser.value = chosen;
-    chooser.setAttribute('aria-valuetext', one.label);
-    find('.which output').textContent = one.label;
-    find('.facts').replaceChildren(...one.facts.map(([name, value]) => made('div', made('dt', name), made('dd', value))));
-    find('.warnings').replaceChildren(...one.warnings.map((words) => made('li', words)));
+    slider.setAttribute('aria-valuetext', `${text(time, longest())} s`);
+    find('.facts').replaceChildren(...motion.facts.map(([name, value]) => made('div', made('dt', name), made('dd', value))));
+    if (solver) find('.warnings').replaceChildren(...motion.warnings.map((words) => made('li', words)));
+    figure.classList.toggle('still', longest() === 0);
     charts.forEach(move);
   }
 
-  function state(one) {
+  // An arc of another radius or dip is the same picture, larger or turned.
+  function shaped(x, y) {
+    const change = (name) => sliders.find((one) => one.name === name) || { now: 0, value: 0 };
+    const size = change('radius'), dip = change('dip');
+    const scale = size.value ? size.now / size.value : 1, turned = Math.sign(data.shape.turn) * (dip.value - dip.now);
+    return `translate(${x} ${y}) rotate(${turned}) scale(${scale}) translate(${-x} ${-y})`;
+  }
+
+  function state() {
     if (playing) return data.pace;
-    if (time > 0 && time >= one.t[one.t.length - 1]) return one.end;
+    if (time > 0 && time >= motion.duration) return motion.end;
     return time > 0 ? '' : 'at the start';
   }
 
   function put(selector, value, size) {
-    const place = find(selector);
-    place.value = String(value);
-    place.textContent = text(value, size);
+    const element = find(selector);
+    element.value = String(value);
+    element.textContent = text(value, size);
+  }
+
+  function controls() {
+    const list = find('.numbers');
+    sliders.forEach((one) => {
+      one.input = made('input');
+      Object.assign(one.input, { type: 'range', min: one.low, max: one.high, step: 'any' });
+      one.output = made('output');
+      const label = made('label', `${one.label}${one.unit ? ` (${one.unit})` : ''} `, one.output, one.input);
+      one.input.addEventListener('input', () => { set(one, Number(one.input.value)); });
+      one.input.addEventListener('change', write);
+      list.append(label);
+      set(one, one.value, false);
+    });
+    find('.reset').addEventListener('click', () => {
+      for (const one of sliders) set(one, one.value, false);
+      changed();
+      write();
+    });
+    find('.picture').addEventListener('click', picture);
+    find('.series').addEventListener('click', series);
+  }
+
+  function set(one, value, draws = true) {
+    one.now = value;
+    one.input.value = value;
+    one.output.textContent = String(Number(value.toPrecision(4)));
+    one.input.setAttribute('aria-valuetext', `${one.output.textContent} ${one.unit}`);
+    if (!draws) return;
+    dragged = one;
+    changed();
+  }
+
+  let waiting = 0;
+  function changed() {
+    if (waiting) return;
+    waiting = requestAnimationFrame(() => { waiting = 0; solve(); charts.forEach(draw); show(); curve(); });
   }
 
   // --- curves ---
@@ -67,14 +222,14 @@ function start(figure, addressed) {
     const width = drawing.clientWidth || 1000;
     const unit = 1000 / width;
     drawing.style.setProperty('--unit', String(unit));
-    for (const shape of shapes) place(shape.querySelectorAll('text'), 13 * unit, drawing.viewBox.baseVal.height);
-    for (const chart of charts) draw(chart);
+    names(shape.querySelectorAll('text'), 13 * unit, drawing.viewBox.baseVal.height);
+    charts.forEach(draw);
     show();
   }
 
-  function place(names, size, height) {
+  function names(texts, size, height) {
     let lowest = 0;
-    for (const name of names) {
+    for (const name of texts) {
       const line = Number(name.dataset.line), below = !name.matches('.of-water, .of-surcharge');
       const room = below && line + 1.4 * size < height;
       const y = Math.max(room ? line + 1.15 * size : line - (below ? 1.8 : 0.5) * size, lowest);
@@ -84,79 +239,99 @@ function start(figure, addressed) {
     }
   }
 
+  // The columns of a chart: what is drawn over what, of the motion and of the scene as given.
+  function columns({ of, across: over }) {
+    const most = Math.max(...(motion.work || [0]).map(Math.abs), 1e-300);
+    const shares = (values) => (values || []).map((value) => value / most);
+    const kinetic = (motion.work || []).map((work, k) => work - motion.dissipation[k]);
+    if (over === 'number') return across ? [[across.number, across[of]]] : [];
+    if (of === 'energy') return [shares(motion.work), shares(motion.dissipation), shares(kinetic)].map((c) => [motion.t, c]);
+    if (of === 'stress') return [motion.total, motion.effective].map((c) => [motion.t, c || []]);
+    const pairs = (one) => (of === 'plane' ? [one.s, one.v] : [one.t, one[of]]);
+    return [pairs(motion), pairs(given)];
+  }
+
+  function limits(values, ends = []) {
+    const all = values.flat().filter(Number.isFinite).concat(ends);
+    const low = Math.min(0, ...all), high = Math.max(0, ...all);
+    return high > low ? [low, high] : [0, 1];
+  }
+
   function draw(chart) {
-    const { svg, of } = chart, [low, high] = most[of];
+    const { svg, of, across: over } = chart, pairs = columns(chart);
+    const seen = over === 'number' && Array.isArray(data.observed[of]) ? data.observed[of] : [];
+    const number = over === 'number' && dragged;
+    svg.toggleAttribute('hidden', (over === 'number' && !number) || (of === 'energy' && !motion.work) || (of === 'stress' && !motion.total));
+    const sideways = number ? [dragged.low, dragged.high] : limits(pairs.map(([c]) => c), over === 't' ? [longest()] : []);
+    const [low, high] = limits(pairs.map(([, c]) => c), seen);
     const width = Math.max(svg.clientWidth, 240), height = Math.round(Math.min(0.5 * width, 200));
-    const box = { left: 44, right: width - 14, top: 24, bottom: height - 34 };
-    const x = (t) => box.left + (box.right - box.left) * (data.duration ? t / data.duration : 0);
+    const box = { left: 48, right: width - 14, top: 24, bottom: height - 34 };
+    const x = (value) => box.left + (box.right - box.left) * (value - sideways[0]) / (sideways[1] - sideways[0] || 1);
     const y = (value) => box.bottom - (box.bottom - box.top) * (value - low) / (high - low);
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
-    const parts = [drawn('text', { class: 'title', x: 0, y: 13 }, of === 'v' ? 'velocity (m/s)' : 'displacement (m)')];
+    const parts = [drawn('text', { class: 'title', x: 0, y: 13 }, chart.title)];
+    if (seen.length) parts.push(drawn('rect', { class: 'seen', x: box.left, width: box.right - box.left, y: y(seen[1]), height: y(seen[0]) - y(seen[1]) }));
     for (const value of rounds(low, high, 3)) {
       parts.push(drawn('path', { class: 'grid', d: `M${box.left} ${y(value)}H${box.right}` }));
       parts.push(drawn('text', { x: box.left - 6, y: y(value) + 4, 'text-anchor': 'end' }, plain(value)));
     }
-    for (const value of data.duration ? rounds(0, data.duration, 5) : []) {
+    for (const value of sideways[1] > sideways[0] ? rounds(sideways[0], sideways[1], 5) : []) {
       parts.push(drawn('path', { class: 'grid', d: `M${x(value)} ${box.bottom}v4` }));
       parts.push(drawn('text', { x: x(value), y: box.bottom + 17, 'text-anchor': 'middle' }, plain(value)));
     }
-    parts.push(drawn('text', { x: box.right, y: height - 3, 'text-anchor': 'end' }, 'time (s)'));
-    const line = (one) => path(one, of, x, y);
-    if (cases.length > 1) parts.push(drawn('path', { class: 'other', d: cases.map(line).join('') }));
-    chart.curves = cases.map(line);
-    chart.curve = drawn('path', { class: 'curve' });
+    const words = number ? `${dragged.label}${dragged.unit ? ` (${dragged.unit})` : ''}` : over === 's' ? 'displacement (m)' : 'time (s)';
+    parts.push(drawn('text', { x: box.right, y: height - 3, 'text-anchor': 'end' }, words));
+    const kinds = of === 'energy' ? ['work', 'dissipation', 'kinetic'] : of === 'stress' ? ['', 'dissipation'] : ['', 'other'];
+    const lines = pairs.map(([a, b], k) => drawn('path', { class: `curve ${kinds[k]}`, d: line(a, b, x, y) }));
     chart.cursor = drawn('path', { class: 'cursor' });
     chart.hover = drawn('path', { class: 'hover' });
     chart.words = drawn('text', { class: 'values', x: box.right, y: 13, 'text-anchor': 'end' });
     chart.dot = drawn('circle', { r: 4.5 });
-    svg.replaceChildren(...parts, chart.hover, chart.cursor, chart.curve, chart.dot, chart.words);
-    Object.assign(chart, { box, x, y });
+    svg.replaceChildren(...parts, chart.hover, chart.cursor, ...lines.reverse(), chart.dot, chart.words);
+    Object.assign(chart, { box, x, y, high, low });
+    move(chart);
   }
 
-  function path(one, of, x, y) {
-    const last = one.t[one.t.length - 1], points = [];
-    for (let k = 0; k <= 200; k += 1) points.push(last * k / 200);
-    const times = [...points, ...one.t].sort((a, b) => a - b);
-    const places = times.map((t) => `${x(t).toFixed(1)} ${y(at(one, t)[of]).toFixed(1)}`);
-    return `M${places.join('L')}`;
+  function line(a, b, x, y) {
+    let path = '', pen = 'M';
+    a.forEach((value, k) => {
+      if (!Number.isFinite(b[k])) { pen = 'M'; return; }
+      path += `${pen}${x(value).toFixed(1)} ${y(b[k]).toFixed(1)}`;
+      pen = 'L';
+    });
+    return path;
   }
 
   function move(chart) {
-    const { of, box, x, y } = chart, one = cases[chosen];
-    const vertical = (t) => `M${x(t)} ${box.top}V${box.bottom}`;
-    chart.curve.setAttribute('d', chart.curves[chosen]);
-    chart.cursor.setAttribute('d', vertical(time));
-    chart.dot.setAttribute('cx', x(time));
-    chart.dot.setAttribute('cy', y(at(one, time)[of]));
-    chart.hover.setAttribute('d', hovered === null ? '' : vertical(hovered));
-    const [low, high] = most[of];
-    const unit = of === 'v' ? 'm/s' : 'm';
-    const value = (t) => `${text(at(one, t)[of], high - low)} ${unit} at ${text(t, data.duration)} s`;
-    chart.words.textContent = hovered === null ? '' : value(hovered);
+    const { of, across: over, box, x, y } = chart, now = at(motion, time);
+    const places = { v: [time, now.v], s: [time, now.s], plane: [now.s, now.v], energy: [time, NaN], stress: [time, NaN] };
+    let [a, b] = places[of] || [dragged ? dragged.now : 0, motion[of]];
+    if (over === 't') a = Math.min(a, longest());
+    const visible = Number.isFinite(a) && Number.isFinite(b);
+    chart.cursor.setAttribute('d', `M${x(a)} ${box.top}V${box.bottom}`);
+    chart.dot.setAttribute('display', visible ? 'inline' : 'none');
+    if (visible) { chart.dot.setAttribute('cx', x(a)); chart.dot.setAttribute('cy', y(b)); }
+    const hovers = hovered !== null && ['v', 's'].includes(of);
+    chart.hover.setAttribute('d', hovers ? `M${x(hovered)} ${box.top}V${box.bottom}` : '');
+    const value = () => `${text(at(motion, hovered)[of], chart.high - chart.low)} ${of === 'v' ? 'm/s' : 'm'} at ${text(hovered, longest())} s`;
+    chart.words.textContent = hovers ? value() : { energy: 'work, dissipation, kinetic', stress: 'total, effective' }[of] || '';
   }
 
   // --- what changes it ---
 
   function go(to, save = true) {
-    time = Math.min(Math.max(to, 0), data.duration);
+    time = Math.min(Math.max(to, 0), longest());
     show();
     if (save) write();
   }
 
-  function choose(index) {
-    chosen = Math.min(Math.max(index, 0), cases.length - 1);
-    show();
-    write();
-  }
-
   function play() {
     if (playing) return pause();
-    if (time >= data.duration) time = 0;
-    const pace = data.duration / seconds(data.duration), from = time, begin = performance.now();
+    if (time >= longest()) time = 0;
+    const pace = longest() / seconds(longest()), from = time, begin = performance.now();
     const frame = (clock) => {
-      const to = from + pace * Math.max(clock - begin, 0) / 1000;
-      go(to, false);
-      if (time < data.duration) playing = requestAnimationFrame(frame);
+      go(from + pace * Math.max(clock - begin, 0) / 1000, false);
+      if (time < longest()) playing = requestAnimationFrame(frame);
       else pause();
     };
     playing = requestAnimationFrame(frame);
@@ -174,19 +349,17 @@ function start(figure, addressed) {
   }
 
   function pressed(event) {
-    const step = data.duration / STEPS / (event.shiftKey ? 10 : 1);
+    const step = longest() / STEPS / (event.shiftKey ? 10 : 1);
     const does = {
       ' ': () => play(),
       ArrowLeft: () => go(time - step),
       ArrowRight: () => go(time + step),
       Home: () => go(0),
-      End: () => go(data.duration),
-      ArrowUp: () => choose(chosen + 1),
-      ArrowDown: () => choose(chosen - 1),
+      End: () => go(longest()),
     }[event.key];
-    const elsewhere = !does || event.ctrlKey || event.metaKey || event.altKey || data.duration === 0;
-    if (elsewhere || (event.key === ' ' && event.target === button)) return;
-    if (event.target === chooser && event.key !== ' ') return;
+    const elsewhere = !does || event.ctrlKey || event.metaKey || event.altKey || longest() === 0;
+    if (elsewhere || (event.key === ' ' && event.target.matches('button'))) return;
+    if (sliders.some((one) => one.input === event.target) && event.key !== ' ') return;
     event.preventDefault();
     does();
   }
@@ -194,65 +367,82 @@ function start(figure, addressed) {
   function pointed(chart, event) {
     const { svg, box } = chart, frame = svg.getBoundingClientRect();
     const share = (event.clientX - frame.left) * (svg.viewBox.baseVal.width / frame.width) - box.left;
-    return Math.min(Math.max(share / (box.right - box.left), 0), 1) * data.duration;
+    return Math.min(Math.max(share / (box.right - box.left), 0), 1);
   }
 
   for (const chart of charts) {
+    const timed = chart.across === 't';
+    const moves = (event) => {
+      const share = pointed(chart, event);
+      if (timed) go(share * longest());
+      else if (chart.across === 'number' && dragged) set(dragged, dragged.low + share * (dragged.high - dragged.low));
+    };
     chart.svg.addEventListener('pointermove', (event) => {
-      hovered = pointed(chart, event);
-      if (event.buttons) go(hovered);
-      else show();
+      if (timed) hovered = pointed(chart, event) * longest();
+      if (event.buttons) moves(event);
+      else if (timed) show();
     });
     chart.svg.addEventListener('pointerdown', (event) => {
       if (playing) pause();
       chart.svg.setPointerCapture(event.pointerId);
-      go(pointed(chart, event));
+      moves(event);
     });
+    chart.svg.addEventListener('pointerup', write);
     chart.svg.addEventListener('pointerleave', () => { hovered = null; show(); });
   }
   slider.addEventListener('input', () => { if (playing) pause(); go(Number(slider.value)); });
-  chooser.addEventListener('input', () => choose(Number(chooser.value)));
   button.addEventListener('click', play);
   (addressed ? document : figure).addEventListener('keydown', pressed);
   addEventListener('resize', layout);
-  addEventListener('hashchange', () => { read(); show(); });
+  addEventListener('hashchange', () => { read(); solve(); layout(); curve(); });
 
-  // --- the address ---
+  // --- the address, and what one takes away ---
 
   function read() {
     if (!addressed) return;
-    const given = new URLSearchParams(location.hash.slice(1));
-    const t = parseFloat(given.get('t')), v = parseFloat(given.get('v'));
-    if (Number.isFinite(t)) time = Math.min(Math.max(t, 0), data.duration);
-    if (Number.isInteger(v) && v >= 0 && v < cases.length) chosen = v;
+    const asked = new URLSearchParams(location.hash.slice(1)), t = parseFloat(asked.get('t'));
+    for (const one of sliders) {
+      const value = parseFloat(asked.get(one.key));
+      if (Number.isFinite(value)) set(one, Math.min(Math.max(value, one.low), one.high), false);
+    }
+    if (Number.isFinite(t)) time = Math.max(t, 0);
   }
 
   function write() {
     if (!addressed || playing) return;
+    const asked = new URLSearchParams({ t: String(Number(time.toPrecision(6))) });
+    for (const one of sliders) if (one.now !== one.value) asked.set(one.key, String(one.now));
     try {
-      history.replaceState(null, '', `#t=${Number(time.toPrecision(6))}&v=${chosen}`);
+      history.replaceState(null, '', `#${asked}`);
     } catch { /* a page within another has no address of its own */ }
   }
-}
 
-// --- the motion ---
-
-function decoded(one) {
-  const [t, v, a] = one.columns.map((column, k) => {
-    const bytes = Uint8Array.from(atob(column), (letter) => letter.charCodeAt(0));
-    const ticks = k < 2 ? new Int32Array(bytes.buffer) : new Int16Array(bytes.buffer);
-    return Array.from(ticks, (tick) => tick * one.units[k]);
-  });
-  const s = [0]; // the integral of the cubics of the velocity
-  for (let k = 1; k < t.length; k += 1) {
-    const step = t[k] - t[k - 1];
-    s.push(s[k - 1] + step * (v[k] + v[k - 1]) / 2 - step * step * (a[k] - a[k - 1]) / 12);
+  function picture() {
+    const copy = find('.section').cloneNode(true), look = made('style', document.querySelector('style').textContent);
+    copy.setAttribute('xmlns', SVG);
+    copy.setAttribute('class', 'slide section');
+    copy.prepend(look);
+    save('slide.svg', 'image/svg+xml', new XMLSerializer().serializeToString(copy));
   }
-  return { ...one, t, s, v, a };
+
+  function series() {
+    const heads = ['time_s', 'displacement_m', 'velocity_m_s'], rows = motion.t.map((t, k) => [t, motion.s[k], motion.v[k]].join(','));
+    save('slide.csv', 'text/csv', `${heads.join(',')}\n${rows.join('\n')}\n`);
+  }
+
+  function save(name, type, content) {
+    const link = made('a');
+    link.href = URL.createObjectURL(new Blob([content], { type }));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
 }
+
+// --- the motion between its samples ---
 
 function at(one, time) {
-  const { t, s, v, a } = one, last = t.length - 1;
+  const { t, s, v } = one, last = t.length - 1;
   if (time >= t[last]) return { s: s[last], v: v[last] };
   let low = 0, high = last;
   while (high - low > 1) {
@@ -260,13 +450,8 @@ function at(one, time) {
     if (t[middle] > time) high = middle;
     else low = middle;
   }
-  const step = t[high] - t[low], share = (time - t[low]) / step;
-  const cubic = (value, slope) => {
-    const rest = 1 - share;
-    const values = rest * rest * (1 + 2 * share) * value[low] + share * share * (1 + 2 * rest) * value[high];
-    return values + step * share * rest * (rest * slope[low] - share * slope[high]);
-  };
-  return { s: cubic(s, v), v: cubic(v, a) };
+  const share = (time - t[low]) / (t[high] - t[low]), between = (c) => c[low] + share * (c[high] - c[low]);
+  return { s: between(s), v: between(v) };
 }
 
 function seconds(duration) {
@@ -274,6 +459,10 @@ function seconds(duration) {
 }
 
 // --- numbers and elements ---
+
+function spread(values) {
+  return Math.max(...values) - Math.min(...values);
+}
 
 function text(value, size) {
   const digits = size > 0 ? Math.min(Math.max(3 - Math.floor(Math.log10(size)), 0), 12) : 0;
@@ -289,7 +478,7 @@ function rounds(low, high, most) {
   const least = (high - low) / most, power = 10 ** Math.floor(Math.log10(least));
   const step = [1, 2, 5, 10].map((n) => n * power).find((n) => n >= least * 0.999999);
   const values = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high * (1 + 1e-9); k += 1) values.push(k * step);
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * (high - low); k += 1) values.push(k * step);
   return values;
 }
 

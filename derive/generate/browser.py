@@ -1,0 +1,59 @@
+"""The integrator for a browser: `_flow.c` compiled to WebAssembly, compressed, as text that a page holds as it is.
+
+The bytes are checked in, as few machines have a compiler for them (``pip install ziglang``): they are made anew where
+their source, the flags or that version have changed, and carry the digest of all three.
+"""
+
+import base64
+import gzip
+import hashlib
+import subprocess
+import sys
+import tempfile
+from importlib.metadata import version
+from importlib.util import find_spec
+from pathlib import Path
+
+from derive.check.proof import ProofError
+
+NAME = "flow.wasm.txt"
+COMPILER = "0.17.1"  # of ziglang, which `constraints.txt` pins too; a wheel has no such file
+FLAGS = (
+    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-msimd128", "-Os", "-DLEVEL=wasm", "-DWIDE=128"),
+    *("-ffp-contract=off", "-fno-math-errno", "-Wl,--strip-all"),
+)
+
+
+def digest(source: str) -> str:
+    """Of the source, the flags and the version of the compiler."""
+    return hashlib.sha256("\n".join([source, *FLAGS, COMPILER]).encode()).hexdigest()
+
+
+def text(source: str, present: Path) -> str:
+    """The digest, and the compressed module in base64; as it is where that is valid.
+
+    Raises
+    ------
+    ProofError
+        If it has to be compiled and the compiler is missing or of another version.
+    """
+    expected = digest(source)
+    held = present.read_text("utf-8") if present.is_file() else ""
+    if held.startswith(expected):
+        return held
+    compressed = gzip.compress(compiled(source), mtime=0)
+    return f"{expected}\n{base64.b64encode(compressed).decode()}\n"
+
+
+def compiled(source: str) -> bytes:
+    """The module of WebAssembly."""
+    if find_spec("ziglang") is None or version("ziglang") != COMPILER:
+        make = f"`pip install ziglang=={COMPILER}`, to make it anew"
+        raise ProofError(f"generated/{NAME}", "older than _flow.c", make)
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, "-o", "flow.wasm", "_flow.c"]
+        Path(folder, "_flow.c").write_text(source, "utf-8")
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise ProofError(f"generated/{NAME}: ziglang", done.stderr.strip()[:200], "a module of WebAssembly")
+        return Path(folder, "flow.wasm").read_bytes()

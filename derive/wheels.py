@@ -1,0 +1,129 @@
+"""Wheels for other machines, and the source distribution: `python -m derive.wheels`.
+
+One machine makes all of them: Zig, of the package index, compiles for each. The binaries ask for Python's stable ABI
+and find the processor's level themselves. Two builds of one source are the same bytes.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from importlib.util import find_spec
+from pathlib import Path
+
+from derive.build import FLAGS, FOLDER, MODULES, NoBinaryError, make, parts
+
+ROOT = FOLDER.parent
+HERE = Path(__file__).parent
+# Platforms, as wheels are tagged, and what Zig calls them; `any` has no binary.
+TARGETS = {
+    "manylinux_2_17_x86_64.manylinux2014_x86_64": "x86_64-linux-gnu.2.17",
+    "manylinux_2_17_aarch64.manylinux2014_aarch64": "aarch64-linux-gnu.2.17",
+    "musllinux_1_2_x86_64": "x86_64-linux-musl",
+    "win_amd64": "x86_64-windows-gnu",
+    "macosx_11_0_x86_64": "x86_64-macos.11.0",
+    "macosx_11_0_arm64": "aarch64-macos.11.0",
+    "any": "",
+}
+ZIG = (sys.executable, "-m", "ziglang")
+# Its unrolled loops are a sixth larger, and no faster.
+ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops",), "_flow": ()}
+# The library that Zig adds to a binary for Windows has 30 kB, of which the kernels need one function.
+WINDOWS = {"_kernels": ("-nostdlib", "-lc", str(HERE / "stack.s")), "_flow": ()}
+STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
+# NumPy's sizes are those of this machine: of what our source uses only these differ elsewhere.
+SIZES = """
+#undef NPY_HAVE_ENDIAN_H
+#ifdef _WIN32
+#undef NPY_SIZEOF_LONG
+#define NPY_SIZEOF_LONG 4
+#undef NPY_SIZEOF_LONGDOUBLE
+#define NPY_SIZEOF_LONGDOUBLE 8
+#undef NPY_SIZEOF_WCHAR_T
+#define NPY_SIZEOF_WCHAR_T 2
+#endif
+"""
+
+
+def headers(folder: Path) -> Path:
+    """Headers of Python and NumPy that fit all platforms, and the import library of Windows."""
+    import numpy as np
+
+    shutil.copytree(sysconfig.get_path("include"), folder)
+    shutil.copytree(np.get_include(), folder, dirs_exist_ok=True)
+    shutil.copy(HERE / "pyconfig.h", folder)
+    with (folder / "numpy" / "_numpyconfig.h").open("a", encoding="utf-8") as sizes:
+        sizes.write(SIZES)
+    texts = (path.read_text("utf-8") for path in sorted(folder.glob("*.h")))
+    names = {name for text in texts for name in re.findall(r"\b_?Py\w+", text)}
+    exports = folder / "python3.def"
+    exports.write_text("\n".join(["LIBRARY python3.dll", "EXPORTS", *sorted(names)]), "utf-8")
+    command = (*ZIG, "dlltool", "-m", "i386:x86-64", "-d", exports, "-l", folder / "libpython3.a")
+    subprocess.run(command, check=True)
+    return folder
+
+
+def binaries(folder: Path) -> None:
+    """Compile the modules for all platforms, each into a folder of the platform's name."""
+    common = headers(folder / "headers")
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = []
+        for platform, triple in TARGETS.items():
+            (folder / platform).mkdir()
+            jobs += [pool.submit(compile_for, triple, name, folder / platform, common) for name in MODULES if triple]
+        for job in jobs:
+            job.result()
+
+
+def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
+    """Compile a module for a platform."""
+    target = folder / f"{name}{'.pyd' if 'windows' in triple else '.abi3.so'}"
+    compiler = [*ZIG, "cc", "-target", triple, "-mcpu=baseline", *FLAGS, *ZIG_FLAGS[name], *STABLE, f"-I{headers}"]
+    link = ["-shared", "-s"]
+    if "macos" in triple:
+        link += ["-Wl,-undefined,dynamic_lookup", f"-Wl,-install_name,{target.name}"]  # or the path is in the bytes
+    if "windows" in triple:
+        link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS[name]]  # -Os is for what Zig adds from its libraries
+    make(FOLDER / f"{name}.c", target, compiler, parts(name, triple.partition("-")[0]), link)
+    return target
+
+
+def distributions(folder: Path) -> list[Path]:
+    """The wheel of each platform, with the binaries in the folder of its name, and the source distribution."""
+    from hatchling.builders.sdist import SdistBuilder
+    from hatchling.builders.wheel import WheelBuilder
+
+    made: list[str] = []
+    for platform in TARGETS:
+        os.environ["SLIPCIRCLE_BINARIES"] = str(folder / platform)
+        made += WheelBuilder(str(ROOT)).build(directory=str(folder), versions=["standard"])
+    made += SdistBuilder(str(ROOT)).build(directory=str(folder))
+    return [Path(path) for path in made]
+
+
+def main() -> int:
+    """Write all distributions into `dist`; one that is there already is replaced at the end."""
+    if not find_spec("ziglang"):
+        print("derive.wheels needs Zig: pip install ziglang", file=sys.stderr)
+        return 2
+    dist = ROOT / "dist"
+    dist.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=dist, prefix=".") as made:
+        scratch = Path(made)
+        try:
+            binaries(scratch)
+        except NoBinaryError as error:
+            print(f"derive.wheels: {error}", file=sys.stderr)
+            return 1
+        for path in distributions(scratch):
+            print(f"{path.stat().st_size / 1e6:5.2f} MB  dist/{path.name}")
+            os.replace(path, dist / path.name)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,83 @@
+"""An arc whose coefficients are given, as printed ones are."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from generated.effects import EFFECTS
+from slipcircle.base.checks import choose, mistakes
+from slipcircle.base.kinds import Effects, Numbers
+from slipcircle.core.scene.arc import GIVEN, Arc
+from slipcircle.core.scene.mass import Dimensionless
+
+
+@dataclass(frozen=True)
+class GivenArc(Arc[Numbers]):
+    """An arc with coefficients from a printed table in place of computed ones; they belong to its initial position."""
+
+    def _mistakes(self) -> list[str]:
+        return super()._mistakes() + _given_mistakes(self.given)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "given", dict(self.coefficients))
+
+    @property
+    def coefficients(self) -> Mapping[str, float]:
+        """Those of `GIVEN`."""
+        assert self.given is not None
+        return self.given
+
+    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+        """They do not turn with the mass."""
+        if any(EFFECTS[name].turns for name in effects if name in EFFECTS):
+            return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
+        return []
+
+    @cached_property
+    def facing(self) -> Any:
+        return choose(self.coefficients["weight_moment"] < 0.0, -1.0, 1.0)
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        g = {**self.coefficients, "weight_moment": self.facing * self.coefficients["weight_moment"]}
+        return Dimensionless(
+            **g,
+            static_normal_stress=g["radial_weight"] / g["resistance_factor"],
+            limit_friction=g["weight_moment"] / g["radial_weight"],
+            radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
+            polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
+        )
+
+    @cached_property
+    def _quotients(self) -> tuple[Any, Any, Any]:
+        d = self.dimensionless
+        return d.limit_friction, d.static_normal_stress, d.polar_moment_per_inertia
+
+    @cached_property
+    def amplitudes_per_inertia(self) -> tuple[Any, Any]:
+        driving_moment = self.dimensionless.limit_friction * self.normal_load
+        of_level, radial_of_level = super().amplitudes_per_inertia
+        is_level = np.equal(self.dip, 0.0)
+        sine = np.sin(choose(is_level, 1.0, self.dip))
+        weight = choose(is_level, of_level, driving_moment / sine)  # J_theta = C_theta sin, J_r = C_r cos
+        return weight, choose(is_level, radial_of_level, self.normal_load / np.cos(self.dip))
+
+    @cached_property
+    def normal_load(self) -> Any:
+        return self.dimensionless.radial_weight_per_inertia
+
+
+def _given_mistakes(given: Any) -> list[str]:
+    """What is wrong with coefficients that replace the computed ones."""
+    if not isinstance(given, Mapping):
+        return [f"given = {given!r}: must be a mapping of coefficients, or None"]
+    found = [f"given: {name!r} is missing" for name in GIVEN if name not in given]
+    known = ", ".join(GIVEN)
+    found += [f"given: {name!r} is unknown; known are {known}" for name in given if name not in GIVEN]
+    bounds = {name: GIVEN[name] for name in GIVEN if name in given}
+    found += [f"given: {mistake}" for mistake in mistakes(given, bounds, one=bounds)]
+    return found

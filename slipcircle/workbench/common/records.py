@@ -1,0 +1,55 @@
+"""A motion for JSON, and the stretches of its arc."""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from slipcircle.layers import LayeredSection, stretches
+from slipcircle.workbench.common.quantities import OF_MOTION, RESULTS, plain, results
+from slipcircle.workbench.files.loaded import stability_of, warnings_of
+
+
+def record(motion: Any) -> dict[str, Any]:
+    """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
+    scene, law = motion.plan.scene, motion.plan.scene.friction
+    stability = stability_of(scene)
+    states = {name: asdict(getattr(motion, name)) for name in ("reach", "peak", "end")}
+    return plain(
+        {
+            "scene": scene.name,
+            "note": scene.note,
+            "effects": motion.plan.effects,
+            "left_out": motion.plan.left_out,
+            "method": motion.plan.method,
+            "law": law if isinstance(law, Mapping) else {"law": motion.plan.law},
+            "dimensionless": scene.arc.dimensionless,
+        }
+        | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
+        | {"factor_of_safety_method": OF_MOTION}
+        | states
+        | ({"observed": scene.observed} if scene.observed else {})
+        | ({"stability": stability.record()} if stability else {})
+        | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})
+        | {
+            "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
+            "error_estimate": motion.error_estimate,
+            "warnings": warnings_of(motion),
+        }
+    )
+
+
+def stretch_records(motion: Any) -> list[dict[str, Any]]:
+    """The stretches of a layered arc from entry to exit with their soils; empty for another arc."""
+    arc = motion.plan.scene.arc
+    if not isinstance(arc, LayeredSection):
+        return []
+    return [stretch._asdict() | {"soil": stretch.soil.name} for stretch in stretches(arc)]
+
+
+def foreland_words(arc: Any) -> str:
+    """The soil whose strength continues beyond the exit of a layered arc; empty for another arc."""
+    if not isinstance(arc, LayeredSection) or arc.lanes_shape or arc.strength == "mass":
+        return ""
+    (layer,) = arc.arc_strength.stretches.last
+    why = "as given" if arc.foreland else "the lowest of the soils that meet there"
+    return f"the strength of {arc.soils[layer].name}, {why}"

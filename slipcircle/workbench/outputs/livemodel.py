@@ -1,0 +1,354 @@
+"""What a live page solves: the programs of a scene, and their inputs as functions of the numbers that one may drag.
+
+An input is a polynomial in these numbers, SI units: Chebyshev interpolants on Lobatto's points, of as many of the
+numbers as it depends on. Inputs that are linear in them, as all numbers of friction are, come out exact. The motion
+itself is not interpolated: the page integrates it with the compiled text of `generated/_flow.c`.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from generated import layout as ix
+from slipcircle.base.kinds import Floats, Names
+from slipcircle.core import OUTPUTS, STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
+from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
+from slipcircle.words import ROUNDED, RUNS, perturbed_runs
+from slipcircle.workbench.common.quantities import HISTORY
+from slipcircle.workbench.files.numbers import Number, by_name
+from slipcircle.workbench.outputs.plotstyle import quantity_words
+
+DEGREE = 16  # of an interpolant in one number, at most
+ROUNDING = 4e-15  # of the greatest value, which coefficients have to exceed
+TRIALS = 64  # random places at which interpolants are compared with what they stand for
+ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as a single scene's
+SHARE = 0.5  # of a number, to both sides of its value, that a slider has where no range is given
+_UNITS = {"time": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+# Numbers that sliders are for where none is named; those that shape a section are cheap to lay out for an arc alone.
+_STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
+_SHAPE = ("radius", "dip")
+_NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
+MOST_SLIDERS = 8
+SMOOTH = 1e-12  # error of inputs, of their greatest values, above which a number has no slider
+MOST_COEFFICIENTS = 1500  # of interpolants
+MOST_NUMBERS = 60_000  # of tables
+
+
+class Slider(NamedTuple):
+    """A number of a scene with its range, in the unit of its key."""
+
+    number: Number
+    low: float
+    high: float
+
+    @property
+    def ends(self) -> Floats:
+        """Of the range, SI."""
+        return np.asarray(self.number.to_si(np.array([self.low, self.high])), dtype=np.float64)
+
+    def described(self, scene: Scene) -> dict[str, Any]:
+        """For the page."""
+        number = self.number
+        return {
+            "key": number.key,
+            "name": number.name,
+            "label": quantity_words(number),
+            "unit": number.unit or "g" * number.key.endswith("_g"),
+            "low": self.low,
+            "high": self.high,
+            "value": float(number.from_si(parameter_value(scene, number.name))),
+            "si": self.ends.tolist(),
+            "tangent": number.tangent,
+            "per_unit": number.per_unit,
+        }
+
+
+def default_sliders(scene: Scene) -> list[Slider]:
+    """Sliders for the strength of a scene and its load, and for the shape of an arc."""
+    keys = by_name(scene)
+    names = []
+    for name in parameters(scene):
+        parts = name.split(".")
+        if parts[0] in _STRENGTH and parts[-1] not in _NOT_STRENGTH:
+            names.append(name)
+    if "ground" not in scene.arc.quantities:
+        names += _SHAPE
+    chosen = list[Slider]()
+    for name in names:
+        slider = _around(scene, keys[name])
+        if slider and len(chosen) < MOST_SLIDERS:
+            chosen.append(slider)
+    return with_room(scene, chosen)
+
+
+def with_room(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
+    """The first of the sliders for which a page has room, of those in which the inputs are polynomials to rounding."""
+    kept = [slider for slider in sliders if _has_room(scene, [slider])]
+    while kept and not _has_room(scene, kept):
+        kept.pop()
+    return kept
+
+
+def _has_room(scene: Scene, sliders: Sequence[Slider]) -> bool:
+    return interpolates(scene, sliders, SMOOTH, MOST_COEFFICIENTS)
+
+
+def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: float = math.inf) -> bool:
+    """Whether the inputs are interpolated to an error, with so many coefficients at most."""
+    inputs = _Inputs(scene, sliders, plan(scene).accuracy)
+    try:
+        fits = _fits(inputs)
+        size = sum(fit.coefficients.size for fit in fits)
+        return size <= most and _greatest_error(inputs, fits) < error
+    except _OtherPieces:
+        return False
+
+
+def _around(scene: Scene, number: Number) -> Slider | None:
+    """A slider around the scene's value, narrowed until both of its ends are scenes."""
+    value = float(number.from_si(parameter_value(scene, number.name)))
+    share = 0.1 if number.name in _SHAPE else SHARE
+    while value and share > 0.01:
+        low, high = sorted(float(f"{value * (1 + side * share):.3g}") for side in (-1, 1))
+        slider = Slider(number, low, high)
+        _, invalid = with_parameter_arrays(scene, {number.name: slider.ends})
+        if not np.any(invalid):
+            return slider
+        share /= 2
+    return None
+
+
+def unsolvable(motion: Motion) -> str:
+    """Why a page cannot solve a scene; empty where it can."""
+    scene, problem = motion.plan.scene, motion.problem
+    if "callable" in motion.plan.recipe.laws:
+        return "its friction is a function in Python"
+    if problem.may_creep and scene.end_time is None:
+        return "it creeps, for which the page has no implicit steps"
+    size = sum(data.breaks.size + data.coefficients.size for data in problem.tables())
+    if size > MOST_NUMBERS:
+        return f"its records have {size} numbers, more than a page holds ({MOST_NUMBERS})"
+    return ""
+
+
+class _OtherPieces(Exception):
+    """Functions of the rotation have other pieces elsewhere in the range of a slider."""
+
+
+class _Inputs:
+    """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers that the page needs."""
+
+    def __init__(self, scene: Scene, sliders: Sequence[Slider], accuracy: float) -> None:
+        self.scene, self.sliders = scene, sliders
+        self.motion = _at_start(scene, accuracy)
+        self.problem = self.motion.problem
+        self.forces = self.problem.with_outputs((*OUTPUTS, "energy"))
+        self.names: Names = tuple(self.forces.start)
+        self.others = _others(self.motion)
+        self.base = self._rows(self.motion, 1)[:, 0]
+
+    def at(self, shares: Floats) -> Floats:
+        """Rows at places of the sliders, (sliders, places), from -1 to 1: (rows, places)."""
+        ends = [slider.ends for slider in self.sliders]
+        of_places = zip(self.sliders, ends, shares, strict=True)
+        values = {s.number.name: (low + high) / 2 + (high - low) / 2 * x for s, (low, high), x in of_places}
+        scene, invalid = with_parameter_arrays(self.scene, values)
+        if np.any(invalid):
+            worst = int(np.argmax(invalid))
+            with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises why
+        count = shares.shape[1]
+        alike = self._rows(_at_start(scene, ACCURACY), count)
+        if len(alike) != self.base.size:
+            raise _OtherPieces
+        alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
+        return alike
+
+    def sizes(self, values: Floats) -> Floats:
+        """The greatest value of each row; of a table's coefficients that of the same power in any of its pieces."""
+        sizes = np.abs(values).max(axis=1)
+        at = len(self.names)
+        for table in self.problem.tables():
+            pieces, terms = table.coefficients.shape[:2]
+            first = at + pieces
+            at = first + pieces * terms
+            of_powers = sizes[first:at].reshape(pieces, terms)
+            of_powers[:] = of_powers.max(axis=0)
+        return np.maximum(sizes, np.finfo(np.float64).tiny)
+
+    def _rows(self, motion: Motion, count: int) -> Floats:
+        problem = motion.problem
+        start = problem.with_outputs((*OUTPUTS, "energy")).start
+        rows = [np.broadcast_to(start[name], (1, count)) for name in self.names]
+        for table in problem.tables():
+            for values in (table.breaks, table.coefficients):
+                shared = values.ndim < (2 if values is table.breaks else 3)
+                flat = values.reshape(-1, 1) if shared else values.reshape(-1, count)
+                rows.append(np.broadcast_to(flat, (flat.shape[0], count)))
+        rows += [np.broadcast_to(np.ravel(value), (1, count)) for value in _others(motion).values()]
+        return np.concatenate(rows)
+
+
+def _at_start(scene: Scene, accuracy: float) -> Motion:
+    """A scene that is not integrated yet, its functions of the rotation laid out to the end."""
+    chosen = plan(scene, accuracy)
+    problem = problem_of(chosen)
+    if problem.farther is not None:
+        problem.data.update(problem.farther())
+    return Motion(chosen, np.zeros((len(ix.CELLS), *scene.shape)), [], False, problem)
+
+
+def _others(motion: Motion) -> dict[str, Any]:
+    """Units of dimensionless numbers, and what is known at the start."""
+    arc = motion.plan.scene.arc
+    radius = np.asarray(arc.radius)
+    second = np.asarray(arc.time_scale)
+    units = {"rad": 1.0, "s": second, "m": radius, "m/s": radius / second, "m/s^2": radius / second**2}
+    units |= {"Pa": motion.stress_unit, "J": motion.energy_unit}
+    return units | {"factor_of_safety": motion.factor_of_safety}
+
+
+class Fit(NamedTuple):
+    """Interpolants of some rows in some of the numbers: coefficients (rows, *(degrees + 1))."""
+
+    of: tuple[int, ...]
+    degrees: tuple[int, ...]
+    rows: list[int]
+    coefficients: Floats
+
+    def at(self, shares: Floats) -> Floats:
+        """Values at places, (sliders, places)."""
+        powers = [chebyshev.chebvander(shares[k], d) for k, d in zip(self.of, self.degrees, strict=True)]
+        product = powers[0]
+        for power in powers[1:]:
+            product = (product[:, :, None] * power[:, None, :]).reshape(len(product), -1)
+        return np.asarray(self.coefficients.reshape(len(self.rows), -1) @ product.T)
+
+
+def _lobatto(degree: int) -> Floats:
+    return np.cos(np.pi * np.arange(degree + 1) / degree)
+
+
+def _fits(inputs: _Inputs) -> list[Fit]:
+    """Interpolants of all rows that vary."""
+    count = len(inputs.sliders)
+    present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
+    of_rows: dict[int, dict[int, int]] = {}  # degrees by slider
+    for k in range(count):
+        places = np.repeat(present, DEGREE + 1, axis=1)
+        places[k] = _lobatto(DEGREE)
+        values = inputs.at(places)
+        size = inputs.sizes(values)
+        with np.errstate(invalid="ignore"):
+            (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * size)
+        coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
+        for row, c in zip(varied.tolist(), coefficients, strict=True):
+            counted = np.flatnonzero(np.abs(c) > ROUNDING * size[row])
+            if counted.size and counted[-1]:
+                of_rows.setdefault(row, {})[k] = int(counted[-1])
+    groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
+    for row, degrees in of_rows.items():
+        groups.setdefault(tuple(degrees.items()), []).append(row)
+    return [_fit(inputs, present, key, rows) for key, rows in groups.items()]
+
+
+def _fit(inputs: _Inputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Fit:
+    """The interpolant of rows of the same degrees."""
+    of, degrees = zip(*key, strict=True)
+    axes = np.meshgrid(*(_lobatto(degree) for degree in degrees), indexing="ij")
+    places = np.repeat(present, axes[0].size, axis=1)
+    places[list(of)] = [axis.ravel() for axis in axes]
+    values = inputs.at(places)[rows].reshape(len(rows), *axes[0].shape)
+    for axis, degree in enumerate(degrees, 1):
+        inverse = np.linalg.inv(chebyshev.chebvander(_lobatto(degree), degree))
+        values = np.moveaxis(np.tensordot(inverse, values, (1, axis)), 0, axis)
+    return Fit(of, degrees, rows, values)
+
+
+def _share(slider: Slider, scene: Scene) -> float:
+    """Where the scene's own value is in the range, from -1 to 1."""
+    low, high = slider.ends.tolist()
+    value = float(parameter_value(scene, slider.number.name) or 0.0)
+    share = (2 * value - low - high) / (high - low)
+    return min(max(share, -1.0), 1.0)
+
+
+def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
+    """Of all inputs at random places, relative to their greatest value."""
+    if not fits:
+        return 0.0
+    shares = np.random.default_rng(7).uniform(-1.0, 1.0, (len(inputs.sliders), TRIALS))
+    wanted = inputs.at(shares)
+    sizes = inputs.sizes(wanted)
+    errors = [np.abs(fit.at(shares) - wanted[fit.rows]).max(axis=1) / sizes[fit.rows] for fit in fits]
+    return float(np.max(np.concatenate(errors)))
+
+
+def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
+    """What the page needs to solve the scene for any values of its sliders."""
+    inputs = _Inputs(scene, sliders, plan(scene).accuracy)
+    fits = _fits(inputs)
+    places = {name: k for k, name in enumerate(ix.CELLS)}
+    return {
+        "names": inputs.names,
+        "others": [*inputs.others],
+        "entries": places,
+        "base": _plain(inputs.base),
+        "fits": [[fit.of, fit.degrees, fit.rows, _plain(fit.coefficients)] for fit in fits],
+        "tables": [_table(name, inputs.problem) for name in _table_names(inputs.problem)],
+        "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
+        "runs": _runs(inputs),
+        "rounded": ROUNDED,
+        "stresses": scene.of_means() is scene,
+        "input_error": _greatest_error(inputs, fits),
+        "statuses": [[status.name, status.words, status.reason] for status in Status],
+        "of_end": STATUS_OF_END.tolist(),
+        "codes": {name: getattr(ix, name) for name in ("ENDED", "STOPPED", "PAUSED", "ARRESTED", "RESTING")},
+        "labels": {name: quantity.label for name, quantity in HISTORY.items()},
+    }
+
+
+def _table_names(problem: Problem) -> list[str]:
+    return [table.name for table in problem.program.tables]
+
+
+def _table(name: str, problem: Problem) -> dict[str, Any]:
+    """A table but for its breaks and coefficients, which are rows."""
+    data = problem.data[name]
+    pieces, terms = data.coefficients.shape[:2]
+    return {"pieces": pieces, "terms": terms, "jumps": _plain(data.jumps), "sine": data.sine, "open": data.open}
+
+
+def _program(problem: Problem, names: Names) -> dict[str, Any]:
+    """A program as integers, and where it has its inputs, outputs and further states."""
+    program = problem.program
+    return {
+        "code": program_integers(program),
+        "cells": len(program.cells),
+        "registers": len(program.registers),
+        "places": [program.places.get(name, -1) for name in names],
+        "outputs": {name: program.roles[name] for name in OUTPUTS if name in program.roles},
+        "states": {program.cells[cell]: cell for cell, _, _ in program.states[2:]},
+    }
+
+
+def _runs(inputs: _Inputs) -> dict[str, Any]:
+    """The runs that estimate the error: factors of the inputs that they change, by row."""
+    rounding = inputs.scene.arc.rounding
+    cells = inputs.problem.cells()
+    runs = perturbed_runs(inputs.problem, slice(None), rounding)
+    program = inputs.problem.program
+    factors: dict[int, Any] = {}
+    for row, name in enumerate(inputs.names):
+        place = program.places.get(name, -1)
+        moved = place >= 0 and math.isfinite(cells[place, 0]) and np.ptp(runs[place]) > 0.0
+        if moved:
+            factors[row] = (runs[place] / cells[place]).tolist()
+    return {"count": RUNS, "factors": factors}
+
+
+def _plain(values: Any) -> list[Any]:
+    """Numbers for JSON, which has no infinity: that is the word by which JavaScript knows it."""
+    return [x if math.isfinite(x) else str(x).replace("inf", "Infinity") for x in np.ravel(values).tolist()]

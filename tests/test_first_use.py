@@ -1,0 +1,237 @@
+"""First use, in an empty folder and with packages missing or in the way: each time one line says what to do."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from operator import attrgetter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from scipy.optimize import brentq
+
+from slipcircle import Arc, Scene, load, solve
+from slipcircle.base.optional import EXTRAS
+from slipcircle.workbench.files.scenefile import find, shipped
+from tests.support.outputs import blocks
+
+ROOT = Path(__file__).parents[1]
+EXTRA_OF = {
+    table: tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"][table]
+    for table in ("scenes", "plot", "dask", "derive")
+}
+
+
+def alone(folder: Path, code: str, *hidden: str, module: str = "slipcircle") -> subprocess.CompletedProcess[str]:
+    """What an interpreter says in a folder, in which packages cannot be imported; code, or a command's line."""
+    line = f"import sys; sys.modules.update(dict.fromkeys({list(hidden)}))\n"
+    if not code.startswith("import"):
+        code = (
+            f"import runpy; sys.argv = {['slipcircle', *code.split()]}; runpy.run_module('{module}', None, '__main__')"
+        )
+    kept = os.environ | {"PYTHONPATH": str(ROOT), "SLIPCIRCLE_COMPILED": ""}
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", line + code],
+        cwd=folder,
+        env=kept,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_from_nothing_to_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any, refused: Any) -> None:
+    """The three things to try, typed as they are printed."""
+    monkeypatch.chdir(tmp_path)
+    lines = re.findall(r"^  (slipcircle .*?)  ", said(), re.MULTILINE)
+    assert len(lines) == 3
+    for line in lines:
+        assert said(line.removeprefix("slipcircle "))
+    page = Path("slope.html").read_text("utf-8")
+    assert page.startswith("<!DOCTYPE html>")
+    assert "slope" in page
+    before = Path("slope.toml").read_bytes()
+    assert "is there already; give another name, or remove it first" in refused("new slope.toml")
+    assert Path("slope.toml").read_bytes() == before
+    assert "; did you mean slope?" in refused("run slop.toml")
+    assert "FILE no/slope.toml: there is no folder no" in refused("new no/slope.toml")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["slope.html", "slope.toml"]
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_every_scene_that_ships_is_one_to_start_from(name: str, tmp_path: Path, said: Any) -> None:
+    """With its comments; it moves as that scene does, under its own name."""
+    path = tmp_path / "my.toml"
+    said("new", path, "--like", name)
+    scene = load(path)
+    assert scene.name == "my"
+    assert solve(scene).run_out == solve(load(name)).run_out
+    comments = [line for line in find(name).read_text("utf-8").splitlines() if "#" in line]
+    assert {*comments} <= {*path.read_text("utf-8").splitlines()}
+
+
+def test_the_tables_in_comments_of_a_new_scene_are_right(tmp_path: Path, said: Any) -> None:
+    """Without their marks they are read, and each has its effect."""
+    path = tmp_path / "my.toml"
+    said("new", path)
+    bare, text, tables = path.read_text("utf-8").partition("# [water]")
+    path.write_text(bare + re.sub("^# ", "", text + tables, flags=re.MULTILINE), "utf-8")
+    motion = solve(load(path))
+    assert {"pore_pressure", "shaking", "drag"} <= {*motion.plan.effects}
+    assert motion.factor_of_safety < solve(load("real-slope")).factor_of_safety
+
+
+def test_a_newer_scene_file_is_refused(tmp_path: Path, said: Any, refused: Any) -> None:
+    path = tmp_path / "my.toml"
+    said("new", path)
+    path.write_text(path.read_text("utf-8").replace("scene-1", "scene-2"), "utf-8")
+    assert 'format = "slipcircle-scene-2": must be slipcircle-scene-1' in refused("run", path)
+
+
+RECORD = "import numpy as np; t = np.arange(500) * 0.01; np.savetxt('q.csv', np.c_[t, np.sin(9 * t)], "
+RECORD += "delimiter=',', header='time_s,a_m_s2', comments='')"
+DISTRIBUTED = "sweep vaiont --samples 64 --uncertain friction.angle_deg=uniform:9:10 --engine dask"
+NEEDED = [
+    ("scipy", "scenes", "sweep vaiont --samples 64 --uncertain friction.angle_deg=normal:10:1"),
+    ("scipy", "scenes", "sweep newmark-pulse --records q.csv"),
+    ("scipy", "scenes", "backanalyse vaiont --run-out-m 400+-20 --duration-s 40+-5 --field friction.angle_deg"),
+    ("matplotlib", "plot", "run vaiont --plot a.png"),
+    ("matplotlib", "plot", "run vaiont --report a.html"),
+    ("matplotlib", "plot", "import slipcircle; slipcircle.solve(slipcircle.load('vaiont')).plot()"),
+    ("distributed", "dask", DISTRIBUTED),
+    ("flint", "derive", "cost polar_moment"),
+]
+
+
+@pytest.mark.parametrize(("package", "extra", "words"), NEEDED, ids=[words[:20] for *_, words in NEEDED])
+def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp_path: Path) -> None:
+    """What needs it, and the command; nothing is computed before, and no file is written."""
+    alone(tmp_path, RECORD)
+    done = alone(tmp_path, words, package)
+    assert done.returncode == 1
+    *_, last = done.stderr.splitlines()
+    assert words.startswith("import") or done.stderr.count("\n") == 1
+    name = {"flint": "python-flint"}.get(package, package)
+    assert EXTRAS[name] == extra
+    assert re.fullmatch(
+        rf"(slipcircle|ImportError): {name} is needed for .+: pip install 'slipcircle\[{extra}\]'", last
+    )
+    assert not [*tmp_path.glob("a.*")]
+
+
+@pytest.mark.parametrize("package", ["sympy", "mpmath", "flint"])
+def test_deriving_without_a_package(package: str, tmp_path: Path) -> None:
+    done = alone(tmp_path, "verify", package, module="derive")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"python -m derive needs {package}: pip install 'slipcircle[derive]'\n"
+
+
+def test_info_says_how_each_missing_package_is_installed(tmp_path: Path) -> None:
+    """Each is one of the extra that its command names."""
+    code = "import importlib.metadata as m; real = m.version; "
+    code += "m.version = lambda name: real(name) if name == 'numpy' else m.distribution('no-' + name); "
+    code += "from slipcircle.__main__ import main; main(['info'])"
+    done = alone(tmp_path, code)
+    told = dict(re.findall(r"^(\S+) +not installed: pip install 'slipcircle\[(\w+)\]'$", done.stdout, re.MULTILINE))
+    assert len(told) == len(EXTRAS) > 7, done.stderr
+    for package, extra in told.items():
+        assert any(re.match(rf"{package}\b", requirement) for requirement in EXTRA_OF[extra]), package
+
+
+def test_without_rich_the_progress_is_a_line(tmp_path: Path) -> None:
+    """A bar is no result: nothing is said of its package, and the line is on the terminal."""
+    code = "import io, slipcircle; from slipcircle.base.progress import Progress\n"
+    code += "class T(io.StringIO):\n    isatty = lambda self: True\n"
+    code += "out = T()\nwith Progress(4, 'scenes solved', out) as count:\n    count.pause = 0\n    count(2)\n"
+    code += "print(repr(out.getvalue()))"
+    done = alone(tmp_path, code, "rich")
+    assert done.returncode == 0, done.stderr
+    assert "2 of 4 scenes solved" in done.stdout
+
+
+@pytest.mark.parametrize("words", ["import slipcircle", "run vaiont"])
+def test_without_numpy(words: str, tmp_path: Path) -> None:
+    done = alone(tmp_path, words, "numpy")
+    assert (done.returncode, done.stdout) == (1, "")
+    *_, last = done.stderr.splitlines()
+    assert last == "ImportError: slipcircle needs NumPy: pip install numpy"
+
+
+@pytest.mark.parametrize("text", ["", "__project__ = 'another'\n", "import no_such_module\n", "1 +\n"])
+def test_another_package_called_generated(text: str, tmp_path: Path) -> None:
+    """What lies in the way, where, and what to do."""
+    foreign = tmp_path / "generated" / "__init__.py"
+    foreign.parent.mkdir()
+    foreign.write_text(text, "utf-8")
+    done = alone(tmp_path, f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import slipcircle")
+    *_, last = done.stderr.splitlines()
+    assert last.startswith(f"ImportError: slipcircle needs its package 'generated', and Python finds {foreign}: "), last
+    assert last.endswith("rename that one or start in another folder; or install slipcircle again")
+
+
+def test_the_program_is_not_in_the_way_of_a_folder(tmp_path: Path) -> None:
+    """Folders of these names where one happens to be: the program runs, and `info` tells of a foreign `derive`."""
+    for name in ("generated", "derive"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").write_text("", "utf-8")
+    program = Path(sys.executable).with_name("slipcircle")
+    kept = os.environ | {"PYTHONPATH": ""}
+    run = subprocess.run(
+        [program, "run", "vaiont"], cwd=tmp_path, env=kept, capture_output=True, text=True, check=False
+    )
+    assert (run.returncode, run.stderr) == (0, "")
+    (tmp_path / "generated" / "__init__.py").unlink()
+    (tmp_path / "generated").rmdir()
+    done = alone(tmp_path, f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import slipcircle.__main__ as m; "
+                 "m.main(['run', 'vaiont']); m.main(['info'])")  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert "comes to rest" in done.stdout
+    told = " ".join(done.stdout.split())
+    assert f"in the way is {tmp_path}/derive/__init__.py: rename it, or start in another folder" in told
+
+
+# --- a law of the user's own -----------------------------------------------------------------------------------------
+
+(OWN,) = blocks((ROOT / "notebooks/extending.md").read_text("utf-8"), "python")
+
+
+def test_a_law_declared_outside_of_the_package(tmp_path: Path) -> None:
+    """The page's program, run as it is in another folder, with the compiled integrator and with NumPy alone."""
+    assert len([line for line in OWN.splitlines() if line.strip()]) < 25
+    (tmp_path / "my_law.py").write_text(OWN, "utf-8")
+    (shown,) = re.findall(r"^# (.*)", OWN, re.MULTILINE)
+    for compiled in ("", "0"):
+        kept = os.environ | {"SLIPCIRCLE_COMPILED": compiled, "PYTHONPATH": ""}
+        done = subprocess.run([sys.executable, "my_law.py"], cwd=tmp_path, env=kept, capture_output=True, text=True,
+                              check=False)  # fmt: skip
+        assert (done.returncode, done.stdout, done.stderr) == (0, f"{shown}\n", "")
+    assert [path.name for path in tmp_path.iterdir()] == ["my_law.py"]
+
+
+def test_a_law_of_ones_own_stops_where_its_work_says() -> None:
+    """Without rotation a mass rests where its mean friction is the limit friction: an integral in closed form."""
+    names: dict[str, Any] = {"__name__": "my_law"}
+    exec(OWN.partition("\nlaw = ")[0], names)
+    law = names["HardeningSoftening"](start=0.30, residual=0.45, rise=0.10, length=40.0)
+    arc = Arc(radius=1492.6, theta_1=math.radians(215.2), theta_2=math.radians(276.9), unit_weight=20e3)
+
+    def surplus(slip: float) -> float:
+        x, over = slip / law.length, law.start - law.residual
+        work = law.residual * x + (over + law.rise) - (over + law.rise + law.rise * x) * math.exp(-x)
+        return x * math.tan(arc.limit_friction_angle) - work
+
+    slips = [slip for slip in range(1, 400) if surplus(slip) * surplus(slip + 1) < 0.0]
+    motion = solve(Scene(arc, law, []))
+    assert motion.run_out == pytest.approx(brentq(surplus, slips[0], slips[0] + 1, xtol=1e-13), rel=1e-12)
+
+
+def test_a_built_in_law_declared_so_is_as_accurate() -> None:
+    """The exponential law by name, whose numbers other tests hold against 30 digits."""
+    arc, effects = load("vaiont").arc, ["rotation", "centripetal"]
+    named = solve(Scene(arc, {"law": "exponential", "peak": 0.35, "residual": 0.1, "length": 20.0}, effects))
+    own = solve(Scene(arc, lambda slip: 0.1 + 0.25 * math.e ** (-slip / 20.0), effects))
+    for name in ("run_out", "duration", "reach.displacement", "peak.velocity"):
+        assert attrgetter(name)(own) == pytest.approx(attrgetter(name)(named), rel=2e-14), name

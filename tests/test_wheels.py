@@ -1,0 +1,99 @@
+"""Wheels: what `python -m derive.wheels` makes for others, and the pure one, which needs nothing but NumPy."""
+
+import os
+import subprocess
+import sys
+import zipfile
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+from packaging.tags import parse_tag
+
+from derive import wheels
+from slipcircle import load, solve
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.fixture(scope="module")
+def pure(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The pure wheel, unpacked."""
+    folder = tmp_path_factory.mktemp("pure")
+    (folder / "any").mkdir()
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    environ = os.environ | {"SLIPCIRCLE_BINARIES": str(folder / "any")}
+    subprocess.run(command, cwd=ROOT, env=environ, capture_output=True, check=True)
+    (wheel,) = folder.glob("*-py3-none-any.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(folder / "installed")
+    return folder / "installed"
+
+
+# What a browser's Python has none of: an attempt is an error. NumPy itself may do as it likes while it is imported.
+BROWSER = """
+import sys, numpy
+sys.path.insert(0, sys.argv[1])
+
+def refuse(event, args):
+    writes = event == "open" and isinstance(args[1], str) and set(args[1]) & set("wax+")
+    assert not writes and event not in FORBIDDEN, (event, args)
+
+FORBIDDEN = {"_thread.start_new_thread", "subprocess.Popen", "os.fork", "os.forkpty", "os.posix_spawn", "os.system",
+             "os.mkdir", "os.rename", "socket.connect", "ctypes.dlopen"}
+sys.addaudithook(refuse)
+import slipcircle
+from slipcircle import Arc, Scene, load, solve
+from generated import _compiled
+assert slipcircle.__file__.startswith(sys.argv[1]), slipcircle.__file__
+assert _compiled.LEVEL == "numpy"
+for name in sys.argv[2:]:
+    print(float(solve(load(name)).run_out).hex())
+ensemble = Scene(Arc(1492.6, 3.756, 4.833, 20e3), numpy.linspace(0.16, 0.2, 5), ["rotation", "centripetal"])
+print(*(float(x).hex() for x in solve(ensemble).run_out))
+"""
+
+
+def test_the_pure_wheel_needs_no_thread_process_or_file_to_write(pure: Path) -> None:
+    """As in a browser: it solves the slide of Vaiont, a section and an ensemble."""
+    names = ["vaiont", "real-slope"]
+    environ = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "SLIPCIRCLE"))}
+    environ |= {"HOME": "/nowhere", "PATH": "/nowhere", "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-P", "-c", BROWSER, str(pure), *names]
+    done = subprocess.run(command, env=environ, cwd=pure, capture_output=True, text=True, check=False)
+    assert not done.returncode, done.stderr
+    *single, several = done.stdout.splitlines()
+    for name, value in zip(names, single, strict=True):
+        assert float.fromhex(value) == pytest.approx(float(solve(load(name)).run_out), rel=1e-12)
+    run_outs = [float.fromhex(value) for value in several.split()]
+    assert run_outs == sorted(run_outs, reverse=True)  # with more friction it stops sooner
+    assert 0 < run_outs[-1] < run_outs[0]
+
+
+def test_metadata_of_a_wheel(pure: Path) -> None:
+    """What a package index shows, and every extra that a message of the program names."""
+    (folder,) = pure.glob("*.dist-info")
+    found = metadata.PathDistribution(folder).metadata
+    assert found["License-Expression"] == "BSD-3-Clause"
+    assert found["Requires-Python"] == ">=3.11"
+    assert {"scenes", "plot", "derive", "dask"} <= set(found.get_all("Provides-Extra", []))
+    assert (folder / "licenses" / "LICENSE").is_file()
+    assert found["Keywords"]
+    assert "\n# slipcircle\n" in (folder / "METADATA").read_text("utf-8")  # the README
+
+
+def test_platforms_are_tagged_as_installers_know_them() -> None:
+    """Each is a tag that `packaging` can read, and one of a processor of 64 bits that Zig's name says."""
+    for platform, triple in wheels.TARGETS.items():
+        tags = parse_tag(f"cp311-abi3-{platform}")
+        assert {tag.abi for tag in tags} == {"abi3"}
+        machine = triple.partition("-")[0]
+        known = {"x86_64": ("x86_64", "amd64"), "aarch64": ("aarch64", "arm64"), "": ("any",)}[machine]
+        assert all(tag.platform.endswith(known) for tag in tags)
+
+
+@pytest.mark.skipif(bool(find_spec("ziglang")), reason="Zig is here")
+def test_without_zig_one_line_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    assert wheels.main() == 2
+    assert "pip install ziglang" in capsys.readouterr().err
