@@ -38,13 +38,9 @@ def _widest() -> int:
     return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
 
 
-def engine_words(program: Program) -> str:
-    """What integrates a program on this machine."""
-    binary = module()
-    if not binary:
-        return "NumPy, interpreted"
-    level = next(name for name, number in binary.LEVELS.items() if number == _widest())
-    return f"compiled, {level}, {'interpreted' if binary.straight_line(encoded(program)) < 0 else 'straight-line'}"
+def straight_line(program: Program) -> bool:
+    """Whether the compiled module has a function of this very program, rather than to interpret it."""
+    return module() is not None and module().straight_line(encoded(program)) >= 0
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan
-from slipcircle.core.walk.compiled import engine_words
 from slipcircle.workbench.common.quantities import (
     OF_MOTION,
     OUTCOMES,
@@ -208,7 +207,6 @@ def plan_part(plan: Plan) -> Part:
         "friction law": plan.law,
         "method": plan.method,
         "because": plan.why,
-        "integrator": engine_words(plan.program),
         "foreland": foreland_words(plan.scene.arc),
         "requested accuracy": f"{plan.accuracy:.1e}" + ("" if plan.scene.shape else "; a single scene: to rounding"),
     }
