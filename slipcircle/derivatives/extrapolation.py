@@ -6,7 +6,7 @@ power of h after the other (Ridders, Adv. Eng. Softw. 4, 75, 1982); its best ent
 
 import numpy as np
 
-from slipcircle.base.kinds import Flags, Floats
+from slipcircle.base.kinds import Floats
 
 COLUMNS = 7  # of a tableau
 CAUTION = 3.0  # error over the last change in a tableau: of a half power of h, the worst, it is 2.4
@@ -25,83 +25,47 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> tuple[Float
     least = np.full(shape, np.inf)
     last_power = first_power * COLUMNS
     for power in range(first_power, last_power + 1, first_power):
-        following = _without_power(column, power)
-        noise = _noise_without_power(noise, power)
-        change = _last_change(following, column)
-        error = CAUTION * change + noise
+        following = _combined(column, power, -1.0)
+        noise = _combined(noise, power, 1.0)
+        error = CAUTION * _last_change(following, column) + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
-        is_unknown = np.isnan(error)
-        error = np.where(is_unknown, np.inf, error)
-        surest = np.argmin(error, axis=-1)
-        place = surest[..., None]
-        of_surest = np.take_along_axis(error, place, -1)
-        error = of_surest[..., 0]
-        of_surest = np.take_along_axis(following, place, -1)
-        value = of_surest[..., 0]
-        is_better = error < least
+        error = np.where(np.isnan(error), np.inf, error)
+        place = np.argmin(error, axis=-1)[..., None]
+        value, surest = (np.take_along_axis(each, place, -1)[..., 0] for each in (following, error))
+        is_better = surest < least
         best = np.where(is_better, value, best)
-        least = np.where(is_better, error, least)
+        least = np.where(is_better, surest, least)
         column = following
     return best, least
 
 
-def _without_power(column: Floats, power: int) -> Floats:
-    """The next column of a tableau, without this power of h."""
+def _combined(column: Floats, power: int, sign: float) -> Floats:
+    """The next column of a tableau, without this power of h; with a positive sign the noise of it."""
     factor = 2.0**power
     longer = column[..., :-1]
     shorter = column[..., 1:]
-    difference = factor * shorter - longer
-    weight = factor - 1
-    return np.asarray(difference / weight)
-
-
-def _noise_without_power(noise: Floats, power: int) -> Floats:
-    factor = 2.0**power
-    longer = noise[..., :-1]
-    shorter = noise[..., 1:]
-    most = factor * shorter + longer
-    weight = factor - 1
-    return np.asarray(most / weight)
+    return np.asarray((factor * shorter + sign * longer) / (factor - 1))
 
 
 def _last_change(following: Floats, column: Floats) -> Floats:
     """The greatest change to an entry from both neighbours in the column before, or to the next in its own."""
-    longer = column[..., :-1]
-    shorter = column[..., 1:]
-    after = following[..., 1:]
-    before_last = following[..., -2:-1]
-    next_one = np.concatenate([after, before_last], axis=-1)
-    change = np.abs(following - longer)
-    for other in (shorter, next_one):
-        difference = np.abs(following - other)
-        change = np.maximum(change, difference)
-    return np.asarray(change)
+    next_one = np.concatenate([following[..., 1:], following[..., -2:-1]], axis=-1)
+    around = column[..., :-1], column[..., 1:], next_one
+    return np.max([np.abs(following - other) for other in around], axis=0)
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     """By how much values at shorter steps are others, beyond their noise."""
-    one = following[..., :, None]
-    other = following[..., None, :]
-    differences = np.abs(one - other)
-    allowed = NOISY * noise
-    allowed_of_other = allowed[..., None, :]
-    unlike = differences - allowed_of_other
-    at_shorter = _at_shorter(unlike)
-    return np.asarray(np.max(unlike, axis=-1, where=at_shorter, initial=0.0))
-
-
-def _at_shorter(pairs: Floats) -> Flags:
-    """Which pairs of steps have the shorter one second, as a mask of the last two axes."""
-    count = pairs.shape[-1]
-    lower = np.tri(count, dtype=bool)
-    return np.broadcast_to(lower.T, pairs.shape)
+    differences = np.abs(following[..., :, None] - following[..., None, :])
+    unlike = differences - NOISY * noise[..., None, :]
+    return np.triu(unlike).max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
     """How much values scatter at the shortest steps: the greatest of what a cubic leaves, of all steps."""
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
-        column = _without_power(column, power)
+        column = _combined(column, power, -1.0)
     changes = np.abs(np.diff(column))
     known = np.nan_to_num(changes)
     return np.asarray(np.max(known, axis=-1, keepdims=True))
