@@ -27,11 +27,14 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> tuple[Float
     for power in range(first_power, last_power + 1, first_power):
         following = _combined(column, power, -1.0)
         noise = _combined(noise, power, 1.0)
-        error = CAUTION * _last_change(following, column) + noise
+        change = _last_change(following, column)
+        error = CAUTION * change + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
-        error = np.where(np.isnan(error), np.inf, error)
-        place = np.argmin(error, axis=-1)[..., None]
-        value, surest = (np.take_along_axis(each, place, -1)[..., 0] for each in (following, error))
+        is_unknown = np.isnan(error)
+        error = np.where(is_unknown, np.inf, error)
+        place = np.argmin(error, axis=-1, keepdims=True)
+        value = np.take_along_axis(following, place, -1)[..., 0]
+        surest = np.take_along_axis(error, place, -1)[..., 0]
         is_better = surest < least
         best = np.where(is_better, value, best)
         least = np.where(is_better, surest, least)
@@ -44,20 +47,29 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
     factor = 2.0**power
     longer = column[..., :-1]
     shorter = column[..., 1:]
-    return np.asarray((factor * shorter + sign * longer) / (factor - 1))
+    combined = factor * shorter + sign * longer
+    weight = factor - 1
+    return np.asarray(combined / weight)
 
 
 def _last_change(following: Floats, column: Floats) -> Floats:
     """The greatest change to an entry from both neighbours in the column before, or to the next in its own."""
-    next_one = np.concatenate([following[..., 1:], following[..., -2:-1]], axis=-1)
-    around = column[..., :-1], column[..., 1:], next_one
-    return np.max([np.abs(following - other) for other in around], axis=0)
+    longer = column[..., :-1]
+    shorter = column[..., 1:]
+    after = following[..., 1:]
+    before_last = following[..., -2:-1]
+    next_one = np.concatenate([after, before_last], axis=-1)
+    changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
+    return np.max(changes, axis=0)
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     """By how much values at shorter steps are others, beyond their noise."""
-    differences = np.abs(following[..., :, None] - following[..., None, :])
-    unlike = differences - NOISY * noise[..., None, :]
+    one = following[..., :, None]
+    other = following[..., None, :]
+    differences = np.abs(one - other)
+    allowed = NOISY * noise
+    unlike = differences - allowed[..., None, :]
     return np.triu(unlike).max(axis=-1)
 
 

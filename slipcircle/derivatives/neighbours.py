@@ -60,23 +60,37 @@ def neighbour_derivatives(
     remaining = list(free.values())
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
-        rungs = RUNGS * ladder + np.arange(RUNGS)
-        steps = FIRST * scales * 2.0**-rungs
+        first = RUNGS * ladder
+        rungs = np.arange(first, first + RUNGS)
+        longest = FIRST * scales
+        steps = longest * 2.0**-rungs
         here, beside = _solved(scene, outcomes, remaining, steps)
-        every, near = _judged(here, beside, steps, scales, CAUTION * max(ACCURACY, error))
+        off = CAUTION * max(ACCURACY, error)
+        every, goals = _judged(here, beside, steps, scales, off)
         are_open = []
-        for k, number in enumerate(remaining):
-            by_number = [row[k] for row in every]
-            limits = near[:, k].tolist()
+        for number, by_number, goal in zip(remaining, every, goals, strict=True):
             known = found.get(number.name, by_number)
-            found[number.name] = [_nearer(*pair) for pair in zip(known, by_number, strict=True)]
-            if any(new.kinds == JUMP or not new.errors <= most for new, most in zip(by_number, limits, strict=True)):
+            pairs = zip(known, by_number, strict=True)
+            found[number.name] = [_nearer(*pair) for pair in pairs]
+            if _is_open(by_number, goal):
                 are_open.append(number)
         remaining = are_open
         if not remaining:
             break
-    rows = [*zip(*found.values(), strict=True)]  # by outcome
-    return Derivatives(*(np.array([[one[k] for one in row] for row in rows]) for k in range(len(Derivatives._fields))))
+    columns = []
+    for name in Derivatives._fields:
+        column = np.array([[getattr(one, name) for one in by_outcome] for by_outcome in found.values()])
+        columns.append(column.swapaxes(0, 1))
+    return Derivatives(*columns)
+
+
+def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
+    """Whether the derivatives of some outcome by a number need another ladder."""
+    for one, most in zip(found, goal, strict=True):
+        is_near = one.errors <= most
+        if not is_near or one.kinds == JUMP:
+            return True
+    return False
 
 
 # --- ensembles -------------------------------------------------------------------------------------------------------
@@ -88,20 +102,30 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
     Of the numbers of a section's shape only some are in one ensemble.
     """
     is_section = "ground" in scene.arc.quantities
-    places = range(len(numbers))
-    of_shape = [k for k in places if is_section and numbers[k].name.startswith(SHAPE)]
-    parts = [[k for k in places if k not in of_shape]]
-    parts += [of_shape[first : first + TOGETHER] for first in range(0, len(of_shape), TOGETHER)]
-    here: list[Any] = [None] * len(numbers)
-    beside: list[Any] = [None] * len(numbers)
+    of_shape = list[int]()
+    others = list[int]()
+    for k, number in enumerate(numbers):
+        is_shape = is_section and number.name.startswith(SHAPE)
+        chosen = of_shape if is_shape else others
+        chosen.append(k)
+    parts = [others]
+    for first in range(0, len(of_shape), TOGETHER):
+        parts.append(of_shape[first : first + TOGETHER])
+    here = {}
+    beside = {}
     for part in filter(None, parts):
         offsets = steps[part] * SIDES
-        values = _neighbours(scene, outcomes, [numbers[k] for k in part], offsets)
-        of_others = values[:, 1:].reshape(-1, *offsets.shape)
+        chosen_numbers = [numbers[k] for k in part]
+        values = _neighbours(scene, outcomes, chosen_numbers, offsets)
+        of_others = values[:, 1:]
+        of_others = of_others.reshape(-1, *offsets.shape)
         for place, k in enumerate(part):
             here[k] = values[:, :1]
             beside[k] = of_others[:, place]
-    return np.stack(here, axis=1), np.stack(beside, axis=1)
+    in_order = range(len(numbers))
+    all_here = [here[k] for k in in_order]
+    all_beside = [beside[k] for k in in_order]
+    return np.stack(all_here, axis=1), np.stack(all_beside, axis=1)
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
@@ -110,7 +134,8 @@ def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free]
     for k, number in enumerate(numbers):
         change = np.zeros_like(offsets)
         change[k] = offsets[k]
-        arrays[number.name] = number.value + np.append(0.0, change)
+        with_scene = np.append(0.0, change)
+        arrays[number.name] = number.value + with_scene
     changed, invalid = with_parameter_arrays(scene, arrays)
     accurate = replace(changed, accuracy=ACCURACY)
     with np.errstate(all="ignore"):
@@ -123,56 +148,80 @@ def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free]
 
 def _judged(
     here: Floats, beside: Floats, steps: Floats, scales: Floats, off: float
-) -> tuple[list[list[Derivatives]], Floats]:
-    """Derivatives by one ladder, and the errors below which they need no other; outcomes are ``off`` alike."""
+) -> tuple[list[list[Derivatives]], list[list[float]]]:
+    """Derivatives by one ladder, (numbers, outcomes), and the errors below which they need no other.
+
+    Outcomes are ``off`` alike, relative.
+    """
     largest = _largest(here, beside)
     scatter = noise_of(beside) + ROUNDING * largest[..., None]
     noise = np.broadcast_to(scatter, beside.shape)
-    jumps = _jumps(here, beside, noise, ACCURACY * largest)
-    slopes, slope_errors = _slopes(beside, noise, steps)
+    jumps = _jumps(here, beside, noise, largest)
+    slopes, errors = _slopes(beside, noise, steps)
     steepness = np.abs(slopes)
-    slope_errors = slope_errors + off * steepness
-    is_sure = (slope_errors < KNOWN * steepness) & (jumps == 0.0)
-    changes = np.where(is_sure, steepness, 0.0) * scales[..., 0]
-    most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
-    size = np.maximum(largest, most_by_any) / scales[..., 0]  # the most that any number does, by each one's scale
-    slope_errors = np.where(slope_errors <= KNOWN * size, slope_errors, np.inf)
+    errors = errors + off * steepness
+    is_sure = errors < KNOWN * steepness
+    is_sure &= jumps == 0.0
+    sure = np.where(is_sure, steepness, 0.0)
+    size = _greatest(sure, scales[..., 0], largest)
+    is_known = errors <= KNOWN * size
+    errors = np.where(is_known, errors, np.inf)
     central, of_central = _central(beside, noise, steps)
     of_central = of_central + off * np.abs(central)
     is_end = np.isnan(beside[..., -1])
     shortest = np.broadcast_to(steps[:, 0, -1], central.shape)
-    columns = slopes, slope_errors, jumps, central, of_central, is_end, shortest
-    every = [[_of_one(*one) for one in zip(*row, strict=True)] for row in zip(*columns, strict=True)]
-    return every, GOAL * size[..., 0]
+    by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
+    by_number = [column.swapaxes(0, 1) for column in by_outcome]
+    every = [[_of_one(*one) for one in zip(*of_number, strict=True)] for of_number in zip(*by_number, strict=True)]
+    goals = GOAL * size[..., 0]
+    return every, goals.T.tolist()
 
 
 def _largest(here: Floats, beside: Floats) -> Floats:
     """The size of each outcome, (outcomes, 1, 1); of one that is 0, that of its neighbours."""
-    largest = np.abs(here).max(axis=(1, 2), keepdims=True, initial=0.0)
-    largest_beside = np.nanmax(np.abs(beside), axis=(1, 2, 3), initial=0.0)
-    return np.where(largest, largest, largest_beside[:, None, None])
+    sizes = np.abs(here)
+    sizes_beside = np.abs(beside)
+    largest = sizes.max(axis=(1, 2), keepdims=True, initial=0.0)
+    largest_beside = np.nanmax(sizes_beside, axis=(1, 2, 3), initial=0.0)
+    by_outcome = largest_beside[:, None, None]
+    return np.where(largest, largest, by_outcome)
 
 
-def _jumps(here: Floats, beside: Floats, noise: Floats, unseen: Floats) -> Floats:
+def _greatest(steepness: Floats, scale: Floats, largest: Floats) -> Floats:
+    """The most that a change of any number by its scale does to an outcome, over the scale of each number."""
+    changes = steepness * scale
+    most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
+    most = np.maximum(largest, most_by_any)
+    return np.asarray(most / scale)
+
+
+def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floats:
     """Of outcomes on each side; 0 where they are continuous or not known."""
     limits, errors = extrapolated(beside, noise, 1)
     gaps = limits - here
-    return np.where(np.abs(gaps) > np.maximum(errors, unseen), gaps, 0.0)
+    smallest = np.maximum(errors, ACCURACY * largest)
+    is_gap = np.abs(gaps) > smallest
+    return np.where(is_gap, gaps, 0.0)
 
 
 def _slopes(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
     """Of each side by itself."""
     shorter = steps[..., 1:]
-    rise = SIDES * (beside[..., :-1] - beside[..., 1:])
+    farther = beside[..., :-1]
+    nearer = beside[..., 1:]
+    rise = SIDES * (farther - nearer)
     of_rise = 2 * noise[..., 1:]
     return extrapolated(rise / shorter, of_rise / shorter, 1)
 
 
 def _central(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
     """Between both sides."""
-    shares = steps[:, 0]
-    rise = beside[:, :, 1] - beside[:, :, 0]
-    return extrapolated(rise / (2 * shares), noise.max(axis=2) / shares, 2)
+    step = steps[:, 0]
+    below, above = np.moveaxis(beside, 2, 0)
+    rise = above - below
+    of_rise = noise.max(axis=2)
+    apart = 2 * step
+    return extrapolated(rise / apart, of_rise / step, 2)
 
 
 def _of_one(
@@ -183,26 +232,36 @@ def _of_one(
     A jump that a kink nearer than the longer steps would feign is left open.
     """
     is_known = np.isfinite(errors)
-    joined = is_known & (jumps == 0.0)
-    surest = int(np.argmin(np.where(joined, errors, np.inf)))
-    steepest = np.max(np.abs(slopes), where=is_known, initial=0.0)
     has_jump = jumps != 0.0
-    is_feigned = has_jump & (np.abs(jumps) < RUNGS * shortest * steepest)
-    kind, value, error = UNRESOLVED, slopes[surest], errors[surest]
+    joined = is_known & ~has_jump
+    errors_of_joined = np.where(joined, errors, np.inf)
+    surest = int(np.argmin(errors_of_joined))
+    steepness = np.abs(slopes)
+    steepest = np.max(steepness, where=is_known, initial=0.0)
+    feigned = RUNGS * shortest * steepest
+    is_feigned = has_jump & (np.abs(jumps) < feigned)
+    below, above = slopes
+    kind = UNRESOLVED
+    value = slopes[surest]
+    error = errors[surest]
     if np.any(is_feigned):
         pass
-    elif np.all(joined) and abs(slopes[1] - slopes[0]) > errors.sum():
-        kind, value, error = KINK, slopes.mean(), errors.max()
+    elif np.all(joined) and abs(above - below) > errors.sum():
+        kind = KINK
+        value = slopes.mean()
+        error = errors.max()
     elif np.all(joined):
         kind = SMOOTH
         if of_central < error:
-            value, error = central, of_central
+            value = central
+            error = of_central
     elif joined[surest] and is_end[1 - surest]:
         kind = ONE_SIDE
     elif np.any(has_jump):
         kind = JUMP
     if kind == UNRESOLVED or not np.any(joined):
-        value, error = np.nan, np.inf
+        value = np.nan
+        error = np.inf
     return Derivatives(kind, value, error, slopes, errors, jumps)
 
 
@@ -212,7 +271,10 @@ def _nearer(before: Derivatives, new: Derivatives) -> Derivatives:
         return new
     surer = before if before.errors <= new.errors else new
     is_farther = before.kinds == JUMP and new.kinds == SMOOTH  # than the shortest steps, the jump
-    chosen = new._replace(values=surer.values, errors=surer.errors) if is_farther else surer
-    if abs(new.values - before.values) > new.errors + before.errors:
+    chosen = surer
+    if is_farther:
+        chosen = new._replace(values=surer.values, errors=surer.errors)
+    difference = abs(new.values - before.values)
+    if difference > new.errors + before.errors:
         return chosen._replace(kinds=UNRESOLVED, values=np.nan, errors=np.inf)
     return chosen

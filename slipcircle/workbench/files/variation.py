@@ -22,7 +22,8 @@ def along_means(scene: Scene) -> Scene:
     found = scene.stability
     drawn = uncertain_numbers(scene)
     means = {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()}
-    if np.allclose([scene.numbers[n] for n in means], [*means.values()], rtol=1e-12, atol=0.0):
+    medians: list[Any] = [scene.numbers[n] for n in means]
+    if np.allclose(medians, [*means.values()], rtol=1e-12, atol=0.0):
         return scene
     assert isinstance(scene.arc, Section)
     found = critical(slope_of(with_parameters(scene, means), found.slope), found.method, **found.limits)
