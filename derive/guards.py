@@ -36,11 +36,8 @@ FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite 
 MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
 ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
-TABLES_OF = (
-    ("slip", "m", "list"),
-    ("speed", "m/s", "list"),
-    ("time", "s", "list"),
-)  # arguments of laws without formula
+# Arguments of laws without formula.
+TABLES_OF = (("slip", "m", "list"), ("speed", "m/s", "list"), ("time", "s", "list"))
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
 KINDS = (*NUMBERS, "list", "text", "flag")
@@ -153,7 +150,7 @@ def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
 def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
     """Names, kinds, bounds, units and keys."""
     taken = {*KEYS.split()}
-    formula = NUMBERS
+    formula: tuple[str, ...] = NUMBERS
     if isinstance(e, Law):
         formula = KINDS if e.coefficient is None else ("number",)
     for p in e.parameters:
