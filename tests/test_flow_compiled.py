@@ -79,11 +79,13 @@ def interpreted(program: Program) -> bytes:
 @pytest.mark.parametrize("law", FRICTION)
 def test_a_straight_line_program_has_the_bits_of_its_interpretation(law: str, of: str, monkeypatch: Any) -> None:
     name, called = STRAIGHT[of]
-    scene: Any = slipcircle.load(name)
-    bound = posed(replace(scene, friction=FRICTION[law], effects=TURNING | called, initial_velocity=PUSHED), 1e-11)
+    slide: Any = slipcircle.load(name)
+    scene = replace(slide, friction=FRICTION[law], effects=TURNING | called, initial_velocity=PUSHED)
+    bound = posed(scene, 1e-11)
     number = list(STRAIGHT).index(of) % 4 + 4 * list(FRICTION).index(law)  # cohesion is a cell: the first one serves
     assert BINARY.straight_line(encoded(bound.program)) == number
     assert BINARY.straight_line(interpreted(bound.program)) == -1
+    assert slipcircle.plan(scene).method.endswith("; straight-line")
     for level in BINARY.LEVELS:
         straight = integrate(bound, level=level)
         with monkeypatch.context() as patched:
