@@ -1,12 +1,17 @@
-"""Our ensembles and single scenes beside heyoka's Taylor integrator, each at its best setting.
+"""Our ensembles and single scenes beside heyoka's Taylor integrator, each at its best setting, for every vector width.
 
-``python -m tests.campaigns.heyoka`` needs heyoka: pip install heyoka. The slide of Vaiont, turning, with centripetal
-pressure, under three laws of friction: 10,000 frictions on one core, then one. heyoka gets batches of 8, 16 and 32
-neighbouring frictions, of which the fastest counts, AVX-512 where the processor has it, and no peak velocity, which
-would take a call of Python from each lane; lanes that have not come to rest with the others of their batch run on.
+``python -m tests.campaigns.speed`` needs heyoka: pip install heyoka. The slide of Vaiont, turning, with centripetal
+pressure, under three laws of friction: 8,000 frictions on one core, then one. heyoka gets batches of 4 to 32
+neighbouring frictions, of which the fastest counts, and no peak velocity, which would take a call of Python from each
+lane; lanes that have not come to rest with the others of their batch run on. Each kind of processor that our binary has
+runs in a process of its own: AVX-512 in both, or vectors of 256 bits in both. heyoka knows the processor, though, and
+keeps its further registers and instructions; ours is what runs on one with AVX2 alone.
 """
 
 import math
+import os
+import subprocess
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache, partial
@@ -21,11 +26,14 @@ from generated import kernels
 from slipcircle import Scene, load, solve
 from slipcircle.workbench.cost.rows import interleaved
 from slipcircle.workbench.outputs.info import machine
+from tests.support.lanes import BINARY
 
 Floats = NDArray[np.float64]
 ACCURACY = 1e-9
-COUNT = 10_000
-BATCHES = (8, 16, 32)
+LEVEL = os.environ.get("SLIPCIRCLE_COMPILED", "")
+WIDE = ("avx512", "avx2")
+COUNT = 8_000
+BATCHES = (4, 8, 16, 32)
 LATEST = 1e3  # standstill, dimensionless
 STANDING = 1e-13  # angular velocity below which a lane has come to rest
 VAIONT: Scene[Any] = load("vaiont")
@@ -71,7 +79,7 @@ def equation(law: str) -> list[tuple[Any, Any]]:
     return [(phi, omega), (omega, weight * hy.sin(psi) - mu * (radial * hy.cos(psi) + polar * omega * omega))]
 
 
-def in_batches(law: str, tolerance: float, lanes: int, wide: bool = True) -> Callable[[Floats], Floats]:
+def in_batches(law: str, tolerance: float, lanes: int) -> Callable[[Floats], Floats]:
     """A function from frictions to rotation and time at rest, dimensionless, compiled for batches of so many lanes."""
     standstill = hy.t_event_batch(equation(law)[1][0], direction=hy.event_direction.negative)
     start = np.zeros((2, lanes))
@@ -81,7 +89,7 @@ def in_batches(law: str, tolerance: float, lanes: int, wide: bool = True) -> Cal
         pars=np.zeros((1, lanes)),
         tol=tolerance,
         t_events=[standstill],
-        force_avx512=wide,
+        force_avx512=LEVEL == "avx512",
         fast_math=True,
     )
     state, parameters = integrator.state, integrator.pars
@@ -150,12 +158,17 @@ def compare(law: str, count: int) -> None:
     best = min(taken for name, taken in seconds.items() if name != "ours")
     for name, way in ways.items():
         error = float(np.max(np.abs(way(mu) / exact - 1)))
-        print(f"{law:<12}{count:>6}  {name:<18}{1e6 * seconds[name] / count:>9.3f} us  error {error:.1e}")
-    print(f"{law:<12}{count:>6}  ours takes {seconds['ours'] / best:.2f} times as long as heyoka at its best")
+        print(f"{LEVEL:<8}{law:<12}{count:>6}  {name:<18}{1e6 * seconds[name] / count:>9.3f} us  error {error:.1e}")
+    print(f"{LEVEL:<8}{law:<12}{count:>6}  ours takes {seconds['ours'] / best:.2f} times as long as heyoka at its best")
 
 
 def main() -> None:
-    """Print the comparison."""
+    """Print the comparison, for the level that is asked for or for one after the other."""
+    if LEVEL not in WIDE:
+        for level in (x for x in WIDE if x in BINARY.LEVELS):
+            environment = {**os.environ, "SLIPCIRCLE_COMPILED": level}
+            subprocess.run([sys.executable, "-m", "tests.campaigns.speed"], env=environment, check=True)
+        return
     for count in (COUNT, 1):
         for law in LAWS:
             compare(law, count)
