@@ -308,5 +308,4 @@ class Trajectory:
 
 def _before(values: Any, axes: int) -> Any:
     """Numbers of lanes with further axes for times; one number stays one."""
-    shape = np.shape(values)
-    return np.reshape(values, (*shape, *[1] * axes)) if shape else values
+    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))
