@@ -128,13 +128,17 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
     summary = summary_vector(final)
     samples = Samples(summary[0] * SHARES, states)
-    cells = integrate(problem, perturbed_runs(problem, slice(None), rounding), samples)
-    spread = np.fmax.reduce(_changes(cells, summary), axis=None)
+    begin = perturbed_runs(problem, slice(None), rounding)
+    cells = integrate(problem, begin, samples)
+    changes = _changes(cells, summary)
+    spread = np.fmax.reduce(changes, axis=None)
     if final[ix.PHASES] > 0.0:
         rotation_and_velocity = states[:2]
-        change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
+        of_motion = rotation_and_velocity[:, :, :1]
+        change = np.abs(rotation_and_velocity - of_motion)
         run_out_and_peak = _size(summary[1:])
-        greatest = np.fmax.reduce(change / run_out_and_peak[..., None], axis=None)
+        along = change / run_out_and_peak[..., None]
+        greatest = np.fmax.reduce(along, axis=None)
         spread = np.fmax(spread, greatest)
     unlike = _ends_otherwise(cells, final)
     return float(spread), bool(unlike.any())
@@ -168,4 +172,5 @@ def summary_vector(final: Any) -> Floats:
     duration = choose(ended, final[ix.END_TIME], rest)
     peak_velocity = np.abs(final[ix.PEAK_OMEGA])
     run_out = final[ix.END_ROTATION]
-    return np.array([duration, run_out, peak_velocity]).reshape(3, -1)
+    summary = np.array([duration, run_out, peak_velocity])
+    return summary.reshape(3, -1)
