@@ -17,6 +17,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     LINES,
     SCENERY,
     SOILS,
+    area,
     axis,
     ending,
     label,
@@ -90,19 +91,24 @@ def set_stage(motion: Motion, ax: Any) -> Stage:
     """Draw slope and circle of a motion to scale, with room for all positions of the mass."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
-    is_arc = isinstance(soil, Arc)
     magnification = magnified(motion)
     facing = float(soil.facing)
     poses = _poses(motion)
     turns = [magnification * pose.rotation * facing for pose in poses]
     outlines = [mass.outline(turn) for turn in turns]
+    view = surroundings(ax, mass, soil, outlines)
+    return Stage(mass, magnification, poses, turns, outlines, view)
+
+
+def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> View:
+    """Draw slope and circle to scale, with room for the mass in all these outlines; return the view."""
     view = View.around(*outlines)
     margin = _MARGIN * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin), outlines)
-    origin = " from the centre K" if is_arc else ""
+    origin = " from the centre K" if isinstance(soil, Arc) else ""
     view.show(ax)
     to_scale(ax, f"$x${origin} (m)", f"$y${origin} (m)")
-    return Stage(mass, magnification, poses, turns, outlines, view)
+    return view
 
 
 def _poses(motion: Motion) -> list[Pose]:
@@ -133,10 +139,8 @@ def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], righ
 
     Labels are at the rear of the mass at the start and at its front at the end.
     """
-    from matplotlib.patches import Polygon
-
     for pose, outline in zip(poses, outlines, strict=True):
-        ax.add_patch(Polygon(outline, closed=True, zorder=2, label=pose.role, **AREAS[pose.role]))
+        area(ax, outline, pose.role, label=pose.role)
         tips = outline[[0, ON_ARC - 1]]
         rear, front = tips if rightwards else tips[::-1]
         anchors = {"start": rear, "end": front}.get(pose.role, tips)
