@@ -101,8 +101,8 @@ def made(friction: dict[str, Any], cohesion: float, pressure: float) -> Slide:
     radius, theta_1, theta_2 = (number(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
     residual, peak, length = (number(friction[name]) for name in ("residual", "peak", "length"))
     softens = peak if friction["peak"] > friction["residual"] else None
-    stresses = (number(x) / 19000 for x in (cohesion, pressure))
-    return Slide(radius, theta_1, theta_2, residual, number(9.81), softens, length, *stresses)
+    loads = number(cohesion) / 19000, number(pressure) / 19000
+    return Slide(radius, theta_1, theta_2, residual, number(9.81), softens, length, loads[0], loads[1])
 
 
 @pytest.mark.parametrize(("friction", "cohesion", "pressure"), SCENES)
