@@ -16,7 +16,6 @@ from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain
 from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.effects import effect_mistakes, named, resolved
 from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
@@ -201,7 +200,7 @@ class Scene(Generic[Numbers]):
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
         ``cohesion.cohesion``, ..."""
-        numbers = arc_numbers(self.arc)
+        numbers = self.arc.numbers_by_name()
         if self.arc.friction is None:  # otherwise its soils have the numbers of friction
             numbers |= _friction_numbers(self.friction)
         numbers["initial_velocity"] = self.initial_velocity
@@ -223,14 +222,15 @@ class Scene(Generic[Numbers]):
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         values = [value for value in self.numbers.values() if type(value) is not float]
-        shapes = map(np.shape, values)
-        return np.broadcast_shapes(*shapes)
+        return np.broadcast_shapes(*map(np.shape, values)) if values else ()
 
 
 def _friction_numbers(friction: Any) -> dict[str, Any]:
     """The numbers of a friction, by name; functions and tables have none."""
     if callable(friction):
         return {}
+    if not isinstance(friction, Mapping):
+        return {"friction": friction}
     numbers = {}
     for path, (law, parameters) in zip(law_paths(friction), law_parts(friction), strict=True):
         if LAWS[law].parameters[0].kind != "list":

@@ -47,8 +47,8 @@ def indices_of(arc: Any, field: str) -> Indices:
     return _names(field, shape[len(lanes) :])
 
 
-def arc_numbers(arc: Any) -> dict[str, Any]:
-    """All numbers of an arc or a section by name: each one number, or an array of one a lane."""
+def coordinates(arc: Any) -> dict[str, Any]:
+    """All numbers of the fields of a section by name: each one number, or an array of one a lane."""
     numbers: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         value = getattr(arc, field)
@@ -58,7 +58,7 @@ def arc_numbers(arc: Any) -> dict[str, Any]:
         lanes: Any = np.asarray(value)
         for name, index in indices_of(arc, field).items():
             numbers[name] = lanes[(..., *index)]
-    return numbers | arc.other_numbers()
+    return numbers
 
 
 def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
