@@ -33,7 +33,11 @@ class Function:
 
 
 PYTHON = Language(
-    "python", "{name} = {text}", lambda x: "np.nan" if x != x else repr(x), "horner({x}, ({coefficients}))"
+    "python",
+    "{name} = {text}",
+    lambda x: "np.nan" if x != x else repr(x),
+    "horner({x}, ({coefficients}))",
+    several="{names} = {function}({arguments})",
 )
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
@@ -75,7 +79,7 @@ class PythonText:
         code = textwrap.indent("\n".join(lines), "    ")
         text = f"def {name}({', '.join(parameters)}) -> {returned}:\n{code}\n"
         self.reader.check(program, name, text)
-        if len(program.inputs) == len(program.outputs) == 1 and len(program.ops) > 9:
+        if len(program.ops) > 9:
             self.parts.append(Part(name, program))
         return text
 
@@ -199,11 +203,14 @@ def _fill(line: str, width: int = 112) -> str:
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(docstring: str, functions: Sequence[Function], place: str = "generated") -> str:
-    """A module of public functions, which are imported from ``place``."""
+def module(
+    docstring: str, functions: Sequence[Function], place: str = "generated", parts: Sequence[Program] = ()
+) -> str:
+    """A module of public functions, which are imported from ``place``, after the parts that they call."""
     text = PythonText()
     tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    code = "".join(f"\n\n{function(f, text, place)}" for f in functions)
+    code = "".join(f"\n\n{text.body(p)}" for p in parts)
+    code += "".join(f"\n\n{function(f, text, place)}" for f in functions)
     return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
 
 
