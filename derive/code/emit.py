@@ -132,12 +132,11 @@ def numpydoc(
     return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
 
 
-def _example(f: Function, place: str) -> tuple[str, ...]:
-    """A call and what it prints: so few digits are the same on every processor."""
-    p = f.program
-    value = p.run(*f.safe)
-    given = ", ".join(map(str, f.safe))
-    return (f">>> from {place} import {p.name}", f'>>> print(f"{{{p.name}({given}):.6f}}")', f"{float(value):.6f}")
+def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
+    """A call and what it prints, of several results the first: so few digits are the same on every processor."""
+    first = "[0]" * (len(p.outputs) > 1)
+    call = f"{p.name}({', '.join(map(str, given))}){first}"
+    return (f">>> from {place} import {p.name}", f'>>> print(f"{{{call}:.6f}}")', f"{float(p.run(*given)):.6f}")
 
 
 def function(f: Function, text: PythonText, place: str) -> str:
@@ -156,7 +155,7 @@ def function(f: Function, text: PythonText, place: str) -> str:
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
-        examples=_example(f, place),
+        examples=example(p, place, f.safe),
     )
     if f.tiers:
         return _tiered(f, text, doc)
@@ -233,14 +232,19 @@ def stub(functions: Sequence[Function]) -> str:
     return f"{imports}\n\n{code}"
 
 
-def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
+_GIVEN = {"theta_1": 4.0, "theta_2": 5.0, "alpha": 0.5}
+
+
+def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: str) -> str:
     """A module of bare formulas, each with its source: no domain, no types, no checks, and no warnings."""
     documented = []
     for p, source in programs:
-        cost = operations(p.operations())
-        documented.append(
-            (p, f'    """{source}: float64 arrays, no domain check.\n\n    Operations: {cost}.\n    """\n')
-        )
+        lines = [
+            f'"""{source}: float64 arrays, no domain check.',
+            f"Operations: {operations(p.operations())}.",
+            "\n    ".join(example(p, place, [_GIVEN[x] for x in p.inputs])) + '\n    """\n',
+        ]
+        documented.append((p, "    " + "\n\n    ".join(lines)))
     return plain_module(docstring, documented, before='@np.errstate(all="ignore")\n')
 
 

@@ -77,11 +77,14 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
         ),
         "motion.pyi": emit.stub(functions.motion()),
         "printed.py": emit.raw_module(
-            "The paper's own forms, as printed, for comparison only: they cancel and overflow.", printed
+            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
+            printed,
+            "generated.printed",
         ),
         "stable.py": emit.raw_module(
             "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
             functions.stable_programs(closed),
+            "generated.stable",
         ),
     }
 
