@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f2c6d9753f39bcb5235ebe31273846b0eea78b94aeadb97351ab8994d8bf5721
+# sha256 of the text below: bdf4f55f2158bee557723382411959ea83f13b13b95e7076eb746dc47b5111d3
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
 
 from __future__ import annotations
@@ -112,8 +112,8 @@ def appendix_I(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
     Operations: 83 mul, 14 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
 
     >>> from generated.printed import appendix_I
-    >>> print(f"{appendix_I(4.0, 5.0, 0.5):.6f}")
-    nan
+    >>> print(f"{appendix_I(5.0, 6.0, 0.5):.6f}")
+    0.054484
     """
     t1 = np.cos(alpha)
     t2 = np.cos(theta_2)
@@ -165,8 +165,8 @@ def appendix_II(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
     Operations: 86 mul, 19 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
 
     >>> from generated.printed import appendix_II
-    >>> print(f"{appendix_II(4.0, 5.0, 0.5):.6f}")
-    nan
+    >>> print(f"{appendix_II(5.0, 6.0, 0.5):.6f}")
+    -0.054726
     """
     t1 = np.sin(alpha)
     t2 = np.cos(theta_1)

@@ -232,7 +232,7 @@ def stub(functions: Sequence[Function]) -> str:
     return f"{imports}\n\n{code}"
 
 
-_GIVEN = {"theta_1": 4.0, "theta_2": 5.0, "alpha": 0.5}
+_GIVEN = {"theta_1": 5.0, "theta_2": 6.0, "alpha": 0.5}  # where the appendices have a value
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: str) -> str:
