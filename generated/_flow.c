@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "26dc3e6529f2c3711ac7fc1542e48bde988bc901f3d6273af682995874c9dcc7"
+#define DIGEST "9cd5397a95b7cec9a1233d15036429152abfad3f4cc78be867e2dc17df3c7200"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2043,14 +2043,15 @@ INLINE void consider(Batch *b, M here, V at, int event)
     c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
 }
 
-/* When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding. ``last`` and
- * ``slope`` are the speed and its derivative at the end of the step. */
-static void find_standstill(Batch *b, M here, int top, V last, V slope)
+/* When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding. */
+static void find_standstill(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *omega = b->r + job->role->omega;
     V *net = b->r + job->role->net;
+    const Pair last_slope = value_and_slope(omega, top, c[STEP]);
+    V last = last_slope.one, slope = last_slope.other;
     M from_rest = omega[0] == 0.0;
     M decelerates = net[0] < 0.0;
     M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
@@ -2098,12 +2099,12 @@ static void find_edges(Batch *b, M here, int t, int top)
 /* The first event of the step; of equal times the event that is searched last. Water over a mass may change faster
  * than its motion, for which the step was chosen: the normal force is a function of the position until the first
  * other event only, and may pass zero twice beyond it. */
-static void find_events(Batch *b, M here, int top, V last, V slope)
+static void find_events(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     c[EVENT] = pick(here, broadcast((double)EVENT_NONE), c[EVENT]);
-    find_standstill(b, here, top, last, slope);
+    find_standstill(b, here, top);
     if (job->role->upright >= 0) {
         find_crossing(b, here, b->r + job->role->upright, top - 1, broadcast(1.0), broadcast(0.0), (M){0}, EVENT_CHORD_UPRIGHT);
     }
@@ -2183,22 +2184,16 @@ INLINE M is_endless(Batch *b, M here, V room)
 }
 
 /* Record the greatest speed within the step, where the net moment falls through zero. */
-static void keep_peak(Batch *b, M here, int top, V rate)
+static void keep_peak(Batch *b, M here, int top, V rate, V slope)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     V *net = b->r + job->role->net;
-    M starts = (net[0] > 0.0) | ((net[0] == 0.0) & (net[1] > 0.0));
-    M may = here & ((starts & ((rate < 0.0) | (net[1] < 0.0))) | ((net[0] < 0.0) & (net[1] > 0.0) & (rate < 0.0)));
-    if (bits(may)) {
-        const Pair last_slope = value_and_slope(net, top - 1, c[STEP]);
-        V last = last_slope.one, slope = last_slope.other;
-        V at = falling_root(net, top - 1, c[STEP], last, slope, may);
-        M peaks = at < INFINITY;
-        if (bits(peaks)) {
-            V speed = value(b->r + job->role->omega, top, at);
-            keep_faster(b, peaks, speed, c[TIME] + at, value(b->r + job->role->x, top, at), value(net, top - 1, at));
-        }
+    V at = falling_root(net, top - 1, c[STEP], rate, slope, here);
+    M peaks = at < INFINITY;
+    if (bits(peaks)) {
+        V speed = value(b->r + job->role->omega, top, at);
+        keep_faster(b, peaks, speed, c[TIME] + at, value(b->r + job->role->x, top, at), value(net, top - 1, at));
     }
 }
 
@@ -2212,20 +2207,15 @@ static void make_step(Batch *b, M here)
     int top = expand(b, room, here, 0);
     choose_step(b, here, room, top);
     M reaches_limit = c[STEP] >= room;
-    V whole = c[STEP];
-    const Pair last_rate = value_and_slope(b->r + job->role->omega, top, whole);
-    V last = last_rate.one, rate = last_rate.other;
-    find_events(b, here, top, last, rate);
+    find_events(b, here, top);
     M uneventful = c[EVENT] == (double)EVENT_NONE;
     M endless = is_endless(b, here, room);
     c[STEP] = pick(here, pick(endless, broadcast(0.0), c[STEP]), c[STEP]);
     V step = c[STEP];
     V *net = b->r + job->role->net;
-    M shorter = here & (step != whole);
-    if (bits(shorter)) {
-        rate = pick(shorter, value(net, top - 1, step), rate);
-    }
-    keep_peak(b, here, top, rate);
+    const Pair rate_slope = value_and_slope(net, top - 1, step);
+    V rate = rate_slope.one, slope = rate_slope.other;
+    keep_peak(b, here, top, rate, slope);
     M at_limit = here & reaches_limit & uneventful & ~endless;
     V until = pick(at_limit, limit, c[TIME] + step);
     if (job->samples > 0) {

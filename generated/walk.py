@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4dc68622fb9bd9073548abcc25d1c18e401b7a74c88f86f443cb55f10cf4586e
+# sha256 of the text below: f07dafddb36912ba688fecac893cd18ea45c79285d2977ce52bc489bd5b50ee1
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1191,11 +1191,12 @@ def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
 
-def find_standstill(s: Lanes, here: Mask, top: int, last: Floats, slope: Floats) -> None:
+def find_standstill(s: Lanes, here: Mask, top: int) -> None:
     """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
     c = s.cells
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
+    last, slope = value_and_slope(omega, top, c[ix.STEP])
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest & (decelerates | (net[0] == 0.0) & (net[1] <= 0.0))
@@ -1235,11 +1236,11 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
     find_crossing(s, here, s.registers[s.roles.x], top, -1.0, upper, none_of(s), event)
 
 
-def find_events(s: Lanes, here: Mask, top: int, last: Floats, slope: Floats) -> None:
+def find_events(s: Lanes, here: Mask, top: int) -> None:
     """The first event of the step; of equal times the event that is searched last."""
     c = s.cells
     c[ix.EVENT] = np.where(here, float(ix.EVENT_NONE), c[ix.EVENT])
-    find_standstill(s, here, top, last, slope)
+    find_standstill(s, here, top)
     if s.roles.upright >= 0:
         find_crossing(s, here, s.registers[s.roles.upright], top - 1, 1.0, 0.0, none_of(s), ix.EVENT_CHORD_UPRIGHT)
     for t in s.tables:
@@ -1300,20 +1301,15 @@ def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
     return endless
 
 
-def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats) -> None:
+def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> None:
     """Record the greatest speed within the step, where the net moment falls through zero."""
     c = s.cells
     net = s.registers[s.roles.net]
-    starts = (net[0] > 0.0) | (net[0] == 0.0) & (net[1] > 0.0)
-    may = here & (starts & ((rate < 0.0) | (net[1] < 0.0)) | (net[0] < 0.0) & (net[1] > 0.0) & (rate < 0.0))
-    if np.any(may):
-        last, slope = value_and_slope(net, top - 1, c[ix.STEP])
-        at = falling_root(net, top - 1, c[ix.STEP], last, slope, may)
-        peaks = at < INFINITY
-        if np.any(peaks):
-            speed = value(s.registers[s.roles.omega], top, at)
-            keep_faster(s, peaks, speed, c[ix.TIME] + at, value(s.registers[s.roles.x], top, at), value(net, top - 1,
-                at))
+    at = falling_root(net, top - 1, c[ix.STEP], rate, slope, here)
+    peaks = at < INFINITY
+    if np.any(peaks):
+        speed = value(s.registers[s.roles.omega], top, at)
+        keep_faster(s, peaks, speed, c[ix.TIME] + at, value(s.registers[s.roles.x], top, at), value(net, top - 1, at))
 
 
 def make_step(s: Lanes, here: Mask) -> None:
@@ -1324,18 +1320,14 @@ def make_step(s: Lanes, here: Mask) -> None:
     top = expand(s, room, here, 0)
     choose_step(s, here, room, top)
     reaches_limit = c[ix.STEP] >= room
-    whole = c[ix.STEP].copy()
-    last, rate = value_and_slope(s.registers[s.roles.omega], top, whole)
-    find_events(s, here, top, last, rate)
+    find_events(s, here, top)
     uneventful = c[ix.EVENT] == float(ix.EVENT_NONE)
     endless = is_endless(s, here, room)
     c[ix.STEP] = np.where(here, np.where(endless, 0.0, c[ix.STEP]), c[ix.STEP])
     step = c[ix.STEP].copy()
     net = s.registers[s.roles.net]
-    shorter = here & (step != whole)
-    if np.any(shorter):
-        rate = np.where(shorter, value(net, top - 1, step), rate)
-    keep_peak(s, here, top, rate)
+    rate, slope = value_and_slope(net, top - 1, step)
+    keep_peak(s, here, top, rate, slope)
     at_limit = here & reaches_limit & uneventful & np.logical_not(endless)
     until = np.where(at_limit, limit, c[ix.TIME] + step)
     if s.samples:

@@ -136,13 +136,11 @@ def consider(s: Lanes, here: M, at: V, event: N) -> None:
     s.step = minimum(at, s.step)
 
 
-def find_standstill(s: Lanes, here: M, top: N, last: V, slope: V) -> None:
-    """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding.
-
-    ``last`` and ``slope`` are the speed and its derivative at the end of the step.
-    """
+def find_standstill(s: Lanes, here: M, top: N) -> None:
+    """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
     omega = s.series.omega
     net = s.series.net
+    last, slope = value_and_slope(omega, top, s.step)
     from_rest = omega[0] == 0.0
     decelerates = net[0] < 0.0
     falls_from_rest = from_rest and (decelerates or (net[0] == 0.0 and net[1] <= 0.0))
@@ -179,14 +177,14 @@ def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
     find_crossing(s, here, s.series.x, top, -1.0, upper, none_of(s), event)
 
 
-def find_events(s: Lanes, here: M, top: N, last: V, slope: V) -> None:
+def find_events(s: Lanes, here: M, top: N) -> None:
     """The first event of the step; of equal times the event that is searched last.
 
     Water over a mass may change faster than its motion, for which the step was chosen: the normal force is a function
     of the position until the first other event only, and may pass zero twice beyond it.
     """
     s.event = number(Event.NONE)
-    find_standstill(s, here, top, last, slope)
+    find_standstill(s, here, top)
     if s.has.upright:
         find_crossing(s, here, s.series.upright, top - 1, 1.0, 0.0, none_of(s), Event.CHORD_UPRIGHT)
     for t in s.tables:
@@ -245,18 +243,14 @@ def is_endless(s: Lanes, here: M, room: V) -> M:
     return endless
 
 
-def keep_peak(s: Lanes, here: M, top: N, rate: V) -> None:
+def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
     """Record the greatest speed within the step, where the net moment falls through zero."""
     net = s.series.net
-    starts = net[0] > 0.0 or (net[0] == 0.0 and net[1] > 0.0)
-    may = here and ((starts and (rate < 0.0 or net[1] < 0.0)) or (net[0] < 0.0 and net[1] > 0.0 and rate < 0.0))
-    if any_lane(may):
-        last, slope = value_and_slope(net, top - 1, s.step)
-        at = falling_root(net, top - 1, s.step, last, slope, may)
-        peaks = at < INFINITY
-        if any_lane(peaks):
-            speed = value(s.series.omega, top, at)
-            keep_faster(s, peaks, speed, s.time + at, value(s.series.x, top, at), value(net, top - 1, at))
+    at = falling_root(net, top - 1, s.step, rate, slope, here)
+    peaks = at < INFINITY
+    if any_lane(peaks):
+        speed = value(s.series.omega, top, at)
+        keep_faster(s, peaks, speed, s.time + at, value(s.series.x, top, at), value(net, top - 1, at))
 
 
 def make_step(s: Lanes, here: M) -> None:
@@ -266,18 +260,14 @@ def make_step(s: Lanes, here: M) -> None:
     top: N = expand(s, room, here, 0)
     choose_step(s, here, room, top)
     reaches_limit = s.step >= room
-    whole = s.step
-    last, rate = value_and_slope(s.series.omega, top, whole)  # the speed's slope is the net moment
-    find_events(s, here, top, last, rate)
+    find_events(s, here, top)
     uneventful = s.event == number(Event.NONE)
     endless = is_endless(s, here, room)
     s.step = where(endless, 0.0, s.step)
     step = s.step
     net = s.series.net
-    shorter = here and step != whole
-    if any_lane(shorter):
-        rate = where(shorter, value(net, top - 1, step), rate)
-    keep_peak(s, here, top, rate)
+    rate, slope = value_and_slope(net, top - 1, step)
+    keep_peak(s, here, top, rate, slope)
     at_limit = here and reaches_limit and uneventful and not endless
     until = where(at_limit, limit, s.time + step)
     if s.samples and here:
