@@ -110,6 +110,9 @@ class C(Writer):
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
         yield from self.block(f"EACH(lane, bits({mask}))", body)
 
+    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+        yield from self.block(self.say("while", bare(test.text)), s.body)
+
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
         yield from self.block(self.say("if", bare(test.text)), s.body)
 
