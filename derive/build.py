@@ -77,15 +77,17 @@ def parts(name: str, machine: str) -> Parts:
 
 
 def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Sequence[str]) -> None:
-    """Compile the objects of a module, and link them."""
+    """Compile the objects of a module, and link them; what else a linker leaves beside its binary goes."""
     with tempfile.TemporaryDirectory() as folder:
         objects = [str(Path(folder) / f"{k}.o") for k in range(len(parts))]
+        linked = Path(folder) / target.name
         commands = [[*flags, "-c", str(source), "-o", made] for flags, made in zip(parts, objects, strict=True)]
-        for command in (*commands, [*objects, *link, "-o", str(target), "-lm"]):
+        for command in (*commands, [*objects, *link, "-o", str(linked), "-lm"]):
             done = subprocess.run([*compiler, *command], capture_output=True, text=True, check=False)
             if done.returncode:
                 said = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()
                 raise NoBinaryError(f"{' '.join(compiler[:3])} fails: {said[:1]}")
+        shutil.move(linked, target)
 
 
 def c_compiler() -> list[str]:

@@ -6,7 +6,7 @@ The names listed here are public: all that the workbench, or any program built o
 need stands in rooms beside it, which `slipcircle.core.doors` lists.
 """
 
-from slipcircle.core.motion.forces import OUTPUTS
+from slipcircle.core.motion.forces import OUTPUTS, Forces
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Energy, State, Status
@@ -39,6 +39,7 @@ __all__ = [
     "Arc",
     "Dimensionless",
     "Energy",
+    "Forces",
     "Mass",
     "Motion",
     "Plan",

@@ -11,7 +11,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Program
 from slipcircle.core.walk.compiled import engine
-from slipcircle.core.walk.lanes import States, begin
+from slipcircle.core.walk.lanes import BLOCK, States, begin
 
 OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated beside the states
 
@@ -97,8 +97,14 @@ class Forces:
         All are read off the program. The excess of drive over resistance is linear in k_h: k_y is where it is zero.
         """
         problem = self.problem.with_steady_shaking()
+        parts = [self._statics(problem, slice(k, k + BLOCK)) for k in range(0, max(problem.lanes, 1), BLOCK)]
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+    def _statics(self, problem: Problem, which: slice) -> dict[str, Floats]:
+        """The same of some lanes, under a steady shaking that is 0."""
         program = problem.program
-        cells = problem.cells()
+        tables = problem.tables(which)
+        cells = problem.cells(which)
         pull = cells[program.places["driving_moment"]]
         downhill = np.where(pull < 0.0, -1.0, 1.0)
         cells[ix.OMEGA] = 0.0
@@ -107,8 +113,8 @@ class Forces:
         shaken = cells.copy()
         shaken[program.places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives
         for each in (cells, shaken):
-            engine().begin_phase(program, problem.tables(), each)
-        mu = cells[program.roles["cell_mu"]]
+            engine().begin_phase(program, tables, each)
+        mu = cells[program.roles["cell_mu"]].copy()  # so that the cells may go
         limit = cells[program.roles["cell_limit"]]
         with np.errstate(all="ignore"):
             return equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)

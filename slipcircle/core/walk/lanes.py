@@ -77,7 +77,7 @@ def read(problem: Problem, times: Floats) -> Floats:
     return rows
 
 
-BLOCK = 16000  # lanes at once, so that their numbers stay in the cache; rows a power of two apart would share its lines
+BLOCK = 8200  # lanes at once, so that their numbers stay in the cache; rows a power of two apart would share its lines
 ENTRIES = len(ix.CELLS)  # cells that every lane has, whatever its program
 
 

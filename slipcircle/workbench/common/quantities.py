@@ -181,9 +181,9 @@ def end_words(motion: Any) -> dict[str, str]:
     return {"comes to rest": "no", "duration": f"still moving at {time}"}
 
 
-def factors(motion: Any) -> dict[str, Any]:
-    """Factors of safety at the start by method: the paper's, and on a ground the others where the strength is known."""
-    found, scene = {OF_MOTION: motion.factor_of_safety}, motion.plan.scene
+def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
+    """Factors of safety at the start by method: the motion's, and on a ground others where the strength is known."""
+    found = {OF_MOTION: of_motion}
     if "ground" in scene.arc.quantities and soil(scene.friction, scene.called):
         by_method = factors_of_safety(scene)
         found |= {method: by_method[method] for method in METHODS if method not in found}
@@ -195,7 +195,7 @@ def summary(motion: Any) -> dict[str, str]:
     column = {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
     if motion.moves and not motion.no_slow_run_out:
         column |= {q.label: q.text(motion) for q in SINGLE if q.key}
-    known = factors(motion)
+    known = factors(motion.plan.scene, motion.factor_of_safety)
     column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
     for name, seen in motion.plan.scene.observed.items():
         column[f"observed {OBSERVABLE[name].label}"] = observed_text(motion, name, seen)

@@ -99,7 +99,7 @@ def motion_summary(motion: Motion) -> dict[str, str]:
 
 def difference_words(motion: Motion) -> str:
     """How far the factor of safety of a motion is from Bishop's, and why; empty where Bishop's is not known."""
-    known = factors(motion)
+    known = factors(motion.plan.scene, motion.factor_of_safety)
     gap = 100.0 * (known[OF_MOTION] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
     return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""

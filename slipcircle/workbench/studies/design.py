@@ -16,7 +16,7 @@ from slipcircle.core import ANSWERED, Motion, Scene, Status
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
 from slipcircle.workbench.files.numbers import Number, Uncertain
-from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.studies.motions import factors_at_start, motions
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.searched import searched_factors
 from slipcircle.workbench.studies.statistics import sums
@@ -122,8 +122,8 @@ class Design:
         -------
         dict of ndarray
             ``status`` counts; of each output the bins that are not empty, their counts, and of its finite values the
-            extremes and the `moments`; of each factor of safety the same, and how many are below 1 and not known; the
-            samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
+            extremes and the `moments`; where `with_factors`, what `at_start` has; the samples where they are kept. For
+            sensitivity indices instead the `sums` of each outcome.
         """
         if index >= self.sample_blocks:
             return {"sums": _sums(self, index)}
@@ -133,10 +133,12 @@ class Design:
         result: Result = {"status": np.bincount(status, minlength=len(Status))}
         for name, outcome in solved.outcomes.items():
             result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
-        by_method = factors(solved.motion)
+        by_method: dict[str, Floats] = {}
+        if self.with_factors:
+            by_method = factors(solved.motion.plan.scene, solved.motion.factor_of_safety)
         if self.search_each:
             by_method |= searched_factors(self.scene, solved.si, valid)
-        result |= _counted_factors({method: factor[valid] for method, factor in by_method.items()})
+        result |= _counted_factors(by_method, valid)
         if self.keep:
             for number, value in zip(self.inputs.values(), values, strict=True):
                 result[f"sample.{number.key}"] = value
@@ -146,6 +148,16 @@ class Design:
                 result[f"sample.factor of safety, {method}"] = np.where(np.isinf(factor), np.nan, factor)
             result["sample.status"] = status
         return result
+
+    @property
+    def with_factors(self) -> bool:
+        """Whether factors of safety come with the motions: a grid lists them, and a search for each is long work."""
+        return self.search_each or self.method == "grid"
+
+    def at_start(self, index: int) -> Result:
+        """Of each factor of safety of a block of samples the same as of outputs, and how many are below 1, unknown."""
+        by_method, valid = factors_at_start(self.scene, _si(self, self.values(index)), self.accuracy)
+        return _counted_factors(by_method, valid)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
@@ -180,11 +192,14 @@ class _Solved(NamedTuple):
     outcomes: dict[str, Floats]  # magnitudes; 0 of what does not move, infinite of what slides without a result
 
 
-def _solve(design: Design, values: list[Floats]) -> _Solved:
-    si = {}
+def _si(design: Design, values: list[Floats]) -> dict[str, Floats]:
+    """Values of the inputs in SI units, by name."""
     with np.errstate(all="ignore"):
-        for name, x in zip(design.inputs, values, strict=True):
-            si[name] = design.inputs[name].to_si(x)
+        return {name: design.inputs[name].to_si(x) for name, x in zip(design.inputs, values, strict=True)}
+
+
+def _solve(design: Design, values: list[Floats]) -> _Solved:
+    si = _si(design, values)
     motion = motions(design.scene, si, design.accuracy)
     no_result = np.isin(motion.status, NO_RESULT)
     is_invalid = motion.status == Status.INVALID
@@ -196,10 +211,11 @@ def _solve(design: Design, values: list[Floats]) -> _Solved:
     return _Solved(motion, moves, si, outcomes)
 
 
-def _counted_factors(factors: Mapping[str, Floats]) -> Result:
-    """By method: how many are below 1 and how many are not known, and the bins of the others."""
+def _counted_factors(by_method: Mapping[str, Floats], valid: Any) -> Result:
+    """By method, of what is valid: how many are below 1 and how many are not known, and the bins of the others."""
     result: Result = {}
-    for method, factor in factors.items():
+    for method, values in by_method.items():
+        factor = values[valid]
         unknown = np.isnan(factor)
         result[f"factor.{method}"] = np.array([np.sum(factor < 1.0), np.sum(unknown)])
         for part, value in counted(factor[~unknown]).items():

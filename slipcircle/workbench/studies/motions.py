@@ -5,13 +5,27 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core import Motion, Scene, solve
+from slipcircle.core import Forces, Motion, Scene, plan, problem_of, solve
 from slipcircle.derivatives import with_parameter_arrays
+from slipcircle.workbench.common.quantities import factors
 
 
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:
     """The motions of a scene with arrays of values, SI, by name; what is no scene is `Status.INVALID`."""
-    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
     with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
-        lanes, invalid = with_parameter_arrays(scene, arrays)
+        lanes, invalid = _lanes(scene, values)
         return solve(lanes, accuracy, invalid=invalid)
+
+
+def factors_at_start(scene: Scene, values: Mapping[str, Any], accuracy: float) -> tuple[dict[str, Any], Any]:
+    """Factors of safety of the same by method, and which are of scenes; nothing is integrated."""
+    with np.errstate(all="ignore"):
+        lanes, invalid = _lanes(scene, values)
+        statics = Forces(problem_of(plan(lanes, accuracy), invalid)).statics
+        return factors(lanes, statics["factor_of_safety"]), ~invalid
+
+
+def _lanes(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Any]:
+    """The scene with the values, and which lanes are no scenes."""
+    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
+    return with_parameter_arrays(scene, arrays)

@@ -22,6 +22,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
+from slipcircle.workbench.studies.factors import Factors, factors_of
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.searched import effect_of_searching
@@ -86,8 +87,7 @@ class Study(Pictured):
         replicates = design.replicates
         self._counts = np.zeros((replicates, len(Status)), np.int64)
         self._tallies = {name: Tally(replicates) for name in OUTCOMES}
-        self._failing: dict[str, NDArray[np.int64]] = {}
-        self._factors: dict[str, Tally] = {}
+        self._with_motions = Factors(replicates)
         self._add_all(results)
 
     def _add_all(self, results: Iterable[Result]) -> None:
@@ -114,14 +114,11 @@ class Study(Pictured):
         self._counts[replicate] += result["status"]
         for name, tally in self._tallies.items():
             tally.add(replicate, {part: result[f"{name}.{part}"] for part in COUNTED})
-        replicates = self.design.replicates
-        for name in result:
-            if name.startswith("factor."):
-                method = name.removeprefix("factor.")
-                counts = self._failing.setdefault(method, np.zeros((replicates, 2), np.int64))
-                counts[replicate] += result[name]
-                tally = self._factors.setdefault(method, Tally(replicates))
-                tally.add(replicate, {part: result[f"factor bins.{method}.{part}"] for part in COUNTED})
+        self._with_motions.add(replicate, result)
+
+    @cached_property
+    def _factors(self) -> Factors:
+        return self._with_motions if self.design.with_factors else factors_of(self.design)
 
     def _is_checkpoint(self, blocks: int) -> bool:
         """Whether the convergence is looked at after so many blocks: whole turns of all replicates, powers of two."""
@@ -240,12 +237,12 @@ class Study(Pictured):
 
     @property
     def failure(self) -> Mapping[str, Estimate]:
-        """Probability that the factor of safety at the start is below 1, by method.
+        """Probability that the factor of safety at the start is below 1, by method; computed when it is read.
 
         If some samples have no such factor the value is NaN, and the interval covers all possibilities.
         """
         found = {}
-        for method, counts in self._failing.items():
+        for method, counts in self._factors.counts.items():
             failing, unknown = counts.T
             estimate = self._single_probability(failing)
             if unknown.any():
@@ -259,7 +256,7 @@ class Study(Pictured):
 
         Of the samples that have such a factor.
         """
-        tally = self._factors[method]
+        tally = self._factors.tallies[method]
         known = int(tally.histograms.sum())
         if not known:
             return NOT_GIVEN
