@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7a7624e21fe2a0e4d1a8a27b85c1e0b6686db0634a783bb9fb33aeb1ad235f77"
+#define DIGEST "7de9249d8fb53c6c1c78eb73370860a2be34d47e2f789e647af08e706e83986d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1209,7 +1209,7 @@ INLINE void shift(double *terms, int count, double by)
 }
 
 /* A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line. */
-static double value_within(Batch *b, unsigned lane, int t, int64_t piece, double local)
+INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double local)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1220,7 +1220,7 @@ static double value_within(Batch *b, unsigned lane, int t, int64_t piece, double
 }
 
 /* A function of time now. */
-static double value_now(Batch *b, unsigned lane, int t)
+INLINE double value_now(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1250,26 +1250,26 @@ static void expand_sine(Batch *b, unsigned lane, int t, int top)
     }
 }
 
-/* What a function of time rises by in some time from now, within its piece. */
-static double rise_to(Batch *b, unsigned lane, int t, double past)
+/* What a function of time rises by from now to some way beyond, in the table's own argument, within its piece. */
+INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double terms[HIGHEST + 2];
     coefficients_of(b, lane, t, piece, terms);
-    double slope = terms[1] * c[job->table[t].cell + SCALE][lane];
-    c[job->table[t].cell + RISE][lane] = c[job->table[t].cell + SCALED_BY][lane] * slope;
+    double slope = c[job->table[t].cell + SCALED_BY][lane] * terms[1];
+    c[job->table[t].cell + RISE][lane] = slope * c[job->table[t].cell + SCALE][lane];
     if (job->data[t].sine) {
-        double half = (0.5 * slope) * past;
+        double half = (0.5 * terms[1]) * past;
         double angle = (terms[1] * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
         return (((2.0 * c[job->table[t].cell + SCALED_BY][lane]) * terms[0]) * sin(half)) * cos(angle + half);
     }
-    return c[job->table[t].cell + RISE][lane] * past;
+    return slope * past;
 }
 
 /* Where a piece ends, in the table's own argument; infinity after the last one. */
-static double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
+INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
@@ -1284,7 +1284,7 @@ static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double end = end_of_piece(b, lane, t, piece);
     c[job->table[t].cell + UPPER][lane] = end / c[job->table[t].cell + SCALE][lane];
-    double rise = rise_to(b, lane, t, (piece < ((int)job->data[t].pieces - 1)) ? ((end - now) / c[job->table[t].cell + SCALE][lane]) : 0.0);
+    double rise = rise_to(b, lane, t, (piece < ((int)job->data[t].pieces - 1)) ? (end - now) : 0.0);
     c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane] + rise;
     c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
 }
@@ -1446,7 +1446,7 @@ static void pass_breaks(Batch *b, unsigned lane)
 }
 
 /* Whether a force will still change while the lane rests. */
-static int still_changes(Batch *b, unsigned lane)
+INLINE int still_changes(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1740,7 +1740,7 @@ static void stay(Batch *b, unsigned lane, double status)
 }
 
 /* Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope. */
-static int may_start(Batch *b, unsigned lane)
+INLINE int may_start(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1750,7 +1750,7 @@ static int may_start(Batch *b, unsigned lane)
 }
 
 /* Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change. */
-static int never_rests(Batch *b, unsigned lane)
+INLINE int never_rests(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1906,13 +1906,13 @@ static void begin_here(Batch *b, unsigned lane)
 }
 
 /* Whether a piece ends before the end time, without a jump, and is followed by another one that ends. */
-static int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
+INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
     int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    int in_time = (break_of(b, lane, t, following) / c[job->table[t].cell + SCALE][lane]) < c[END_TIME][lane];
+    int in_time = break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS)));
     return (following < last) && in_time && (jump_of(b, lane, t, following) == 0.0);
 }
 
@@ -1933,12 +1933,14 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 }
 
 /* Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends. */
-static int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
+INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
-    double value = value_within(b, lane, t, (piece + 1) < last ? (piece + 1) : last, 0.0);
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last, terms);
+    double value = c[job->table[t].cell + SCALED_BY][lane] * terms[0];
     return (c[QUIET_FROM][lane] <= value) && (value <= c[QUIET_TO][lane]) && passes_quietly(b, lane, t, piece);
 }
 
@@ -1963,7 +1965,7 @@ static void wait(Batch *b, unsigned lane, int t)
 }
 
 /* Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it. */
-static int glides_on(Batch *b, unsigned lane, int t, double slope, double grip)
+INLINE int glides_on(Batch *b, unsigned lane, int t, double slope, double grip)
 {
     const Job *const job = b->job;
     V *const c = b->c;

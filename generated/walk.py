@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0e08afa61a9c0130bba97c35d9609e50816ff9a7cdef9005268816685a0b7ad0
+# sha256 of the text below: 85e8a724f71e16ff511c2c4b55a5a6ddb161b223273e503045960db1dc293b37
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -408,18 +408,18 @@ def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
 
 
 def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
-    """What a function of time rises by in some time from now, within its piece."""
+    """What a function of time rises by from now to some way beyond, in the table's own argument, within its piece."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, piece, terms)
-    slope = terms[1] * c[t.cells + ix.SCALE, i]
-    c[t.cells + ix.RISE, i] = c[t.cells + ix.SCALED_BY, i] * slope
+    slope = c[t.cells + ix.SCALED_BY, i] * terms[1]
+    c[t.cells + ix.RISE, i] = slope * c[t.cells + ix.SCALE, i]
     if t.sine:
-        half = 0.5 * slope * past
+        half = 0.5 * terms[1] * past
         angle = terms[1] * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
         return 2.0 * c[t.cells + ix.SCALED_BY, i] * terms[0] * np.sin(half) * np.cos(angle + half)
-    return c[t.cells + ix.RISE, i] * past
+    return slope * past
 
 
 def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
@@ -434,7 +434,7 @@ def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
     piece = integer(c[t.cells + ix.PIECE, i])
     end = end_of_piece(lane, i, t, piece)
     c[t.cells + ix.UPPER, i] = end / c[t.cells + ix.SCALE, i]
-    rise = rise_to(lane, i, t, np.where(piece < t.pieces - 1, (end - now) / c[t.cells + ix.SCALE, i], 0.0))
+    rise = rise_to(lane, i, t, np.where(piece < t.pieces - 1, end - now, 0.0))
     c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i] + rise
     c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
 
@@ -1034,7 +1034,7 @@ def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
     c = lane.cells
     last = t.pieces - 1
     following = np.fmin(piece + 1, last)
-    in_time = break_of(lane, i, t, following) / c[t.cells + ix.SCALE, i] < c[ix.END_TIME, i]
+    in_time = break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS)
     return (following < last) & in_time & (jump_of(lane, i, t, following) == 0.0)
 
 
@@ -1058,7 +1058,9 @@ def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
     """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
     c = lane.cells
     last = t.pieces - 1
-    value = value_within(lane, i, t, np.fmin(piece + 1, last), 0.0)
+    terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, np.fmin(piece + 1, last), terms)
+    value = c[t.cells + ix.SCALED_BY, i] * terms[0]
     return (c[ix.QUIET_FROM, i] <= value) & (value <= c[ix.QUIET_TO, i]) & passes_quietly(lane, i, t, piece)
 
 

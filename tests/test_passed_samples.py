@@ -13,9 +13,8 @@ from scipy.optimize import brentq
 
 from slipcircle import Motion, Scene, solve
 from slipcircle.tables import Series
-from tests.support.blocks import quake
+from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, quake, series
 from tests.support.lanes import BACKENDS, backend
-from tests.test_newmark import ARC, GRAVITY, MU, factor, of_block, series
 
 STILL = Series(np.array([0.0, 1000.0]), np.zeros(2))
 

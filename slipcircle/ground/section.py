@@ -25,7 +25,7 @@ from slipcircle.ground.plane import Vectors
 # The fields that the geometry consists of, and what is computed of them alone.
 _GEOMETRY = ("ground", "centre", "radius", "between", "level")
 _OF_GEOMETRY = [name for name, value in vars(SectionGeometry).items() if isinstance(value, cached_property)]
-_OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile"]
+_OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile_by_surface"]
 
 
 @dataclass(frozen=True)

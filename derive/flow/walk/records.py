@@ -5,6 +5,7 @@ of its value: of a mass at rest, and of one whose geometry and friction stay as 
 """
 
 from derive.flow.walk.one_lane import (
+    EPS,
     INFINITY,
     Lane,
     Lanes,
@@ -15,16 +16,18 @@ from derive.flow.walk.one_lane import (
     T,
     V,
     break_of,
+    coefficients_of,
     integer,
     jump_of,
     maximum,
     minimum,
     number,
+    numbers,
     read_samples,
     where,
 )
 from derive.flow.walk.phases import update_peak
-from derive.flow.walk.tables import pass_break, value_within
+from derive.flow.walk.tables import pass_break
 
 SURE = 1.0 - 2.0**-20  # share of a margin that may be used up: the rest is left to series
 ROUNDINGS = 2.0**27  # of its terms, which a margin exceeds
@@ -34,7 +37,7 @@ def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
     """Whether a piece ends before the end time, without a jump, and is followed by another one that ends."""
     last: N = t.pieces - 1
     following = minimum(piece + 1, last)
-    in_time = break_of(lane, t, following) / t.scale < lane.end_time
+    in_time = break_of(lane, t, following) < lane.end_time * t.scale * (1.0 - 4.0 * EPS)
     return following < last and in_time and jump_of(lane, t, following) == 0.0
 
 
@@ -57,7 +60,9 @@ def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
 def rests_on(lane: Lane, t: T, piece: int) -> bool:
     """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
     last: N = t.pieces - 1
-    value = value_within(lane, t, minimum(piece + 1, last), 0.0)
+    terms = numbers()
+    coefficients_of(lane, t, minimum(piece + 1, last), terms)
+    value = t.scaled_by * terms[0]
     return lane.quiet_from <= value and value <= lane.quiet_to and passes_quietly(lane, t, piece)
 
 

@@ -73,17 +73,17 @@ def expand_sine(lane: Lane, t: T, top: N) -> None:
 
 
 def rise_to(lane: Lane, t: T, past: float) -> float:
-    """What a function of time rises by in some time from now, within its piece."""
+    """What a function of time rises by from now to some way beyond, in the table's own argument, within its piece."""
     piece = integer(t.piece)
     terms = numbers()
     coefficients_of(lane, t, piece, terms)
-    slope = terms[1] * t.scale
-    t.rise = t.scaled_by * slope
+    slope = t.scaled_by * terms[1]
+    t.rise = slope * t.scale
     if t.sine:  # A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)
-        half = 0.5 * slope * past
+        half = 0.5 * terms[1] * past
         angle = terms[1] * (lane.time * t.scale - break_of(lane, t, piece)) + terms[2]
         return 2.0 * t.scaled_by * terms[0] * sin(half) * cos(angle + half)
-    return t.rise * past
+    return slope * past
 
 
 def end_of_piece(lane: Lane, t: T, piece: int) -> float:
@@ -97,7 +97,7 @@ def find_end_of_piece(lane: Lane, t: T, now: float) -> None:
     piece = integer(t.piece)
     end = end_of_piece(lane, t, piece)
     t.upper = end / t.scale
-    rise = rise_to(lane, t, where(piece < t.pieces - 1, (end - now) / t.scale, 0.0))
+    rise = rise_to(lane, t, where(piece < t.pieces - 1, end - now, 0.0))
     t.lower = t.inc + rise
     t.way = t.way + abs(rise)
 
