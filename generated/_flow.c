@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7de9249d8fb53c6c1c78eb73370860a2be34d47e2f789e647af08e706e83986d"
+#define DIGEST "51eb9aa378739683a1bd1d0810d550cdd5d0c89ff154430b158c37067e789705"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1932,6 +1932,22 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
     c[QUIET_TO] = pick(here, pick(sure, c[QUIET_TO], broadcast(-INFINITY)), c[QUIET_TO]);
 }
 
+/* Between which values of one function of time the mass certainly rests on, the way it faces. */
+INLINE void look_for_quiet(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V terms_of_normal = EPS * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+            keep_quiet(b, here, t, b->r + job->role->net, broadcast(-1.0), c[job->role->drive_scale]);
+            if (job->role->normal >= 0) {
+                keep_quiet(b, here, t, b->r + job->role->normal, broadcast(1.0), terms_of_normal);
+            }
+        }
+    }
+}
+
 /* Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends. */
 INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
 {
@@ -2376,14 +2392,7 @@ static void look_ahead(Batch *b, M here, V room)
     c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
-    for (int t = 0; t < job->tables; t++) {
-        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-            keep_quiet(b, here, t, net, broadcast(-1.0), c[job->role->drive_scale]);
-            if (job->role->normal >= 0) {
-                keep_quiet(b, here, t, b->r + job->role->normal, broadcast(1.0), EPS * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope])));
-            }
-        }
-    }
+    look_for_quiet(b, here);
     if (job->role->normal >= 0) {
         look_for_lift_off(b, here, top);
     }

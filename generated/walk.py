@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 85e8a724f71e16ff511c2c4b55a5a6ddb161b223273e503045960db1dc293b37
+# sha256 of the text below: 4e462d331074ba6f93170aa1868b8721ec5ed3d7af524777a2af257f1e86cfe1
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1054,6 +1054,17 @@ def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: F
     c[ix.QUIET_TO] = np.where(here, np.where(sure, c[ix.QUIET_TO], -INFINITY), c[ix.QUIET_TO])
 
 
+def look_for_quiet(s: Lanes, here: Mask) -> None:
+    """Between which values of one function of time the mass certainly rests on, the way it faces."""
+    c = s.cells
+    terms_of_normal = EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+    for t in s.tables:
+        if s.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            keep_quiet(s, here, t, s.registers[s.roles.net], -1.0, c[s.roles.drive_scale])
+            if s.roles.normal >= 0:
+                keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
+
+
 def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
     """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
     c = lane.cells
@@ -1481,12 +1492,7 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
         c[ix.START_DIRECTION])
     c[ix.SUDDEN] = np.where(here, np.where(sooner, np.where(jumps, 1.0, 0.0), c[ix.SUDDEN]), c[ix.SUDDEN])
-    for t in s.tables:
-        if s.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-            keep_quiet(s, here, t, net, -1.0, c[s.roles.drive_scale])
-            if s.roles.normal >= 0:
-                keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0,
-                    EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope])))
+    look_for_quiet(s, here)
     if s.roles.normal >= 0:
         look_for_lift_off(s, here, top)
 

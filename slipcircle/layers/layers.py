@@ -257,23 +257,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return crossings
 
     @cached_property
-    def profile_by_surface(self) -> Profile:
-        """Integrals along the arc of a unit weight below each surface, and of unit pressures at ends of surcharges."""
-        return profile_of(self._strips, None)
-
-    @cached_property
     def profile(self) -> Profile:
-        """The same; of many circles with their own weights the sum over the surfaces."""
-        steps = self.weight_steps
-        circles = len(self._strips.x)
-        if circles == 1 or steps.shape[1] != circles:
-            return self.profile_by_surface
-        return profile_of(self._strips, steps)
-
-    def up_to(self, integral: int, directions: Floats) -> tuple[Floats, Floats]:
-        """An integral of the weights of one mass from its left end to directions (M,), and to its right end, (1,)."""
-        profile = profile_of(self._strips, self.weight_steps, [integral])
-        return profile.up_to(directions[:, None])[0, 0, :, 0], profile.whole[0, 0]
+        """Integrals along the arc of a unit weight below each surface, and of unit pressures at ends of surcharges."""
+        return profile_of(self._strips)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
         """Integrals of the head of the water level over arcs in space, (..., circles)."""
@@ -305,7 +291,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
         The ground's own are those of a homogeneous mass, so that one soil in many layers gives the numbers of one.
         """
-        whole = self.profile.moments[:HEAD].copy()
+        whole = self.profile.whole[:HEAD].copy()
         whole[:, 0] = list(self._moments.values())
         return over_circles(whole.transpose(1, 0, 2), self.weight_steps)
 

@@ -17,25 +17,28 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.strips import Strips
 
 AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
-PRESSING = [RADIAL_Y, RADIAL_X, POLAR, HEAD]  # those that strength takes
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_BLOCK = 2048  # directions at once, so that their numbers stay in the cache
-_ROWS = 256  # of surfaces
+_BLOCK = 2048  # directions
+
+
+def _integrating() -> Floats:
+    """From values at the nodes to the coefficients of the integral from the left end, (`_COUNT` + 1, `_COUNT`)."""
+    integral = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
+    from_values: Floats = integral @ _TO_CHEBYSHEV
+    return from_values
 
 
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
-_INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end
-# From values at the nodes to the coefficients of the integral, then to the first two of their own, and the last two.
-_DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]]).T
+_INTEGRAL = _integrating()
 
 
 class Profile(NamedTuple):
@@ -46,20 +49,17 @@ class Profile(NamedTuple):
     edges : ndarray
         Directions at which pieces begin, and the right end, (pieces + 1, circles).
     before : ndarray
-        Some integrals up to there, (pieces + 1, circles, surfaces or 1, integrals).
+        The integrals up to there, (pieces + 1, integrals, surfaces, circles).
     series : ndarray
-        Chebyshev coefficients of these integrals within each piece, (pieces, circles, surfaces or 1, integrals, terms).
-    moments : ndarray
-        All integrals over the whole arcs, (integrals, surfaces, circles).
+        Chebyshev coefficients of the integral within each piece, (pieces, terms, integrals, surfaces, circles).
     """
 
     edges: Floats
     before: Floats
     series: Floats
-    moments: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces or 1, M, circles)."""
+        """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces, M, circles)."""
         first_edge, *inner_edges, last_edge = self.edges
         series = self.series
         inside = np.clip(beta, first_edge, last_edge)
@@ -75,9 +75,11 @@ class Profile(NamedTuple):
         place = 2.0 * share - 1.0
 
         # The coefficients of each direction are gathered, contiguous, in blocks that a processor's cache holds.
-        pieces, circles, surfaces, integrals, terms = series.shape
-        rows = series.reshape(pieces * circles, -1, terms)
-        up_to_piece = self.before[:pieces].reshape(pieces * circles, -1)
+        pieces, terms, integrals, surfaces, circles = series.shape
+        by_piece_and_circle = series.transpose(0, 4, 2, 3, 1)
+        rows = by_piece_and_circle.reshape(pieces * circles, -1, terms)
+        before = self.before[:pieces].transpose(0, 3, 1, 2)
+        up_to_piece = before.reshape(pieces * circles, -1)
         row = piece * circles + circle
         row = row.ravel()
         place = place.ravel()
@@ -85,22 +87,28 @@ class Profile(NamedTuple):
         for begin in range(0, row.size, _BLOCK):
             block = slice(begin, begin + _BLOCK)
             polynomials = _chebyshev(place[block], terms)
-            of_pieces = rows.take(row[block], axis=0)
-            total[block] += np.einsum("nit,nt->ni", of_pieces, polynomials)
-        by_direction = total.reshape(*inside.shape, surfaces, integrals)
-        return by_direction.transpose(3, 2, 0, 1)
+            total[block] += np.einsum("nit,nt->ni", rows[row[block]], polynomials)
+        by_direction = total.reshape(*inside.shape, integrals, surfaces)
+        return np.moveaxis(by_direction, (2, 3), (0, 1))
 
     @property
     def whole(self) -> Floats:
-        """The same integrals over the whole arcs, (integrals, surfaces or 1, circles)."""
-        whole: Floats = self.before[-1].T
+        """The integrals over the whole arcs, (integrals, surfaces, circles)."""
+        whole: Floats = self.before[-1]
         return whole
+
+    def of(self, rows: Sequence[int]) -> "Profile":
+        """Some of the integrals."""
+        before = self.before[:, rows]
+        series = self.series[:, :, rows]
+        return Profile(self.edges, before, series)
 
     def combined(self, steps: Floats) -> "Profile":
         """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
-        before = np.einsum("kcsi,sc->kci", self.before, steps)
-        series = np.einsum("kcsit,sc->kcit", self.series, steps)
-        return self._replace(before=before[:, :, None], series=series[:, :, None])
+        before = np.einsum("kisc,sc->kic", self.before, steps)
+        series = np.einsum("ktisc,sc->ktic", self.series, steps)
+        one_surface = np.expand_dims(before, -2)
+        return Profile(self.edges, one_surface, np.expand_dims(series, -2))
 
 
 def _chebyshev(place: Floats, terms: int) -> Floats:
@@ -114,168 +122,167 @@ def _chebyshev(place: Floats, terms: int) -> Floats:
     return np.ascontiguousarray(values.T)
 
 
-class _Pieces(NamedTuple):
-    """Parts of the arcs: their strips, (pieces,), and their ends, (pieces, circles)."""
+class _Piece(NamedTuple):
+    """A part of the arcs: its ends, (circles,), and the series of its integrals."""
 
-    strip: Integers
     first: Floats
     last: Floats
-
-    def of(self, which: Any) -> "_Pieces":
-        """Some of them."""
-        return _Pieces(self.strip[which], self.first[which], self.last[which])
-
-    @property
-    def halves(self) -> "_Pieces":
-        """Both halves of each."""
-        middle = (self.first + self.last) / 2
-        first = np.concatenate([self.first, middle])
-        last = np.concatenate([middle, self.last])
-        return _Pieces(np.tile(self.strip, 2), first, last)
+    series: Floats
 
 
-def profile_of(strips: Strips, steps: Floats | None, rows: Sequence[int] = PRESSING) -> Profile:
+def profile_of(strips: Strips) -> Profile:
     """The integrals along the arcs of masses in strips, of a unit weight below each surface.
 
     Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
-    With steps of the unit weight, (surfaces, circles), one surface stands for all: their sum.
-    ``rows`` are the integrals that are known up to any direction.
     """
-    first, last, series, moments = _converged(strips, steps, rows)
-    order = np.argsort((first + last).sum(axis=1), kind="stable")
-    edges = np.concatenate([first[order], last[order[-1:]]])
-    series = series[order]
-    before = np.zeros((len(edges), *series.shape[1:-1]))
-    np.cumsum(series.sum(axis=-1), axis=0, out=before[1:])  # at the right end every Chebyshev polynomial is 1
-    return Profile(edges, before, series, moments)
+    pieces = _converged(strips)
+    pieces.sort(key=_order)
+    firsts = [piece.first for piece in pieces]
+    right_end = pieces[-1].last
+    edges = np.stack([*firsts, right_end])
+    series = np.stack([piece.series for piece in pieces])
+    each = series.sum(axis=1)  # at the right end every Chebyshev polynomial is 1
+    nothing = np.zeros_like(each[:1])
+    up_to_ends = np.cumsum(each, axis=0)
+    before = np.concatenate([nothing, up_to_ends])
+    return Profile(edges, before, series)
 
 
-def _converged(strips: Strips, steps: Floats | None, rows: Sequence[int]) -> tuple[Floats, Floats, Floats, Floats]:
-    """Pieces in which the series have converged, strips or parts of them: their ends, the series, and all moments."""
+def _order(piece: _Piece) -> float:
+    """By what pieces are put from left to right: twice the directions of their middles, of all circles."""
+    ends = piece.first + piece.last
+    return float(ends.sum())
+
+
+def _converged(strips: Strips) -> list[_Piece]:
+    """Pieces in which the series have converged: strips, or parts of them."""
     beta = strips.beta.T
-    pieces = _Pieces(np.arange(len(beta) - 1), beta[:-1], beta[1:])
-    done = []
+    first = beta[:-1]
+    last = beta[1:]
+    strip = np.arange(len(first))
+    done = list[_Piece]()
     scale = 0.0
-    while len(pieces.strip):
-        developed = _developed(strips, steps, rows, pieces)
-        scale = max(scale, developed.greatest)
-        is_truncated = developed.tails > _ACCURACY * scale
-        is_long = pieces.last - pieces.first > _SHORTEST
+    while len(strip):
+        width = last - first
+        half = width / 2
+        from_first = 1.0 + _NODES[:, None, None]
+        nodes = first + half * from_first
+        values = half * _integrands(strips, strip, nodes)
+        coefficients, tail = _sizes(values)
+        scale = max(scale, coefficients)
+        is_truncated = tail > _ACCURACY * scale
+        is_long = width > _SHORTEST
         rough = is_truncated.any(axis=1) & is_long.any(axis=1)
-        smooth = pieces.of(~rough)
-        moments = developed.moments[~rough].sum(axis=0).T
-        done.append((smooth.first, smooth.last, developed.series[~rough], moments[None]))
-        pieces = pieces.of(rough).halves
-    first, last, series, every = (np.concatenate(parts) for parts in zip(*done, strict=True))
-    return first, last, series, every.sum(axis=0)
+        smooth = ~rough
+
+        smooth_values = values[..., smooth, :]
+        series = np.tensordot(_INTEGRAL, smooth_values, (1, 2))
+        by_piece = series.transpose(3, 0, 1, 2, 4)
+        done += map(_Piece, first[smooth], last[smooth], by_piece)
+        left = first[rough]
+        right = last[rough]
+        middle = (left + right) / 2
+        first = np.concatenate([left, middle])
+        last = np.concatenate([middle, right])
+        strip = np.tile(strip[rough], 2)
+    return done
 
 
-class _Developed(NamedTuple):
-    """Pieces as series of some integrals, all integrals, (pieces, circles, surfaces, integrals), and two sizes.
+def _sizes(values: Floats) -> tuple[float, Floats]:
+    """Sizes of the Chebyshev coefficients of values at nodes: the greatest one, and those of the tails.
 
-    The greatest Chebyshev coefficient is one of the first two; tails, (pieces, circles), are the last two.
+    A tail is the last two terms of a piece in a circle, (pieces, circles).
     """
-
-    series: Floats
-    moments: Floats
-    greatest: float
-    tails: Floats
-
-
-def _developed(strips: Strips, steps: Floats | None, rows: Sequence[int], pieces: _Pieces) -> _Developed:
-    """Pieces as series; what lies nowhere above the arc in a piece is left out."""
-    above = strips.above[:, :, pieces.strip].transpose(0, 2, 1)
-    under = _under_loads(strips)[:, pieces.strip]
-    surfaces, *shape = above.shape
-    count = surfaces + len(under)
-    series = np.zeros((*shape, count if steps is None else 1, len(rows), _COUNT + 1))
-    moments = np.zeros((*shape, count, HEAD + 1))
-    tails = np.zeros(shape)
-    greatest = 0.0
-    for surface, present in enumerate((*above, *under)):
-        integrands = _over_height if surface < surfaces else _of_load
-        places = np.nonzero(present)
-        for begin in range(0, places[0].size, _ROWS):
-            piece, circle = (each[begin : begin + _ROWS] for each in places)
-            left = pieces.first[piece, circle]
-            half = (pieces.last[piece, circle] - left)[:, None] / 2
-            beta = left[:, None] + half * (1.0 + _NODES)
-            cosine = np.cos(beta)
-            row = np.full_like(piece, surface if surface < surfaces else surface - surfaces)
-            values = integrands(strips, (row, circle, pieces.strip[piece]), np.sin(beta), cosine)
-            values *= (half * cosine)[:, None]
-            coefficients = (values.reshape(-1, _COUNT) @ _DEVELOPING).reshape(len(piece), HEAD + 1, -1)
-            of_integral = coefficients[..., : _COUNT + 1]
-            moments[piece, circle, surface] = of_integral.sum(axis=-1)
-            if steps is None:
-                series[piece, circle, surface] = of_integral[:, rows]
-            else:
-                series[piece, circle, 0] += steps[surface, circle][:, None, None] * of_integral[:, rows]
-            size = np.abs(coefficients[..., _COUNT + 1 :])
-            greatest = max(greatest, float(size[..., :2].max()))
-            tail = size[..., 2:].max(axis=(1, 2))
-            tails[piece, circle] = np.maximum(tail, tails[piece, circle])
-    return _Developed(series, moments, greatest, tails)
+    coefficients = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
+    size = np.abs(coefficients)
+    greatest = size.max(initial=0.0)
+    last_terms = size[-2:]
+    return float(greatest), last_terms.max(axis=(0, 1, 2))
 
 
-Row = tuple[Integers, Integers, Integers]  # surfaces or ends of surcharges, circles, strips
+def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
+    """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
+    x = np.sin(beta)
+    c = np.cos(beta)
+    edges = strips.x.T
+    left = edges[strip]
+    beyond = x - left
+    at_left = _by_strip(strips.y, strip)
+    slope = _by_strip(strips.slope, strip)
+    y = at_left + slope * beyond
+    height = y + c
+    has_height = height > 0.0
+    is_above = has_height & _by_strip(strips.above, strip)
+    height = np.where(is_above, height, 0.0)
+    columns = _over_height(x, c, height)
+    if strips.loads:
+        right = edges[strip + 1]
+        middle = (left + right) / 2
+        on_ground, *_ = y
+        of_loads = _of_loads(strips, x, on_ground, middle)
+        columns = np.concatenate([columns, of_loads], axis=1)
+    by_angle: Floats = columns * c
+    return by_angle
 
 
-def _heights(strips: Strips, at: Row, x: Floats) -> Floats:
-    """y of surfaces at x, (rows, nodes)."""
-    _, circle, strip = at
-    beyond = x - strips.x[circle, strip][:, None]
-    heights: Floats = strips.y[at][:, None] + strips.slope[at][:, None] * beyond
-    return heights
-
-
-def _over_height(strips: Strips, at: Row, x: Floats, c: Floats) -> Floats:
-    """Integrals over y from the arc up to a surface, over x, (rows, integrals, nodes); the last one by beta, over c."""
-    h = np.maximum(_heights(strips, at, x) + c, 0.0)
+def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
+    """The integrals over y from the arc up to a height h above it; the last one, by beta, over c."""
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
-    log = np.log1p((inward + h) / (rho + c - h))
+    to_top = rho + c - h
+    ratio = (inward + h) / to_top
+    log = np.log1p(ratio)
     square = x * x
-    rows = np.empty((len(x), HEAD + 1, x.shape[1]))
-    rows[:, AREA] = h
-    rows[:, POLAR] = (h * rho + c * inward + square * log) / 2
-    rows[:, INERTIA] = h * (square + (h * h - 3.0 * c * h) / 3 + c * c)
-    rows[:, RADIAL_X] = x * log
-    rows[:, RADIAL_Y] = -inward
-    rows[:, MOMENT_X] = x * h
-    rows[:, MOMENT_Y] = h * (h - 2.0 * c) / 2
-    rows[:, HEAD] = h / c
-    return rows
+    of_log = square * log
+    polar = h * rho + c * inward + of_log
+    of_heights = h * h - 3.0 * c * h
+    on_arc = c * c
+    mean_square = square + of_heights / 3 + on_arc
+    rows = {
+        AREA: h,
+        POLAR: polar / 2,
+        INERTIA: h * mean_square,
+        RADIAL_X: x * log,
+        RADIAL_Y: -inward,
+        MOMENT_X: x * h,
+        MOMENT_Y: h * (h - 2.0 * c) / 2,
+        HEAD: h / c,
+    }
+    in_order = [rows[k] for k in sorted(rows)]
+    return np.stack(in_order)
 
 
-def _under_loads(strips: Strips) -> Flags:
-    """Whether strips lie under surcharges, twice each, (ends of surcharges, strips, circles)."""
-    x = strips.x.T
-    middle = (x[:-1] + x[1:]) / 2
-    under = [(middle > first[:, 0]) & (middle < last[:, 0]) for first, last in strips.loads for _ in range(2)]
-    return np.array(under, dtype=bool).reshape(-1, *middle.shape)
+def _by_strip(values: Any, strip: Integers) -> Any:
+    """Of (surfaces, circles, strips) those of some strips, (surfaces, 1, pieces, circles)."""
+    chosen = values[:, :, strip].transpose(0, 2, 1)
+    return chosen[:, None]
 
 
-def _of_load(strips: Strips, at: Row, x: Floats, c: Floats) -> Floats:
-    """The same of pressures on the ground, times 1, rho, ... there: they fall from 1 to 0, or rise."""
-    end, circle, strip = at
-    y = _heights(strips, (np.zeros_like(end), circle, strip), x)
-    ends = np.array(strips.loads)[end // 2, :, circle]
-    first, last = ends[:, 0], ends[:, 1]
-    share = (x - first) / (last - first)
-    pressure = np.where(end[:, None] % 2 == 0, 1.0 - share, share)
+def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
+    """The same of unit pressures on the ground at (x, y), over x: pressures times 1, rho, ... there."""
+    pressures = []
+    for load in strips.loads:
+        first, last = (end[:, 0] for end in load)
+        width = last - first
+        share = (x - first) / width
+        rest = 1.0 - share
+        under = (middle > first) & (middle < last)
+        falling = np.where(under, rest, 0.0)
+        rising = np.where(under, share, 0.0)
+        pressures += [falling, rising]
+    every_pressure = np.stack(pressures)
     square = x * x + y * y
     rho = np.sqrt(square)
     integrands = {
-        AREA: np.ones_like(x),
+        AREA: 1.0,
         POLAR: rho,
-        INERTIA: square,
+        INERTIA: rho * rho,
         RADIAL_X: x / rho,
         RADIAL_Y: y / rho,
         MOMENT_X: x,
         MOMENT_Y: y,
-        HEAD: np.zeros_like(x),
+        HEAD: 0.0,
     }
-    rows: Floats = np.stack([integrands[k] for k in sorted(integrands)], axis=1) * pressure[:, None]
-    return rows
+    by_row = [integrands[k] * every_pressure for k in sorted(integrands)]
+    return np.stack(by_row)

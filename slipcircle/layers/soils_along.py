@@ -137,8 +137,14 @@ def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:
     """An integral of the weights from the entry to directions, over R or R^2, (M,)."""
     (facing,) = section._facing
-    up_to, whole = section.up_to(integral, facing * directions)
-    return up_to if facing > 0.0 else whole - up_to
+    profile = section.profile
+    to_the_right = facing * directions[:, None]
+    up_to = profile.up_to(to_the_right)[integral, :, :, 0]
+    if facing < 0.0:
+        up_to = profile.whole[integral] - up_to
+    by_surface = up_to * section.weight_steps
+    total: Floats = by_surface.sum(axis=0)
+    return total
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:

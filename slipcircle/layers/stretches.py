@@ -15,10 +15,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Integers
-from slipcircle.layers.profile import Profile
+from slipcircle.layers.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Profile
 
 # What sections that differ in numbers of soils alone have in common.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
+_PRESSING = (RADIAL_Y, RADIAL_X, POLAR, HEAD)  # the integrals that strength takes
 
 
 class Stretches(NamedTuple):
@@ -80,7 +81,7 @@ class StretchIntegrals:
         return bool(self.section.strength == "base")
 
     def _joints_met(self, rotation: Floats) -> Floats:
-        """Where the mass meets the joints after rotations (M, circles), (J, M, circles).
+        """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
 
         In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
         """
@@ -88,7 +89,8 @@ class StretchIntegrals:
         moved = rotation if self._base_stays else np.zeros_like(rotation)
         in_mass = [joint - moved for joint in self._joints]
         met = [np.clip(joint, first, last) for joint in in_mass]
-        return np.array(met).reshape(-1, *rotation.shape)
+        exit_ = np.broadcast_to(last, rotation.shape)
+        return np.stack([*met, exit_])
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
@@ -96,14 +98,15 @@ class StretchIntegrals:
 
         One surface stands for all but where lanes of one geometry differ in their weights.
         """
-        profile = self.section.profile
+        profile = self.section.profile.of(_PRESSING)
         steps = self.section.weight_steps
-        of_first_lane = steps[:, :1]
         circles = profile.edges.shape[1]
-        if circles == 1 and np.all(steps == of_first_lane):
-            profile = profile.combined(of_first_lane)
-            steps = np.ones((1, 1))
-        elif steps.shape[1] == circles:  # they are summed already
+        of_first_lane = steps[:, :1]
+        are_equal = np.all(steps == of_first_lane)
+        if circles == 1 and are_equal:
+            steps = of_first_lane
+        if steps.shape[1] == circles:
+            profile = profile.combined(steps)
             steps = np.ones((1, 1))
         return profile, steps / self.section._weights_per_area
 
@@ -121,12 +124,10 @@ class StretchIntegrals:
         whole = profile.whole[:, :, None]
         from_right = whole - from_left
         from_entry = np.where(facing > 0.0, from_left, from_right)
-        integrals, surfaces, *_ = from_entry.shape
+        from_entry[1] *= facing
+        integrals, surfaces, _, _ = from_entry.shape
         by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
-        up_to_exit = np.broadcast_to(whole[:, :, None], (integrals, surfaces, 1, *rotation.shape))
-        every = np.concatenate([by_joint, up_to_exit], axis=2)
-        every[1] *= facing
-        return np.moveaxis(every, 1, 2)
+        return np.moveaxis(by_joint, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
         """Parts by their names, of what presses all at once."""

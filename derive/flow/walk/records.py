@@ -7,6 +7,7 @@ of its value: of a mass at rest, and of one whose geometry and friction stay as 
 from derive.flow.walk.one_lane import (
     EPS,
     INFINITY,
+    Kind,
     Lane,
     Lanes,
     M,
@@ -55,6 +56,16 @@ def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
     s.quiet_from = where(level or way > 0.0, maximum(bound, s.quiet_from), s.quiet_from)
     s.quiet_to = where(level or way < 0.0, minimum(bound, s.quiet_to), s.quiet_to)
     s.quiet_to = where(sure, s.quiet_to, -INFINITY)
+
+
+def look_for_quiet(s: Lanes, here: M) -> None:
+    """Between which values of one function of time the mass certainly rests on, the way it faces."""
+    terms_of_normal = EPS * (abs(s.normal_load) + abs(s.normal_load_slope))
+    for t in s.tables:
+        if s.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+            keep_quiet(s, here, t, s.series.net, -1.0, s.drive_scale)
+            if s.has.normal:
+                keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
 
 
 def rests_on(lane: Lane, t: T, piece: int) -> bool:

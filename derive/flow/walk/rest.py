@@ -1,7 +1,6 @@
 """Lanes at rest, until their motion begins; and one round of the integration."""
 
 from derive.flow.walk.one_lane import (
-    EPS,
     INFINITY,
     Kind,
     Lane,
@@ -21,7 +20,7 @@ from derive.flow.walk.one_lane import (
     where,
 )
 from derive.flow.walk.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.walk.records import keep_quiet, wait
+from derive.flow.walk.records import look_for_quiet, wait
 from derive.flow.walk.roots import first_root, increment, margin_of, may_cross
 from derive.flow.walk.series import expand, radius_of_convergence
 from derive.flow.walk.step import make_step
@@ -69,11 +68,7 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     s.start_ahead = where(sooner, at, s.start_ahead)
     s.start_direction = where(sooner, s.direction, s.start_direction)
     s.sudden = where(sooner, where(jumps, 1.0, 0.0), s.sudden)
-    for t in s.tables:
-        if s.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-            keep_quiet(s, here, t, net, -1.0, s.drive_scale)
-            if s.has.normal:
-                keep_quiet(s, here, t, s.series.normal, 1.0, EPS * (abs(s.normal_load) + abs(s.normal_load_slope)))
+    look_for_quiet(s, here)
     if s.has.normal:
         look_for_lift_off(s, here, top)
 
