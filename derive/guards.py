@@ -4,11 +4,15 @@ import builtins
 import keyword
 import re
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import fields
+from types import UnionType
+from typing import Any, get_args, get_origin
 
 import numpy as np
 import sympy as sp
 
 from derive.check.proof import ProofError
+from derive.code import emit
 from derive.declare import domain, quantities
 from derive.declare import effects as declared
 from derive.declare.effects import GRAVITY, RADIUS, SLIP, VALUE, Effect, Law, Parameter
@@ -30,10 +34,13 @@ TABLES = (
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
 MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
-ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy horner evaluate kernel"
+ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
+# Arguments of laws without formula.
+TABLES_OF = (("slip", "m", "list"), ("speed", "m/s", "list"), ("time", "s", "list"))
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
-KINDS = ("number", "list", "series", "rotation", "text", "flag")
+NUMBERS = ("number", "series", "rotation")
+KINDS = (*NUMBERS, "list", "text", "flag")
 # Functions of series, beside powers and minima.
 OF_SERIES = set[type]()
 for _operation in OPERATIONS.values():
@@ -67,15 +74,18 @@ def check() -> list[Declaration]:
     effects = declared.ALL_EFFECTS
     moments = quantities.MOMENTS
     balance = fragments.fragments((), ())
-    functions = {q.name for q in quantities.QUOTIENTS} | {m.kernel[0] for m in moments if m.amplitude}
-    words = {*FUNCTIONS.split(), *MODULES.split(), *ARGUMENTS.split(), *dir(builtins), *dir(np)}
+    imported = re.findall(r"\w+", " ".join(emit.IMPORTS))
+    words = {*FUNCTIONS.split(), *MODULES.split(), *ARGUMENTS.split(), *imported, *dir(builtins), *dir(np)}
+    for e in (*laws, *effects, *moments):
+        _check_fields(e, e)
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
-    _check_names(moments, functions | words)
+    _check_names(moments, words | {q.name for q in quantities.QUOTIENTS})
+    own = {str(x) for x in (*SCALES, *BALANCE, *OF_GROWTH, VALUE) if x not in (declared.K_H, declared.K_V)}
+    _check_cells(effects, own.union(re.findall(r"\w+", repr(balance))))
     for law in laws:
         _check_law(law)
     for effect in effects:
         _check_effect(effect)
-    _check_cells(effects, set(re.findall(r"\w+", repr(balance))))
     for moment in moments:
         _ = moment.definition
     return [*laws, *effects, *moments]
@@ -85,13 +95,40 @@ def _claim(e: Declaration, what: str) -> str:
     return f"{type(e).__name__}({e.name!r}), {what}"
 
 
+def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") -> None:
+    """Each field, of the parameters too, is of its type, and no text is blank."""
+    for f in fields(of):
+        value = getattr(of, f.name)
+        blank = isinstance(value, str) and not value.strip() and (value or f.name in ("help", "symbol"))
+        if blank or not _fits(value, f.type):
+            kind = f.type.__name__ if isinstance(f.type, type) else re.sub(r"[a-z.]+\.(?=[A-Z])", "", str(f.type))
+            raise ProofError(_claim(e, where + f.name), f"{value!r:.60}", "words on what it is" if blank else kind)
+    for p in getattr(of, "parameters", ()):
+        _check_fields(e, p, f"parameter {p.name!r}, ")
+
+
+def _fits(value: object, kind: Any) -> bool:
+    """Whether a value is of the type of a field; an expression is looked at where its symbols are."""
+    if get_origin(kind) is UnionType:
+        return any(_fits(value, x) for x in get_args(kind))
+    if get_origin(kind) is not tuple:
+        return kind is sp.Expr or isinstance(value, int | float if kind is float else kind)
+    if not isinstance(value, tuple):
+        return False
+    first, *others = get_args(kind)
+    kinds = [first] * len(value) if others == [...] else [first, *others]
+    return len(value) == len(kinds) and all(map(_fits, value, kinds))
+
+
 def _check_names(entries: Sequence[Declaration], taken: set[str]) -> None:
-    """Names that are new and may stand in Python and scene files; help; an equation of the paper or a source."""
+    """Names that are new and may stand in Python and scene files; an equation of the paper or a source."""
     for e in entries:
-        _check_name(_claim(e, "name"), e.name, taken)
-        taken = taken | {e.name}
-        if not e.help.strip():
-            raise ProofError(_claim(e, "help"), repr(e.help), "a line on what it is")
+        names = [e.name]
+        if isinstance(e, Moment) and e.amplitude:
+            names.append(e.kernel[0])
+        for name in names:
+            _check_name(_claim(e, "name"), name, taken)
+            taken = taken | {name}
         if not e.equation:
             continue
         claim = _claim(e, "equation")
@@ -113,21 +150,31 @@ def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
 def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
     """Names, kinds, bounds, units and keys."""
     taken = {*KEYS.split()}
+    formula: tuple[str, ...] = NUMBERS
+    if isinstance(e, Law):
+        formula = KINDS if e.coefficient is None else ("number",)
     for p in e.parameters:
         claim = _claim(e, f"parameter {p.name!r}")
         _check_name(claim, p.name, taken)
-        if p.kind not in KINDS and "|" not in p.kind:
+        if p.kind not in KINDS and not re.fullmatch(r"[\w-]+(\|[\w-]+)+", p.kind):
             raise ProofError(f"{claim}, kind", repr(p.kind), f"{', '.join(KINDS)} or this|that")
+        if p.kind not in formula and (p.symbol or isinstance(e, Law)):
+            raise ProofError(f"{claim}, kind", repr(p.kind), f"one of {', '.join(formula)}, as it stands in a formula")
         if p.unit not in units:
             raise ProofError(f"{claim}, unit", repr(p.unit), f"one of {', '.join(map(repr, units))}")
         if not p.lower < p.upper:
             raise ProofError(f"{claim}, bounds", f"{p.lower} and {p.upper}", "a lower one below an upper one")
-        if p.key:
-            _check_key(claim, p, taken)
+        _check_key(claim, p, taken)
         taken |= {p.name, p.key}
 
 
 def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
+    if not p.key:
+        if not p.optional:
+            raise ProofError(f"{claim}, key", "''", "a key for scene files, as it is not optional")
+        return
+    if p.kind == "rotation":
+        raise ProofError(f"{claim}, key", repr(p.key), "none, as the section gives it")
     if not p.key.isidentifier() or not p.per_unit:
         allowed = f"letters, digits and _, at the end the unit {p.unit!r} with k, M or nothing before it"
         raise ProofError(f"{claim}, key", repr(p.key), allowed)
@@ -137,7 +184,7 @@ def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
 
 def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
     """The symbols of a formula that is a number without a dimension."""
-    if not isinstance(e, sp.Expr) or e.has(sp.I):
+    if not isinstance(e, sp.Expr) or e.has(sp.I, sp.nan, sp.oo, sp.zoo):
         raise ProofError(claim, repr(e), "an expression of SymPy in real numbers")
     found = dimension(e, units, claim)
     if found != 1:
@@ -154,10 +201,14 @@ def _check_law(law: Law) -> None:
     _check_parameters(law, UNITS_OF_LAWS)
     claim = _claim(law, "coefficient")
     if law.coefficient is None:
-        listed = [p.name for p in law.parameters if p.kind == "list"]
-        if listed[:1] not in (["slip"], ["speed"], ["time"]):
-            raise ProofError(claim, "none", "a formula, or two lists: of slip, speed or time, and of coefficients")
+        listed = [(p.name, p.unit, p.kind) for p in law.parameters]
+        if listed not in ([x, ("coefficient", "", "list")] for x in TABLES_OF):
+            raise ProofError(claim, "none", "a formula, or two lists: slip, speed or time, and coefficient")
+        if not 0 <= law.degree <= declared.DEGREE:
+            raise ProofError(_claim(law, "degree"), law.degree, f"0 to {declared.DEGREE}")
         return
+    if law.degree:
+        raise ProofError(_claim(law, "degree"), law.degree, "none, as it follows from the formula")
     by_symbol = _by_symbol(law)
     units = _units({p.name: p.unit for p in law.parameters})
     used = _check_formula(claim, law.coefficient, MOTION | units)
@@ -200,10 +251,16 @@ def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
     box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
     first = {p.unit: p for p in reversed(law.parameters)}
     for x, p in _by_symbol(law).items():
-        box[x] = (max(p.lower + 1e-300, -STEEPEST), min(p.upper, STEEPEST))  # a bound of 0 may be included
+        box[x] = _range(p)
         if p.unit and p.lower >= 0.0:
             box[x] = (1.0, 1.0) if first[p.unit] is p else (0.01, 100.0)
     return box
+
+
+def _range(p: Parameter) -> tuple[float, float]:
+    """Numbers to be expected of a parameter."""
+    least = 0.01 if p.lower == 0.0 else max(p.lower, -STEEPEST) + 1e-300  # above an open bound; 0 may be included
+    return least, max(least, min(p.upper, STEEPEST))
 
 
 def _check_effect(effect: Effect) -> None:
@@ -215,8 +272,12 @@ def _check_effect(effect: Effect) -> None:
     used = set[sp.Symbol]()
     for p in effect.symbols.values():
         claim = _claim(effect, f"parameter {p.name!r}, dimensionless")
-        used |= _check_formula(claim, p.dimensionless, values | SCALES | {VALUE: of_unit(p.unit)})
+        found = _check_formula(claim, p.dimensionless, values | SCALES | {VALUE: of_unit(p.unit)})
+        if VALUE not in found:
+            raise ProofError(claim, p.dimensionless, "a formula of the value")
+        used |= found
     used |= _check_terms(effect)
+    _check_values(effect)
     if not (used or effect.turns):
         raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
     in_time = "series" in (p.kind for p in effect.parameters)  # its other parameters say how it is made
@@ -236,10 +297,29 @@ def _check_terms(effect: Effect) -> set[sp.Symbol]:
         units[x] = LIKE_MOTION.get(p.dimensionless, NUMBER)
     if effect in declared.SECTION_EFFECTS:
         units |= OF_SECTIONS
-    used = _check_formula(_claim(effect, "growth"), effect.growth, units | OF_GROWTH)
+    used = set[sp.Symbol]()
     for quantity, term in effect.terms.items():
         used |= _check_formula(_claim(effect, quantity), term, units)
-    return used
+    if not used >= {*effect.states} or bool(effect.states) != (effect.growth != 0):
+        raise ProofError(_claim(effect, "states"), effect.states, "some that stand in its terms, and their growth")
+    return used | _check_formula(_claim(effect, "growth"), effect.growth, units | OF_GROWTH)
+
+
+def _check_values(effect: Effect) -> None:
+    """A resistance is nowhere negative, and nothing has a pole."""
+    if effect in declared.SECTION_EFFECTS:
+        return
+    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST)) | {x: _range(p) for x, p in _by_symbol(effect).items()}
+    box |= dict.fromkeys((*MOTION, declared.OMEGA, declared.OMEGA_2, *effect.states), (0.0, STEEPEST))
+    formulas = dict(effect.terms)
+    for x, p in effect.symbols.items():
+        box[x] = box[sp.Symbol(p.name, real=True)]
+        formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, sp.Symbol(p.name, real=True))
+    for what, e in formulas.items():
+        of_sign = e if what == "resistance" else e**2 + 1
+        place, _ = domain.fault(of_sign, {x: box[x] for x in sorted(e.free_symbols, key=str)})
+        if place:
+            raise ProofError(_claim(effect, what), place, "finite numbers, of a resistance none below 0")
 
 
 def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
@@ -247,6 +327,8 @@ def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
     for effect in effects:
         for x in (*effect.symbols, *effect.states):
             names = {str(x), f"{x}_0", f"d{x}"}
+            if x != sp.Symbol(str(x), real=True) or not str(x).isidentifier():
+                raise ProofError(_claim(effect, "symbols"), sp.srepr(x), "sp.Symbol('name', real=True)")
             if x not in declared.BY_PSI and names & taken:
                 raise ProofError(_claim(effect, "symbols"), x, "each for one quantity of one effect")
             taken |= names

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a2c8375c4a028ceaaa8d0f5868fedafda44147cdf50884edcb2f5630f0f4d59d"
+#define DIGEST "9cd5397a95b7cec9a1233d15036429152abfad3f4cc78be867e2dc17df3c7200"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -54,9 +54,44 @@ typedef struct {
     int64_t noted, notes_room;
     void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
     int order; /* the highest of all lanes */
+    int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
+enum { LIN, RAMP, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG, POW };
+enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 #if !defined(LEVEL) || defined(__wasm__)
+#ifndef __wasm__
+/* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
+ * are operations that rates need. */
+enum { CELL = -2 };
+static const struct { int rates, length; const int32_t *operations; } patterns[] = {
+    {21, 39, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, SQR, 210, 42, LIN, 252, -2, 3, -2, 126, -2, 168, -2, 210, LIN, 294, -2, 3, -2, 126, -2, 168, -2, 210, LIN, 336, -2, 2, -2, 126, -2, 168}},
+    {43, 75, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, POWERS, 210, 252, 294, 336, 378, 420, 0, SQR, 462, 42, LIN, 504, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 546, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 588, -2, 2, -2, 126, -2, 168}},
+    {38, 62, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, SQR, 336, 42, LIN, 378, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, LIN, 420, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, LIN, 462, -2, 2, -2, 126, -2, 168}},
+    {55, 85, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, RAMP, 336, -2, MUL, 378, 336, 126, MUL, 420, 336, 168, SQR, 462, 42, LIN, 504, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 546, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 588, -2, 2, -2, 126, -2, 168}},
+    {59, 73, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 0, TIM, 252, 210, EXP, 294, 336, 252, 210, LIN, 378, -2, 1, -2, 336, SQR, 420, 42, LIN, 462, -2, 3, -2, 126, -2, 168, -2, 420, MUL, 504, 378, 462, LIN, 546, -2, 5, -2, 126, -2, 168, -2, 378, -2, 462, -2, 504, LIN, 588, -2, 1, -2, 462, LIN, 630, -2, 2, -2, 126, -2, 168}},
+    {81, 95, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 0, TIM, 252, 210, EXP, 294, 336, 252, 210, LIN, 378, -2, 1, -2, 336, POWERS, 420, 462, 504, 546, 588, 630, 0, SQR, 672, 42, LIN, 714, -2, 10, -2, 0, -2, 126, -2, 168, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630, -2, 672, MUL, 756, 378, 714, LIN, 798, -2, 5, -2, 126, -2, 168, -2, 378, -2, 714, -2, 756, LIN, 840, -2, 1, -2, 714, LIN, 882, -2, 2, -2, 126, -2, 168}},
+    {82, 96, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, LIN, 336, -2, 1, -2, 0, TIM, 378, 336, EXP, 420, 462, 378, 336, LIN, 504, -2, 1, -2, 462, SQR, 546, 42, LIN, 588, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 546, MUL, 630, 504, 588, LIN, 672, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504, -2, 588, -2, 630, LIN, 714, -2, 1, -2, 588, LIN, 756, -2, 2, -2, 126, -2, 168}},
+    {105, 119, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, RAMP, 336, -2, MUL, 378, 336, 126, MUL, 420, 336, 168, LIN, 462, -2, 1, -2, 0, TIM, 504, 462, EXP, 546, 588, 504, 462, LIN, 630, -2, 1, -2, 588, SQR, 672, 42, LIN, 714, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 672, MUL, 756, 630, 714, LIN, 798, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630, -2, 714, -2, 756, LIN, 840, -2, 1, -2, 714, LIN, 882, -2, 2, -2, 126, -2, 168}},
+    {55, 69, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 42, REC, 252, 294, 210, LIN, 336, -2, 1, -2, 294, SQR, 378, 42, LIN, 420, -2, 3, -2, 126, -2, 168, -2, 378, MUL, 462, 336, 420, LIN, 504, -2, 5, -2, 126, -2, 168, -2, 336, -2, 420, -2, 462, LIN, 546, -2, 1, -2, 420, LIN, 588, -2, 2, -2, 126, -2, 168}},
+    {77, 91, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 42, REC, 252, 294, 210, LIN, 336, -2, 1, -2, 294, POWERS, 378, 420, 462, 504, 546, 588, 0, SQR, 630, 42, LIN, 672, -2, 10, -2, 0, -2, 126, -2, 168, -2, 378, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630, MUL, 714, 336, 672, LIN, 756, -2, 5, -2, 126, -2, 168, -2, 336, -2, 672, -2, 714, LIN, 798, -2, 1, -2, 672, LIN, 840, -2, 2, -2, 126, -2, 168}},
+    {78, 92, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, LIN, 336, -2, 1, -2, 42, REC, 378, 420, 336, LIN, 462, -2, 1, -2, 420, SQR, 504, 42, LIN, 546, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504, MUL, 588, 462, 546, LIN, 630, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 462, -2, 546, -2, 588, LIN, 672, -2, 1, -2, 546, LIN, 714, -2, 2, -2, 126, -2, 168}},
+    {101, 115, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, RAMP, 336, -2, MUL, 378, 336, 126, MUL, 420, 336, 168, LIN, 462, -2, 1, -2, 42, REC, 504, 546, 462, LIN, 588, -2, 1, -2, 546, SQR, 630, 42, LIN, 672, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630, MUL, 714, 588, 672, LIN, 756, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 588, -2, 672, -2, 714, LIN, 798, -2, 1, -2, 672, LIN, 840, -2, 2, -2, 126, -2, 168}},
+};
+
+static int straight_of(const Job *job)
+{
+    const int32_t *const own = job->series;
+    for (int k = 0; k < (int)(sizeof patterns / sizeof *patterns); k++) {
+        const int32_t *const known = patterns[k].operations;
+        int same = patterns[k].rates == job->series_end - own && patterns[k].length == job->later_end - own;
+        for (int i = 0; same && i < patterns[k].length; i++) same = known[i] == CELL || known[i] == own[i];
+        if (same) return k;
+    }
+    return -1;
+}
+#endif
+
 /* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
  * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
 enum { HEAD = 9, WIDEST = 64 };
@@ -73,6 +108,11 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
     job->autonomous = p[8];
     job->table = (const Table *)(job->state + job->states);
     for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
+#ifdef __wasm__
+    job->straight = -1; /* a page shall be small */
+#else
+    job->straight = straight_of(job);
+#endif
     return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
 }
 #endif
@@ -216,7 +256,22 @@ static int fill(PyObject *module)
     return failed ? -1 : 0;
 }
 
-static PyMethodDef methods[] = {{"integrate", integrate, METH_VARARGS, doc}, {NULL, NULL, 0, NULL}};
+static PyObject *straight_line(PyObject *self, PyObject *program)
+{
+    (void)self;
+    Py_buffer code;
+    Job job = {0};
+    if (PyObject_GetBuffer(program, &code, PyBUF_SIMPLE) < 0) return NULL;
+    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4);
+    PyBuffer_Release(&code);
+    return PyLong_FromLong(fits ? job.straight : -1);
+}
+
+static PyMethodDef methods[] = {
+    {"integrate", integrate, METH_VARARGS, doc},
+    {"straight_line", straight_line, METH_O, "Which of the programs with functions of their own it is, or -1."},
+    {NULL, NULL, 0, NULL},
+};
 static PyModuleDef_Slot slots[] = {
     {Py_mod_exec, fill},
 #ifdef Py_mod_gil
@@ -258,8 +313,6 @@ enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
 #define CARRIED 0.001
 #define SETTLED 1.4210854715202004e-14
-enum { LIN, RAMP, MUL, SQR, POWERS, TIM, TURN, EXP, REC, LOG, POW };
-enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 _Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
@@ -399,24 +452,23 @@ INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
  * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
- * Register i begins at r + i * stride; by_n is 1 / n. */
-static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
-                                                                        int n, double by_n) {
+ * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
+INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
+{
     switch (at[0]) {
     case LIN: {
-        V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){0};
-        const int32_t *const end = at + 4 + 2 * at[3];
-        for (const int32_t *term = at + 4; term < end; term += 2)
-            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
-        r[(ptrdiff_t)at[1] * stride + n] = sum;
-        return end;
+        V sum = n == 0 && own[2] >= 0 ? c[own[2]] : (V){0};
+        const int terms = at[3];
+        for (int k = 0; k < terms; k++) sum += c[own[4 + 2 * k]] * r[at[5 + 2 * k] + n];
+        r[at[1] + n] = sum;
+        return at + 4 + 2 * terms;
     }
     case RAMP:
         return at + 3;
     case MUL: { /* d = a*b */
-        V *restrict d = r + (ptrdiff_t)at[1] * stride;
-        const V *a = r + (ptrdiff_t)at[2] * stride;
-        const V *b = r + (ptrdiff_t)at[3] * stride;
+        V *restrict d = r + at[1];
+        const V *a = r + at[2];
+        const V *b = r + at[3];
         if (n == 0) {
             d[0] = a[0] * b[0];
         } else {
@@ -428,8 +480,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 4;
     }
     case SQR: { /* d = a**2 */
-        V *restrict d = r + (ptrdiff_t)at[1] * stride;
-        const V *a = r + (ptrdiff_t)at[2] * stride;
+        V *restrict d = r + at[1];
+        const V *a = r + at[2];
         if (n == 0) {
             d[0] = a[0] * a[0];
         } else {
@@ -442,13 +494,13 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 3;
     }
     case POWERS: { /* p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7 */
-        V *restrict p2 = r + (ptrdiff_t)at[1] * stride;
-        V *restrict p3 = r + (ptrdiff_t)at[2] * stride;
-        V *restrict p4 = r + (ptrdiff_t)at[3] * stride;
-        V *restrict p5 = r + (ptrdiff_t)at[4] * stride;
-        V *restrict p6 = r + (ptrdiff_t)at[5] * stride;
-        V *restrict p7 = r + (ptrdiff_t)at[6] * stride;
-        const V *x = r + (ptrdiff_t)at[7] * stride;
+        V *restrict p2 = r + at[1];
+        V *restrict p3 = r + at[2];
+        V *restrict p4 = r + at[3];
+        V *restrict p5 = r + at[4];
+        V *restrict p6 = r + at[5];
+        V *restrict p7 = r + at[6];
+        const V *x = r + at[7];
         if (n == 0) {
             const V t1 = x[0] * x[0];
             const V t2 = x[0] * t1;
@@ -478,8 +530,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 8;
     }
     case TIM: { /* q = t*Derivative(a, t) */
-        V *restrict q = r + (ptrdiff_t)at[1] * stride;
-        const V *a = r + (ptrdiff_t)at[2] * stride;
+        V *restrict q = r + at[1];
+        const V *a = r + at[2];
         if (n == 0) {
             q[0] = (V){0};
         } else {
@@ -488,10 +540,10 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 3;
     }
     case TURN: { /* s = sin(x), v = 1 - cos(x) */
-        V *restrict s = r + (ptrdiff_t)at[1] * stride;
-        V *restrict v = r + (ptrdiff_t)at[2] * stride;
-        const V *q = r + (ptrdiff_t)at[3] * stride;
-        const V *x = r + (ptrdiff_t)at[4] * stride;
+        V *restrict s = r + at[1];
+        V *restrict v = r + at[2];
+        const V *q = r + at[3];
+        const V *x = r + at[4];
         if (n == 0) {
             const V t1 = IN(map)(sin, 0.5 * x[0]);
             s[0] = IN(map)(sin, x[0]);
@@ -507,10 +559,10 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 5;
     }
     case EXP: { /* e = exp(z), m = exp(z) - 1 */
-        V *restrict e = r + (ptrdiff_t)at[1] * stride;
-        V *restrict m = r + (ptrdiff_t)at[2] * stride;
-        const V *q = r + (ptrdiff_t)at[3] * stride;
-        const V *z = r + (ptrdiff_t)at[4] * stride;
+        V *restrict e = r + at[1];
+        V *restrict m = r + at[2];
+        const V *q = r + at[3];
+        const V *z = r + at[4];
         if (n == 0) {
             e[0] = IN(map)(exp, z[0]);
             m[0] = IN(map)(expm1, z[0]);
@@ -524,9 +576,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 5;
     }
     case REC: { /* h = 1/(z + 1), m = -1 + 1/(z + 1) */
-        V *restrict h = r + (ptrdiff_t)at[1] * stride;
-        V *restrict m = r + (ptrdiff_t)at[2] * stride;
-        const V *z = r + (ptrdiff_t)at[3] * stride;
+        V *restrict h = r + at[1];
+        V *restrict m = r + at[2];
+        const V *z = r + at[3];
         if (n == 0) {
             const V t1 = 1.0 + z[0];
             h[0] = 1.0 / t1;
@@ -541,8 +593,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 4;
     }
     case LOG: { /* l = log(z + 1) */
-        V *restrict l = r + (ptrdiff_t)at[1] * stride;
-        const V *z = r + (ptrdiff_t)at[2] * stride;
+        V *restrict l = r + at[1];
+        const V *z = r + at[2];
         if (n == 0) {
             l[0] = IN(map)(log1p, z[0]);
         } else {
@@ -554,10 +606,10 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         return at + 3;
     }
     case POW: { /* p = (z + 1)**power, m = (z + 1)**power - 1 */
-        V *restrict p = r + (ptrdiff_t)at[1] * stride;
-        V *restrict m = r + (ptrdiff_t)at[2] * stride;
-        const V *z = r + (ptrdiff_t)at[3] * stride;
-        const V power = c[at[4]];
+        V *restrict p = r + at[1];
+        V *restrict m = r + at[2];
+        const V *z = r + at[3];
+        const V power = c[own[4]];
         if (n == 0) {
             const V t1 = IN(map)(expm1, IN(map)(log1p, z[0]) * power);
             p[0] = 1.0 + t1;
@@ -605,20 +657,301 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 }
 /* --- what the text asks of a program, of tables and of records --- */
 
+#ifndef __wasm__
+#define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
+/* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
+#define EACH_ORDER(k) \
+    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n) \
+    { if (n == 0) rates_##k(own, r, c, 0, by_n); else rates_##k(own, r, c, n, by_n); } \
+    static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
+    { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
+/* tim 0; turn 2 0; sqr 1; lin 3 4 5 | lin 3 4 5; lin 3 4 */
+INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, SQR, 210, 42);
+    STRAIGHT(11, LIN, 252, -2, 3, -2, 126, -2, 168, -2, 210);
+}
+INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(21, LIN, 294, -2, 3, -2, 126, -2, 168, -2, 210);
+    STRAIGHT(31, LIN, 336, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(0)
+/* tim 0; turn 2 0; powers 0; sqr 1; lin 0 3 4 5 6 7 8 9 10 11 | lin 0 3 4 5 6 7 8 9 10 11; lin 3 4 */
+INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, POWERS, 210, 252, 294, 336, 378, 420, 0);
+    STRAIGHT(16, SQR, 462, 42);
+    STRAIGHT(19, LIN, 504, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
+}
+INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(43, LIN, 546, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
+    STRAIGHT(67, LIN, 588, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(1)
+/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; sqr 1; lin 3 4 5 6 7 8 | lin 3 4 5 6 7 8; lin 3 4 */
+INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, RAMP, 210, -2);
+    STRAIGHT(11, MUL, 252, 210, 126);
+    STRAIGHT(15, MUL, 294, 210, 168);
+    STRAIGHT(19, SQR, 336, 42);
+    STRAIGHT(22, LIN, 378, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336);
+}
+INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(38, LIN, 420, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336);
+    STRAIGHT(54, LIN, 462, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(2)
+/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; sqr 1; lin 3 4 5 6 7 8 9 10 11 | lin 3 4 5 6 7 8 9 10 11; lin 3 4 */
+INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, RAMP, 210, -2);
+    STRAIGHT(11, MUL, 252, 210, 126);
+    STRAIGHT(15, MUL, 294, 210, 168);
+    STRAIGHT(19, RAMP, 336, -2);
+    STRAIGHT(22, MUL, 378, 336, 126);
+    STRAIGHT(26, MUL, 420, 336, 168);
+    STRAIGHT(30, SQR, 462, 42);
+    STRAIGHT(33, LIN, 504, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
+}
+INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(55, LIN, 546, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
+    STRAIGHT(77, LIN, 588, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(3)
+/* tim 0; turn 2 0; lin 0; tim 5; exp 6 5; lin 8; sqr 1; lin 3 4 10; mul 9 11; lin 3 4 9 11 12 | lin 11; lin 3 4 */
+INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, LIN, 210, -2, 1, -2, 0);
+    STRAIGHT(14, TIM, 252, 210);
+    STRAIGHT(17, EXP, 294, 336, 252, 210);
+    STRAIGHT(22, LIN, 378, -2, 1, -2, 336);
+    STRAIGHT(28, SQR, 420, 42);
+    STRAIGHT(31, LIN, 462, -2, 3, -2, 126, -2, 168, -2, 420);
+    STRAIGHT(41, MUL, 504, 378, 462);
+    STRAIGHT(45, LIN, 546, -2, 5, -2, 126, -2, 168, -2, 378, -2, 462, -2, 504);
+}
+INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(59, LIN, 588, -2, 1, -2, 462);
+    STRAIGHT(65, LIN, 630, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(4)
+/* tim 0; turn 2 0; lin 0; tim 5; exp 6 5; lin 8; powers 0; sqr 1; lin 0 3 4 10 11 12 13 14 15 16; mul 9 17; lin 3 4 9 17 18 | lin 17; lin 3 4 */
+INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, LIN, 210, -2, 1, -2, 0);
+    STRAIGHT(14, TIM, 252, 210);
+    STRAIGHT(17, EXP, 294, 336, 252, 210);
+    STRAIGHT(22, LIN, 378, -2, 1, -2, 336);
+    STRAIGHT(28, POWERS, 420, 462, 504, 546, 588, 630, 0);
+    STRAIGHT(36, SQR, 672, 42);
+    STRAIGHT(39, LIN, 714, -2, 10, -2, 0, -2, 126, -2, 168, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630, -2, 672);
+    STRAIGHT(63, MUL, 756, 378, 714);
+    STRAIGHT(67, LIN, 798, -2, 5, -2, 126, -2, 168, -2, 378, -2, 714, -2, 756);
+}
+INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(81, LIN, 840, -2, 1, -2, 714);
+    STRAIGHT(87, LIN, 882, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(5)
+/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; lin 0; tim 8; exp 9 8; lin 11; sqr 1; lin 3 4 5 6 7 13; mul 12 14; lin 3 4 5 6 7 12 14 15 | lin 14; lin 3 4 */
+INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, RAMP, 210, -2);
+    STRAIGHT(11, MUL, 252, 210, 126);
+    STRAIGHT(15, MUL, 294, 210, 168);
+    STRAIGHT(19, LIN, 336, -2, 1, -2, 0);
+    STRAIGHT(25, TIM, 378, 336);
+    STRAIGHT(28, EXP, 420, 462, 378, 336);
+    STRAIGHT(33, LIN, 504, -2, 1, -2, 462);
+    STRAIGHT(39, SQR, 546, 42);
+    STRAIGHT(42, LIN, 588, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 546);
+    STRAIGHT(58, MUL, 630, 504, 588);
+    STRAIGHT(62, LIN, 672, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504, -2, 588, -2, 630);
+}
+INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(82, LIN, 714, -2, 1, -2, 588);
+    STRAIGHT(88, LIN, 756, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(6)
+/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; lin 0; tim 11; exp 12 11; lin 14; sqr 1; lin 3 4 5 6 7 8 9 10 16; mul 15 17; lin 3 4 5 6 7 8 9 10 15 17 18 | lin 17; lin 3 4 */
+INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, RAMP, 210, -2);
+    STRAIGHT(11, MUL, 252, 210, 126);
+    STRAIGHT(15, MUL, 294, 210, 168);
+    STRAIGHT(19, RAMP, 336, -2);
+    STRAIGHT(22, MUL, 378, 336, 126);
+    STRAIGHT(26, MUL, 420, 336, 168);
+    STRAIGHT(30, LIN, 462, -2, 1, -2, 0);
+    STRAIGHT(36, TIM, 504, 462);
+    STRAIGHT(39, EXP, 546, 588, 504, 462);
+    STRAIGHT(44, LIN, 630, -2, 1, -2, 588);
+    STRAIGHT(50, SQR, 672, 42);
+    STRAIGHT(53, LIN, 714, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 672);
+    STRAIGHT(75, MUL, 756, 630, 714);
+    STRAIGHT(79, LIN, 798, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630, -2, 714, -2, 756);
+}
+INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(105, LIN, 840, -2, 1, -2, 714);
+    STRAIGHT(111, LIN, 882, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(7)
+/* tim 0; turn 2 0; lin 1; rec 5; lin 7; sqr 1; lin 3 4 9; mul 8 10; lin 3 4 8 10 11 | lin 10; lin 3 4 */
+INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, LIN, 210, -2, 1, -2, 42);
+    STRAIGHT(14, REC, 252, 294, 210);
+    STRAIGHT(18, LIN, 336, -2, 1, -2, 294);
+    STRAIGHT(24, SQR, 378, 42);
+    STRAIGHT(27, LIN, 420, -2, 3, -2, 126, -2, 168, -2, 378);
+    STRAIGHT(37, MUL, 462, 336, 420);
+    STRAIGHT(41, LIN, 504, -2, 5, -2, 126, -2, 168, -2, 336, -2, 420, -2, 462);
+}
+INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(55, LIN, 546, -2, 1, -2, 420);
+    STRAIGHT(61, LIN, 588, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(8)
+/* tim 0; turn 2 0; lin 1; rec 5; lin 7; powers 0; sqr 1; lin 0 3 4 9 10 11 12 13 14 15; mul 8 16; lin 3 4 8 16 17 | lin 16; lin 3 4 */
+INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, LIN, 210, -2, 1, -2, 42);
+    STRAIGHT(14, REC, 252, 294, 210);
+    STRAIGHT(18, LIN, 336, -2, 1, -2, 294);
+    STRAIGHT(24, POWERS, 378, 420, 462, 504, 546, 588, 0);
+    STRAIGHT(32, SQR, 630, 42);
+    STRAIGHT(35, LIN, 672, -2, 10, -2, 0, -2, 126, -2, 168, -2, 378, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630);
+    STRAIGHT(59, MUL, 714, 336, 672);
+    STRAIGHT(63, LIN, 756, -2, 5, -2, 126, -2, 168, -2, 336, -2, 672, -2, 714);
+}
+INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(77, LIN, 798, -2, 1, -2, 672);
+    STRAIGHT(83, LIN, 840, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(9)
+/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; lin 1; rec 8; lin 10; sqr 1; lin 3 4 5 6 7 12; mul 11 13; lin 3 4 5 6 7 11 13 14 | lin 13; lin 3 4 */
+INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, RAMP, 210, -2);
+    STRAIGHT(11, MUL, 252, 210, 126);
+    STRAIGHT(15, MUL, 294, 210, 168);
+    STRAIGHT(19, LIN, 336, -2, 1, -2, 42);
+    STRAIGHT(25, REC, 378, 420, 336);
+    STRAIGHT(29, LIN, 462, -2, 1, -2, 420);
+    STRAIGHT(35, SQR, 504, 42);
+    STRAIGHT(38, LIN, 546, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504);
+    STRAIGHT(54, MUL, 588, 462, 546);
+    STRAIGHT(58, LIN, 630, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 462, -2, 546, -2, 588);
+}
+INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(78, LIN, 672, -2, 1, -2, 546);
+    STRAIGHT(84, LIN, 714, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(10)
+/* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; lin 1; rec 11; lin 13; sqr 1; lin 3 4 5 6 7 8 9 10 15; mul 14 16; lin 3 4 5 6 7 8 9 10 14 16 17 | lin 16; lin 3 4 */
+INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(0, TIM, 84, 0);
+    STRAIGHT(3, TURN, 126, 168, 84, 0);
+    STRAIGHT(8, RAMP, 210, -2);
+    STRAIGHT(11, MUL, 252, 210, 126);
+    STRAIGHT(15, MUL, 294, 210, 168);
+    STRAIGHT(19, RAMP, 336, -2);
+    STRAIGHT(22, MUL, 378, 336, 126);
+    STRAIGHT(26, MUL, 420, 336, 168);
+    STRAIGHT(30, LIN, 462, -2, 1, -2, 42);
+    STRAIGHT(36, REC, 504, 546, 462);
+    STRAIGHT(40, LIN, 588, -2, 1, -2, 546);
+    STRAIGHT(46, SQR, 630, 42);
+    STRAIGHT(49, LIN, 672, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630);
+    STRAIGHT(71, MUL, 714, 588, 672);
+    STRAIGHT(75, LIN, 756, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 588, -2, 672, -2, 714);
+}
+INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
+{
+    STRAIGHT(101, LIN, 798, -2, 1, -2, 672);
+    STRAIGHT(107, LIN, 840, -2, 2, -2, 126, -2, 168);
+}
+EACH_ORDER(11)
+static const struct {
+    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n);
+    void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
+} straight[] = {
+    {order_0, later_0},
+    {order_1, later_1},
+    {order_2, later_2},
+    {order_3, later_3},
+    {order_4, later_4},
+    {order_5, later_5},
+    {order_6, later_6},
+    {order_7, later_7},
+    {order_8, later_8},
+    {order_9, later_9},
+    {order_10, later_10},
+    {order_11, later_11},
+};
+#endif
+
 /* Coefficient n of every register that the rates need. */
 INLINE void operate(const Batch *b, int n)
 {
     const Job *const job = b->job;
     const double per = b->inverse[n];
-    for (const int32_t *at = job->series; at < job->series_end;) at = IN(operate)(at, b->r, b->c, 1, n, per);
+#ifndef __wasm__
+    if (job->straight >= 0) {
+        straight[job->straight].order(job->series, b->r, b->c, n, per);
+        return;
+    }
+#endif
+    for (const int32_t *at = job->series; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
 }
 
 /* Coefficients below n of all others. */
 INLINE void operate_later(const Batch *b, int n)
 {
     const Job *const job = b->job;
+#ifndef __wasm__
+    if (job->straight >= 0) {
+        straight[job->straight].later(job->series, b->r, b->c, n, b->inverse);
+        return;
+    }
+#endif
     for (const int32_t *at = job->series_end, *next = at; at < job->later_end; at = next)
-        for (int k = 0; k < n; k++) next = IN(operate)(at, b->r, b->c, 1, k, b->inverse[k]);
+        for (int k = 0; k < n; k++) next = operation(at, at, b->r, b->c, k, b->inverse[k]);
 }
 
 #define REGISTER(i) (b->r + (i))

@@ -42,6 +42,8 @@ def moment(weight: str, name: str = "new", more: str = "") -> str:
     return f'Moment("{name}", "N", {weight}, "help"{more})'
 
 
+SLIPS = '_list("slip", "m", "slips", "slip_m")'
+COEFFICIENTS = '_friction("coefficient", "coefficients", "angle_deg", "list")'
 FALLS = "_R + (_P - _R) * sp.exp(-SLIP / _L)"
 C = 'sp.Symbol("c_new", real=True)'
 OF_PRESSURE = '"c", "Pa", "help", "c_kPa"'
@@ -50,7 +52,7 @@ WRONG = [
     (law(FALLS, name="exponential"), "name: found 'exponential', what something else is called"),
     (law(FALLS, name="drag"), "name: found 'drag', what something else is called"),
     (law(FALLS, name="balance"), "name: found 'balance', what something else is called"),
-    (law(FALLS, name=" "), "name: found ' ', wanted small letters, digits and _"),
+    (law(FALLS, name=" "), "name: found ' ', wanted words on what it is"),
     (law(FALLS, name="my law"), "name: found 'my law', wanted small letters"),
     (law(FALLS, name="lambda"), "name: found 'lambda', a keyword of Python"),
     (effect(f"pressure={C}", OF_PRESSURE, "friction"), "name: found 'friction', what something else is called"),
@@ -67,7 +69,7 @@ WRONG = [
     # help and source
     (moment("r", more=', equation="9.9"'), "equation: found '9.9', wanted one of the paper"),
     (moment("r", more=', equation="2.4", source="Bell"'), "equation: found '2.4' beside source='Bell'"),
-    ('Law("new", " ", _SOFTENING, ' + FALLS + ")", "help: found ' ', wanted a line on what it is"),
+    ('Law("new", " ", _SOFTENING, ' + FALLS + ")", "help: found ' ', wanted words on what it is"),
     # parameters
     (law("_C", '(_friction("lambda", "help"),)'), "parameter 'lambda': found 'lambda', a keyword of Python"),
     (law(FALLS, "(*_SOFTENING, _SOFTENING[0])"), "parameter 'peak': found 'peak', what something else is called"),
@@ -78,6 +80,34 @@ WRONG = [
     (effect("pressure=" + C, OF_PRESSURE + ", lower=1.0, upper=0.0"), "parameter 'c', bounds: found 1.0 and 0.0"),
     (effect("pressure=" + C, OF_PRESSURE + ', kind="numbers"'), "parameter 'c', kind: found 'numbers'"),
     (law(FALLS, '(*_SOFTENING, Parameter("stiffness", "Pa", "help", "stiffness_Pa"))'), "unit: found 'Pa', wanted"),
+    (effect("pressure=" + C, '"c", "Pa", "", "c_Pa"'), "parameter 'c', help: found '', wanted words on what it is"),
+    (effect("pressure=" + C, '"c", "", "help", ""'), "parameter 'c', key: found '', wanted a key for scene files, as"),
+    (
+        effect("pressure=" + C, '"c", "", "help", "c", kind="text"'),
+        "parameter 'c', kind: found 'text', wanted one of n",
+    ),
+    (
+        effect("pressure=" + C, '"c", "", "help", "c", kind="|"'),
+        "parameter 'c', kind: found '|', wanted number, series",
+    ),
+    (
+        effect("pressure=" + C, '"c", "", "help", "c", kind="rotation"'),
+        "parameter 'c', key: found 'c', wanted none, as",
+    ),
+    (effect("pressure=" + C, '"c", "", "help", "c", dimensionless=sp.Integer(1)'), "found 1, wanted a formula of the"),
+    (
+        effect("pressure=" + C, '"c", "", "help", "c", dimensionless=1 / VALUE'),
+        "a pole or a complex number next to c = ",
+    ),
+    # types
+    (law(FALLS, "[*_SOFTENING]"), "parameters: found [Parameter("),
+    (law(FALLS, '("peak",)'), "parameters: found ('peak',), wanted tuple[Parameter, ...]"),
+    (law(FALLS, more=", equation=3.11"), "equation: found 3.11, wanted str"),
+    (law(FALLS, more=', source=" "'), "source: found ' ', wanted words on what it is"),
+    (law("_P * sp.oo", "_SOFTENING[:1]"), "coefficient: found oo*peak, wanted an expression of SymPy in real numbers"),
+    (effect(f"pressure={C}", '"c", "", "help", "c", lower="0"'), "parameter 'c', lower: found '0', wanted float"),
+    (effect(f"pressure={C}", '"c", "", "help", "c"', more=", any_of='c'"), "any_of: found 'c', wanted tuple[str, ...]"),
+    (moment("r*sp.cos(theta)", more=', amplitude=("k", "K", "L")'), "amplitude: found ('k', 'K', 'L'), wanted"),
     # symbols
     (law('_P * sp.Symbol("strange", real=True)'), "coefficient: found the symbol strange, which is not declared"),
     (
@@ -97,6 +127,16 @@ WRONG = [
         "symbols: found drag, wanted each for one quantity of one effect",
     ),
     (effect(f"pressure={C}", '"c", "", "help", "c"').replace("c_new", "normal"), "symbols: found normal, wanted each"),
+    (
+        effect(f"pressure={C}", '"c", "", "help", "c"').replace("c_new", "J_r"),
+        "symbols: found J_r, wanted each for one",
+    ),
+    (
+        effect("pressure=" + C, '"c", "", "help", "c"').replace(", real=True", ""),
+        "symbols: found Symbol('c_new'), wanted",
+    ),
+    (effect(f"growth={C}", '"c", "", "help", "c"'), "states: found (), wanted some that stand in its terms"),
+    (effect(f"pressure={C}", more=f", states=({C},)"), "states: found (c_new,), wanted some that stand in its terms"),
     (effect("pressure=SLIP_MU"), "u: found the symbol slip_mu, which is not declared"),
     # functions
     (law("_P * (1 + sp.tanh(SLIP / _L)) + _R"), "coefficient: found tanh(slip/length), wanted sums, products"),
@@ -111,8 +151,12 @@ WRONG = [
     ),
     (law("_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)"), "found Max(0, Min(1, slip/length)), wanted min and max of two"),
     (law("sp.I * _P + _R * SLIP / _L"), "coefficient: found I*peak + residual*slip/length, wanted an expression"),
-    (law("_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))", more=", degree=1"), "piece between branches: found"),
-    (law("_R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 2", more=", degree=1"), "degree of a piece: found 2, wanted"),
+    (law("_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))"), "piece between branches: found"),
+    (law("_R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 8"), "degree of a piece: found 8, wanted at most 7"),
+    (law(FALLS, more=", degree=3"), "degree: found 3, wanted none, as it follows from the formula"),
+    (law("None", f"({SLIPS}, {COEFFICIENTS})", more=", degree=8"), "degree: found 8, wanted 0 to 7"),
+    (law("None", f"({SLIPS},)"), "coefficient: found none, wanted a formula, or two lists"),
+    (law("None", f"({SLIPS.replace('m', 's')}, {COEFFICIENTS})"), "coefficient: found none, wanted a formula, or two"),
     # dimensions
     (
         law("_P * sp.exp(-SLIP)", "_SOFTENING[:1]"),
@@ -156,7 +200,15 @@ WRONG = [
     (law("_P * sp.sqrt(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "a pole or a complex number next to slip = "),
     (law("_P * sp.cos(SLIP / _L)", "(_SOFTENING[0], _SOFTENING[2])"), "coefficient: found -"),
     (law("_P * _V / SPEED", "(_SOFTENING[0], _WEAKENING[2])"), "a pole or a complex number next to speed = "),
+    (effect(f"resistance=-LAMBDA * {C}", '"c", "", "help", "c"'), "resistance: found -"),
+    (
+        effect(f"resistance=LAMBDA / {C}", '"c", "", "help", "c"'),
+        "resistance: found a pole or a complex number next to",
+    ),
     # moments
+    (moment("r", "np"), "name: found 'np', what something else is called"),
+    (moment("r", "lost"), "name: found 'lost', what something else is called"),
+    (moment("r*sp.cos(theta)", more=', amplitude=("class", "K")'), "name: found 'class', a keyword of Python"),
     (moment("sp.sqrt(r)"), "weight that can be certified: found sqrt(r), wanted r**n, +-r**n*sin(theta)"),
     (moment("r**6"), "weight that can be certified: found r**6, wanted r**n"),
     (moment("r**2 * sp.log(r)"), "weight that can be certified: found r**2*log(r), wanted"),

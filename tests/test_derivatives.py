@@ -134,14 +134,14 @@ ALL = slice(None)
 ENDS = ("friction", "theta_1", "theta_2")  # by which an 1e-9 from the limit no derivative is seen
 HARD: dict[str, tuple[Any, ...]] = {
     "thin": (hard(1e-6), ALL, 32),
-    "half disc": (hard(math.pi - 1e-9), ALL, 32, 1e-5),
+    "half disc": (hard(math.pi - 1e-9), ALL, 32, 2e-6),
     "limit-3": (hard(share=1.0 - 1e-3), ALL, 42),
-    "limit-9": (hard(share=1.0 - 1e-9), ALL, 42, 1e-4, ENDS),
+    "limit-9": (hard(share=1.0 - 1e-9), ALL, 42, 5e-5, ENDS),
     "no friction": (hard(share=0.0), ALL, 32, 1e-7, ["friction"]),
     "many swings": (hard(share=0.06), ("friction", "theta_1"), 32),
     "weak brake": (hard(drag={"xi": 1e9}), ALL, 32),
     "strong brake": (hard(drag={"xi": 0.1}), ("friction", "drag.xi"), 32),
-    "strong brake at the limit": (hard(share=1.0 - 1e-6, drag={"xi": 10.0}), ALL, 42, 1e-5),
+    "strong brake at the limit": (hard(share=1.0 - 1e-6, drag={"xi": 10.0}), ALL, 42, 2e-6),
     "water": (hard(share=0.9, cohesion={"cohesion": 100.0}, pore_pressure={"ratio": 0.05, "pressure": 50.0}), ALL, 32),
 }
 

@@ -38,7 +38,7 @@ MORE = {
     Law("gaussian", "residual + (peak - residual) exp(-(slip/length)^2)", _SOFTENING,
         _R + (_P - _R) * sp.exp(-((SLIP / _L) ** 2))),
     Law("parabolic", "falls ever more slowly to residual, over the length", _SOFTENING,
-        _R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 2, degree=2),
+        _R + (_P - _R) * (1 - sp.Min(SLIP / _L, 1)) ** 2),
     Law("logarithmic", "coefficient + gain log(1 + speed/velocity)", (
         _friction("coefficient", "friction coefficient at rest", "angle_deg"),
         Parameter("gain", "", "what a speed e times as great adds", "gain"),

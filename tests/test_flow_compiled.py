@@ -1,6 +1,7 @@
 """The compiled integrator beside the one in NumPy: the same lanes, whatever their neighbours, wherever interrupted."""
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -8,8 +9,9 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
-from tests.support.lanes import BACKENDS, BINARY, COUNTED, Samples, compiled, integrate, needs_binary
-from tests.support.walks import LANES, SCENES, problem
+from slipcircle.core.walk.compiled import encoded
+from tests.support.lanes import BACKENDS, BINARY, COUNTED, Program, Samples, compiled, integrate, needs_binary, posed
+from tests.support.walks import LANES, MU, PUSHED, SCENES, SHAKEN, TURNING, problem
 
 pytestmark = needs_binary
 
@@ -46,6 +48,49 @@ def test_every_kind_of_processor_gives_the_same(name: str) -> None:
     bound = problem(name)
     for level in BINARY.LEVELS:
         alike(integrate(bound), integrate(bound, level=level), 1e-12)
+
+
+FRICTION: dict[str, Any] = {
+    "constant": MU,
+    "exponential": {"law": "exponential", "peak": MU, "residual": 0.7 * MU, "length": 20.0},
+    "rate": {"law": "rate_weakening", "peak": MU, "residual": 0.7 * MU, "velocity": 1.0},
+}
+ONE_WAY, TWO_WAYS = {"horizontal": SHAKEN["horizontal"]}, SHAKEN
+STRAIGHT: dict[str, tuple[str, dict[str, Any]]] = {
+    "": ("vaiont", {}),
+    "level of water": ("valley-side", {}),
+    "record": ("vaiont", {"shaking": ONE_WAY}),
+    "record, two directions": ("vaiont", {"shaking": TWO_WAYS}),
+    "cohesion": ("vaiont", {"cohesion": {"cohesion": 2e5}}),
+}
+
+
+def interpreted(program: Program) -> bytes:
+    """A program with its last operation twice, which no function has."""
+    code = np.frombuffer(encoded(program), np.int32)
+    end = 9 + len(ix.ROLES) + int(code[5:8].sum())
+    again = code[end - 8 : end]  # a sum of two terms
+    longer = np.concatenate([code[:end], again, code[end:]])
+    longer[7] += 8
+    return longer.tobytes()
+
+
+@pytest.mark.parametrize("of", STRAIGHT)
+@pytest.mark.parametrize("law", FRICTION)
+def test_a_straight_line_program_has_the_bits_of_its_interpretation(law: str, of: str, monkeypatch: Any) -> None:
+    name, called = STRAIGHT[of]
+    slide: Any = slipcircle.load(name)
+    scene = replace(slide, friction=FRICTION[law], effects=TURNING | called, initial_velocity=PUSHED)
+    bound = posed(scene, 1e-11)
+    number = list(STRAIGHT).index(of) % 4 + 4 * list(FRICTION).index(law)  # cohesion is a cell: the first one serves
+    assert BINARY.straight_line(encoded(bound.program)) == number
+    assert BINARY.straight_line(interpreted(bound.program)) == -1
+    assert slipcircle.plan(scene).method.endswith("; straight-line")
+    for level in BINARY.LEVELS:
+        straight = integrate(bound, level=level)
+        with monkeypatch.context() as patched:
+            patched.setattr(compiled, "encoded", interpreted)
+            assert np.array_equal(integrate(bound, level=level), straight, equal_nan=True)
 
 
 def test_samples_and_notes_are_those_of_numpy() -> None:

@@ -206,7 +206,7 @@ def test_the_mass_is_drawn_to_scale_where_it_turns_to(name: str) -> None:
     m = motion(name)
     soil = m.plan.scene.arc
     assert isinstance(soil, Section)
-    ends, frame = mass_of(soil, soil).on_circle(mass_of(soil, soil).ends), livesection.frame_around([m])
+    ends, frame = mass_of(soil, soil).on_circle(mass_of(soil, soil).ends), livesection.frame_around(m, 1.0)
     drawn = livesection.section(m, frame, 1.0, "x")
     turn = -math.radians(drawn.turn * m.run_out)  # of the drawing, whose y is downwards
     matrix = np.array([[math.cos(turn), -math.sin(turn)], [math.sin(turn), math.cos(turn)]])
@@ -233,7 +233,7 @@ def test_surcharges_are_arrows_onto_the_ground_with_their_values() -> None:
         np.array(re.findall(r"-?[\d.]+", part), dtype=float).reshape(-1, 2) for part in line.split("M")[1:]
     ]
     tips = np.array([arrow[1] for arrow in arrows])
-    ground = livesection.frame_around([m]).points(np.array([[-8.0, 20.0], [-2.0, 20.0]]))  # level at 20 m there
+    ground = livesection.frame_around(m, 1.0).points(np.array([[-8.0, 20.0], [-2.0, 20.0]]))  # level at 20 m there
     assert tips[[0, -1]] == pytest.approx(ground, abs=0.1)
     heights = tips[:, 1] - tail[:, 1]
     assert heights == pytest.approx(np.linspace(heights[-1] / 3, heights[-1], len(tips)), abs=0.1)

@@ -251,7 +251,7 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 
 
 # Imports of generated modules, in this order.
-_IMPORTS = (
+IMPORTS = (
     "from __future__ import annotations",
     "",
     "from typing import Any",
@@ -285,7 +285,7 @@ def _imports(code: str) -> str:
     without_strings = re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)
     used = set(re.findall(r"\w+", without_strings))
     imports = []
-    for line in _IMPORTS:
+    for line in IMPORTS:
         start, _, names = line.rpartition("import ")
         needed = [x for x in names.split(", ") if x.endswith((" as np", "annotations")) or x in used]
         if needed:

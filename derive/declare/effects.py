@@ -155,8 +155,8 @@ class Law:
     """A friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
 
     ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; a minimum or maximum changes its branch at a slip
-    that is a parameter. A law without formula (a table, whose first parameter is its argument) is computed by the
-    runtime, in pieces that are polynomials of this ``degree`` in the slip or in the logarithm of the speed.
+    that is a parameter. A law without formula (a table: a list of its argument, and one of coefficients) is computed by
+    the runtime, in pieces that are polynomials of this ``degree`` in the slip or in the logarithm of the speed.
     ``equation`` is its number in the paper, ``source`` that of a law which is not there.
     """
 
@@ -210,7 +210,7 @@ LAWS = (
     Law("exponential", "residual + (peak - residual) exp(-slip/length)", _SOFTENING,
         _R + (_P - _R) * sp.exp(-SLIP / _L), equation="Fig. 4-1"),
     Law("linear", "falls from peak to residual over the length, then stays", _SOFTENING,
-        _P + (_R - _P) * sp.Min(SLIP / _L, 1), degree=1, equation="Fig. 4-1"),
+        _P + (_R - _P) * sp.Min(SLIP / _L, 1), equation="Fig. 4-1"),
     Law("hyperbolic", "residual + (peak - residual)/(1 + slip/length)", _SOFTENING,
         _R + (_P - _R) / (1 + SLIP / _L), equation="Fig. 4-1"),
     Law("tabulated", "monotone cubic interpolation in a table, its last value beyond", (

@@ -226,8 +226,16 @@ def of_law(law: Law) -> Fragment:
     else:
         if variable == "speed":
             _log_speed(law, low)
-        low.moving = {value: (value, piece(low, law.name, argument, law.degree))}
-    return low.fragment({"mu": value}, tables=((law.name, variable, argument, law.degree),))
+        low.moving = {value: (value, piece(low, law.name, argument, degree(law)))}
+    return low.fragment({"mu": value}, tables=((law.name, variable, argument, degree(law)),))
+
+
+def degree(law: Law) -> int:
+    """Of its pieces."""
+    if law.coefficient is None:
+        return law.degree
+    _, (first, *_) = pieces(law)
+    return len(first) - 1
 
 
 def _log_speed(law: Law, low: Lowering) -> None:
@@ -266,12 +274,11 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
         if not of_distance.is_polynomial(y):
             raise ProofError(f"{law.name}: piece between branches", of_distance, "a polynomial of the slip")
         polynomial = Poly(of_distance, y)
-        beyond = polynomial.all_coeffs()[::-1]
-        if len(beyond) > law.degree + 1:
-            raise ProofError(f"{law.name}: degree of a piece", len(beyond) - 1, f"at most degree={law.degree}")
-        zeros = [ZERO] * (law.degree + 1 - len(beyond))
-        polynomials.append(beyond + zeros)
-    return breaks, polynomials
+        polynomials.append(polynomial.all_coeffs()[::-1])
+    most = max(map(len, polynomials))
+    if most > DEGREE + 1:
+        raise ProofError(f"{law.name}: degree of a piece", most - 1, f"at most {DEGREE}")
+    return breaks, [p + [ZERO] * (most - len(p)) for p in polynomials]
 
 
 def gravity() -> Fragment:

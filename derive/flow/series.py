@@ -157,10 +157,10 @@ def _loop(sums: Sequence[_Sum]) -> list[str]:
 
 
 def _c_case(o: Operation) -> str:
-    places = {x: f"at[{i}]" for i, x in enumerate((*o.results, *o.arguments, *o.numbers), 1)}
-    names = [f"V *restrict {x} = r + (ptrdiff_t){places[x]} * stride;" for x in o.results]
-    names += [f"const V *{x} = r + (ptrdiff_t){places[x]} * stride;" for x in _read(o)]
-    names += [f"const V {x} = c[{places[x]}];" for x in o.numbers]
+    places = {x: i for i, x in enumerate((*o.results, *o.arguments, *o.numbers), 1)}
+    names = [f"V *restrict {x} = r + at[{places[x]}];" for x in o.results]
+    names += [f"const V *{x} = r + at[{places[x]}];" for x in _read(o)]
+    names += [f"const V {x} = c[own[{places[x]}]];" for x in o.numbers]
     start, step = _body(o, C)
     return CASE.format(
         code=o.name.upper(),

@@ -21,7 +21,7 @@ from derive.check.records import Record, unit
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
-from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series
+from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -36,7 +36,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
     integrator = restricted.integrator()
     walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
-    c_flow = emit.filled("_flow.c", layout.c() | series.c() | walk)
+    c_flow = emit.filled("_flow.c", layout.c() | series.c() | straight.c() | walk)
     texts = {
         "_compiled.py": emit.filled("_compiled.py"),
         "layout.py": layout.python(),

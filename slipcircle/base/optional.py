@@ -5,7 +5,6 @@ from typing import Any
 
 EXTRAS = {
     "scipy": "scenes",
-    "rich": "scenes",
     "matplotlib": "plot",
     "dask": "dask",
     "distributed": "dask",

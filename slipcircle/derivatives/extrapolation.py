@@ -6,7 +6,7 @@ power of h after the other (Ridders, Adv. Eng. Softw. 4, 75, 1982); its best ent
 
 import numpy as np
 
-from slipcircle.base.kinds import Flags, Floats
+from slipcircle.base.kinds import Floats
 
 COLUMNS = 7  # of a tableau
 CAUTION = 3.0  # error over the last change in a tableau: of a half power of h, the worst, it is 2.4
@@ -25,43 +25,31 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> tuple[Float
     least = np.full(shape, np.inf)
     last_power = first_power * COLUMNS
     for power in range(first_power, last_power + 1, first_power):
-        following = _without_power(column, power)
-        noise = _noise_without_power(noise, power)
+        following = _combined(column, power, -1.0)
+        noise = _combined(noise, power, 1.0)
         change = _last_change(following, column)
         error = CAUTION * change + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
         is_unknown = np.isnan(error)
         error = np.where(is_unknown, np.inf, error)
-        surest = np.argmin(error, axis=-1)
-        place = surest[..., None]
-        of_surest = np.take_along_axis(error, place, -1)
-        error = of_surest[..., 0]
-        of_surest = np.take_along_axis(following, place, -1)
-        value = of_surest[..., 0]
-        is_better = error < least
+        place = np.argmin(error, axis=-1, keepdims=True)
+        value = np.take_along_axis(following, place, -1)[..., 0]
+        surest = np.take_along_axis(error, place, -1)[..., 0]
+        is_better = surest < least
         best = np.where(is_better, value, best)
-        least = np.where(is_better, error, least)
+        least = np.where(is_better, surest, least)
         column = following
     return best, least
 
 
-def _without_power(column: Floats, power: int) -> Floats:
-    """The next column of a tableau, without this power of h."""
+def _combined(column: Floats, power: int, sign: float) -> Floats:
+    """The next column of a tableau, without this power of h; with a positive sign the noise of it."""
     factor = 2.0**power
     longer = column[..., :-1]
     shorter = column[..., 1:]
-    difference = factor * shorter - longer
+    combined = factor * shorter + sign * longer
     weight = factor - 1
-    return np.asarray(difference / weight)
-
-
-def _noise_without_power(noise: Floats, power: int) -> Floats:
-    factor = 2.0**power
-    longer = noise[..., :-1]
-    shorter = noise[..., 1:]
-    most = factor * shorter + longer
-    weight = factor - 1
-    return np.asarray(most / weight)
+    return np.asarray(combined / weight)
 
 
 def _last_change(following: Floats, column: Floats) -> Floats:
@@ -71,11 +59,8 @@ def _last_change(following: Floats, column: Floats) -> Floats:
     after = following[..., 1:]
     before_last = following[..., -2:-1]
     next_one = np.concatenate([after, before_last], axis=-1)
-    change = np.abs(following - longer)
-    for other in (shorter, next_one):
-        difference = np.abs(following - other)
-        change = np.maximum(change, difference)
-    return np.asarray(change)
+    changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
+    return np.max(changes, axis=0)
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
@@ -84,24 +69,15 @@ def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     other = following[..., None, :]
     differences = np.abs(one - other)
     allowed = NOISY * noise
-    allowed_of_other = allowed[..., None, :]
-    unlike = differences - allowed_of_other
-    at_shorter = _at_shorter(unlike)
-    return np.asarray(np.max(unlike, axis=-1, where=at_shorter, initial=0.0))
-
-
-def _at_shorter(pairs: Floats) -> Flags:
-    """Which pairs of steps have the shorter one second, as a mask of the last two axes."""
-    count = pairs.shape[-1]
-    lower = np.tri(count, dtype=bool)
-    return np.broadcast_to(lower.T, pairs.shape)
+    unlike = differences - allowed[..., None, :]
+    return np.triu(unlike).max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
     """How much values scatter at the shortest steps: the greatest of what a cubic leaves, of all steps."""
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
-        column = _without_power(column, power)
+        column = _combined(column, power, -1.0)
     changes = np.abs(np.diff(column))
     known = np.nan_to_num(changes)
     return np.asarray(np.max(known, axis=-1, keepdims=True))

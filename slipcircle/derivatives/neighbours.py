@@ -7,9 +7,8 @@ the motion's own are a jump, unlike slopes a kink. What one ladder leaves open g
 ends.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from itertools import groupby
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,12 +30,11 @@ TOGETHER = 6  # numbers of a section's shape in one ensemble: each of its lanes 
 SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
 SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
-_Known = tuple[Floats, Floats]  # values and errors
 Outcomes = Callable[[Any], Sequence[Any] | Floats]
 
 
 class Derivatives(NamedTuple):
-    """Derivatives of outcomes by numbers, (outcomes, numbers); below and above a number's value (..., 2).
+    """Derivatives of outcomes by numbers, (outcomes, numbers), or one of them; below and above a number's value, (2,).
 
     ``kinds`` are "smooth", "kink" (both slopes differ), "jump" (the outcome is another at once on a side), "one side"
     (there is no scene beyond) or "unresolved".
@@ -49,17 +47,6 @@ class Derivatives(NamedTuple):
     slope_errors: Floats  # infinite where a slope is not known
     jumps: Floats  # by how much the outcome is another at once; 0 where it is continuous
 
-    def at(self, numbers: Any) -> "Derivatives":
-        """Those by some of the numbers."""
-        return Derivatives(*(array[:, numbers] for array in self))
-
-
-class _Values(NamedTuple):
-    """Outcomes of the motion, (outcomes, numbers), and of its neighbours, (outcomes, numbers, sides, rungs), or NaN."""
-
-    here: Floats
-    beside: Floats
-
 
 def neighbour_derivatives(
     scene: Scene[float], outcomes: Outcomes, free: Mapping[str, Free], error: float = 0.0
@@ -69,134 +56,157 @@ def neighbour_derivatives(
     ``outcomes`` reads them off a motion, or off an ensemble, in rows. ``error`` is the relative error that those of the
     motion and of its neighbours have alike.
     """
-    every = list(free.values())
-    scales = np.array([number.scale for number in every])
-    remaining = np.arange(len(every))
-    found: Any = None
+    found: dict[str, list[Derivatives]] = {}  # of every outcome, by number
+    remaining = list(free.values())
     for ladder in range(LADDERS):
+        scales = np.array([[[number.scale]] for number in remaining])
         first = RUNGS * ladder
         rungs = np.arange(first, first + RUNGS)
-        scale = scales[remaining]
-        longest = scale[:, None] * FIRST
-        shares = 2.0**-rungs
-        steps = longest * shares
-        numbers = [every[k] for k in remaining]
-        values = _solved(scene, outcomes, numbers, steps)
-        new, is_open = _judged(values, steps, scale, CAUTION * max(ACCURACY, error))
-        if found is None:
-            found = new
-        else:
-            before = found.at(remaining)
-            nearer = _nearer(before, new)
-            for known, array in zip(found, nearer, strict=True):
-                known[:, remaining] = array
-        any_open = is_open.any(axis=0)
-        remaining = remaining[any_open]
-        if not remaining.size:
+        longest = FIRST * scales
+        steps = longest * 2.0**-rungs
+        here, beside = _solved(scene, outcomes, remaining, steps)
+        off = CAUTION * max(ACCURACY, error)
+        every, goals = _judged(here, beside, steps, scales, off)
+        are_open = []
+        for number, by_number, goal in zip(remaining, every, goals, strict=True):
+            known = found.get(number.name, by_number)
+            pairs = zip(known, by_number, strict=True)
+            found[number.name] = [_nearer(*pair) for pair in pairs]
+            if _is_open(by_number, goal):
+                are_open.append(number)
+        remaining = are_open
+        if not remaining:
             break
-    return Derivatives(*found)
+    columns = []
+    for name in Derivatives._fields:
+        column = np.array([[getattr(one, name) for one in by_outcome] for by_outcome in found.values()])
+        columns.append(column.swapaxes(0, 1))
+    return Derivatives(*columns)
+
+
+def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
+    """Whether the derivatives of some outcome by a number need another ladder."""
+    for one, most in zip(found, goal, strict=True):
+        is_near = one.errors <= most
+        if not is_near or one.kinds == JUMP:
+            return True
+    return False
 
 
 # --- ensembles -------------------------------------------------------------------------------------------------------
 
 
-def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> _Values:
-    parts = list[_Values]()
-    for part in _parts(scene, numbers):
-        values = _neighbours(scene, outcomes, numbers[part], steps[part])
-        parts.append(values)
-    here, beside = zip(*parts, strict=True)
-    return _Values(here=np.concatenate(here, axis=1), beside=np.concatenate(beside, axis=1))
+def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> tuple[Floats, Floats]:
+    """Outcomes of the motion, (outcomes, numbers, 1), and of its neighbours, (outcomes, numbers, sides, rungs), or NaN.
 
-
-def _parts(scene: Scene[float], numbers: Sequence[Free]) -> Iterator[slice]:
-    """Those of the numbers that go into one ensemble: some of a section's shape, or as many others as follow."""
+    Of the numbers of a section's shape only some are in one ensemble.
+    """
     is_section = "ground" in scene.arc.quantities
-    first = 0
-    for of_shape, group in groupby(numbers, lambda number: is_section and number.name.startswith(SHAPE)):
-        end = first + len(list(group))
-        most = TOGETHER if of_shape else end
-        while first < end:
-            last = min(first + most, end)
-            yield slice(first, last)
-            first = last
+    of_shape = list[int]()
+    others = list[int]()
+    for k, number in enumerate(numbers):
+        is_shape = is_section and number.name.startswith(SHAPE)
+        chosen = of_shape if is_shape else others
+        chosen.append(k)
+    parts = [others]
+    for first in range(0, len(of_shape), TOGETHER):
+        parts.append(of_shape[first : first + TOGETHER])
+    here = {}
+    beside = {}
+    for part in filter(None, parts):
+        offsets = steps[part] * SIDES
+        chosen_numbers = [numbers[k] for k in part]
+        values = _neighbours(scene, outcomes, chosen_numbers, offsets)
+        of_others = values[:, 1:]
+        of_others = of_others.reshape(-1, *offsets.shape)
+        for place, k in enumerate(part):
+            here[k] = values[:, :1]
+            beside[k] = of_others[:, place]
+    in_order = range(len(numbers))
+    all_here = [here[k] for k in in_order]
+    all_beside = [beside[k] for k in in_order]
+    return np.stack(all_here, axis=1), np.stack(all_beside, axis=1)
 
 
-def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> _Values:
-    """One ensemble of the scene and its neighbours."""
-    each_side = steps[:, None, :]
-    offsets = each_side * SIDES
+def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
+    """Outcomes of the scene, and of it with each number by its offsets another, in rows."""
     arrays = {}
     for k, number in enumerate(numbers):
         change = np.zeros_like(offsets)
         change[k] = offsets[k]
-        every_change = np.append(0.0, change)
-        arrays[number.name] = number.value + every_change
+        with_scene = np.append(0.0, change)
+        arrays[number.name] = number.value + with_scene
     changed, invalid = with_parameter_arrays(scene, arrays)
     accurate = replace(changed, accuracy=ACCURACY)
     with np.errstate(all="ignore"):
         motion = solve(accurate, invalid=invalid)
-    values = np.array(outcomes(motion))
-    of_scene = values[:, :1]
-    of_others = values[:, 1:]
-    here = np.repeat(of_scene, len(numbers), axis=1)
-    beside = of_others.reshape(-1, *offsets.shape)
-    return _Values(here, beside)
+    return np.array(outcomes(motion))
 
 
 # --- what differences say --------------------------------------------------------------------------------------------
 
 
-def _judged(values: _Values, steps: Floats, scales: Floats, off: float) -> tuple[Derivatives, Flags]:
-    """Derivatives by one ladder, and which of them need another; outcomes are ``off`` alike, relative."""
-    beside = values.beside
-    largest = _largest(values)
-    rounding = ROUNDING * largest
-    every_rounding = rounding[:, None, None, None]
-    scatter = noise_of(beside) + every_rounding
+def _judged(
+    here: Floats, beside: Floats, steps: Floats, scales: Floats, off: float
+) -> tuple[list[list[Derivatives]], list[list[float]]]:
+    """Derivatives by one ladder, (numbers, outcomes), and the errors below which they need no other.
+
+    Outcomes are ``off`` alike, relative.
+    """
+    largest = _largest(here, beside)
+    scatter = noise_of(beside) + ROUNDING * largest[..., None]
     noise = np.broadcast_to(scatter, beside.shape)
-    jumps = _jumps(values, noise, largest)
-    slopes, slope_errors = _slopes(beside, noise, steps)
+    jumps = _jumps(here, beside, noise, largest)
+    slopes, errors = _slopes(beside, noise, steps)
     steepness = np.abs(slopes)
-    slope_errors = slope_errors + off * steepness
-    is_sure = slope_errors < KNOWN * steepness
+    errors = errors + off * steepness
+    is_sure = errors < KNOWN * steepness
     is_sure &= jumps == 0.0
     sure = np.where(is_sure, steepness, 0.0)
-    size = _greatest(sure, scales, largest)
-    by_side = size[..., None]
-    is_known = slope_errors <= KNOWN * by_side
-    slope_errors = np.where(is_known, slope_errors, np.inf)
-    sides = Derivatives("", 0.0, 0.0, slopes, slope_errors, jumps)
-    value, error = _central(beside, noise, steps)
-    central = value, error + off * np.abs(value)
-    nothing = np.isnan(beside[..., -1])
-    found = _kinds(sides, central, nothing, steps[:, -1])
-    is_near = found.errors <= GOAL * size
-    has_jump = found.kinds == JUMP
-    return found, ~is_near | has_jump
+    size = _greatest(sure, scales[..., 0], largest)
+    is_known = errors <= KNOWN * size
+    errors = np.where(is_known, errors, np.inf)
+    central, of_central = _central(beside, noise, steps)
+    of_central = of_central + off * np.abs(central)
+    is_end = np.isnan(beside[..., -1])
+    shortest = np.broadcast_to(steps[:, 0, -1], central.shape)
+    by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
+    by_number = [column.swapaxes(0, 1) for column in by_outcome]
+    every = [[_of_one(*one) for one in zip(*of_number, strict=True)] for of_number in zip(*by_number, strict=True)]
+    goals = GOAL * size[..., 0]
+    return every, goals.T.tolist()
 
 
-def _largest(values: _Values) -> Floats:
-    """The size of each outcome; of one that is 0, that of its neighbours."""
-    sizes = np.abs(values.here)
-    sizes_beside = np.abs(values.beside)
-    largest = sizes.max(axis=1, initial=0.0)
+def _largest(here: Floats, beside: Floats) -> Floats:
+    """The size of each outcome, (outcomes, 1, 1); of one that is 0, that of its neighbours."""
+    sizes = np.abs(here)
+    sizes_beside = np.abs(beside)
+    largest = sizes.max(axis=(1, 2), keepdims=True, initial=0.0)
     largest_beside = np.nanmax(sizes_beside, axis=(1, 2, 3), initial=0.0)
-    return np.where(largest, largest, largest_beside)
+    by_outcome = largest_beside[:, None, None]
+    return np.where(largest, largest, by_outcome)
 
 
-def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
+def _greatest(steepness: Floats, scale: Floats, largest: Floats) -> Floats:
     """The most that a change of any number by its scale does to an outcome, over the scale of each number."""
-    changes = steepness * scales[:, None]
-    most_by_any = changes.max(axis=(1, 2), initial=0.0)
+    changes = steepness * scale
+    most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
     most = np.maximum(largest, most_by_any)
-    each_number = most[:, None]
-    return np.asarray(each_number / scales)
+    return np.asarray(most / scale)
 
 
-def _slopes(beside: Floats, noise: Floats, steps: Floats) -> _Known:
+def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floats:
+    """Of outcomes on each side; 0 where they are continuous or not known."""
+    limits, errors = extrapolated(beside, noise, 1)
+    gaps = limits - here
+    smallest = np.maximum(errors, ACCURACY * largest)
+    is_gap = np.abs(gaps) > smallest
+    return np.where(is_gap, gaps, 0.0)
+
+
+def _slopes(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
     """Of each side by itself."""
-    shorter = steps[:, None, 1:]
+    shorter = steps[..., 1:]
     farther = beside[..., :-1]
     nearer = beside[..., 1:]
     rise = SIDES * (farther - nearer)
@@ -204,110 +214,67 @@ def _slopes(beside: Floats, noise: Floats, steps: Floats) -> _Known:
     return extrapolated(rise / shorter, of_rise / shorter, 1)
 
 
-def _central(beside: Floats, noise: Floats, steps: Floats) -> _Known:
+def _central(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
     """Between both sides."""
+    step = steps[:, 0]
     below, above = np.moveaxis(beside, 2, 0)
     rise = above - below
     of_rise = noise.max(axis=2)
-    apart = 2 * steps
-    return extrapolated(rise / apart, of_rise / steps, 2)
+    apart = 2 * step
+    return extrapolated(rise / apart, of_rise / step, 2)
 
 
-def _jumps(values: _Values, noise: Floats, largest: Floats) -> Floats:
-    """Of outcomes on each side; 0 where they are continuous or not known."""
-    limits, errors = extrapolated(values.beside, noise, 1)
-    here = values.here[..., None]
-    gaps = limits - here
-    unseen = ACCURACY * largest
-    unseen_by_side = unseen[:, None, None]
-    smallest = np.maximum(errors, unseen_by_side)
-    is_gap = np.abs(gaps) > smallest
-    return np.where(is_gap, gaps, 0.0)
+def _of_one(
+    slopes: Floats, errors: Floats, jumps: Floats, central: float, of_central: float, is_end: Flags, shortest: float
+) -> Derivatives:
+    """The derivative of one outcome by one number; ``is_end`` says on which side there is no scene.
 
-
-def _kinds(sides: Derivatives, central: _Known, nothing: Flags, shortest: Floats) -> Derivatives:
-    """Derivatives of each kind, from those of both sides; ``nothing`` says on which there is no scene."""
-    _, _, _, slopes, errors, jumps = sides
+    A jump that a kink nearer than the longer steps would feign is left open.
+    """
     is_known = np.isfinite(errors)
-    goes_on = jumps == 0.0
-    joined = is_known & goes_on
-    errors_of_joined = np.where(joined, errors, np.inf)
-    surest = np.argmin(errors_of_joined, axis=-1)
-    best = surest[..., None]
-    value = np.take_along_axis(slopes, best, -1)
-    error = np.take_along_axis(errors, best, -1)
-    beyond = np.take_along_axis(nothing, 1 - best, -1)
-    kinds = _named(sides, joined, beyond[..., 0], shortest)
-    of_side = value[..., 0], error[..., 0]
-    is_smooth = kinds == SMOOTH
-    values, of_values = _surer(of_side, central, is_smooth)
-    is_kink = kinds == KINK
-    mean = slopes.mean(axis=-1)
-    largest_error = errors.max(axis=-1)
-    values = np.where(is_kink, mean, values)
-    of_values = np.where(is_kink, largest_error, of_values)
-    unknown = kinds == UNRESOLVED
-    unknown |= ~joined.any(axis=-1)
-    values = np.where(unknown, np.nan, values)
-    of_values = np.where(unknown, np.inf, of_values)
-    return Derivatives(kinds, values, of_values, slopes, errors, jumps)
-
-
-def _named(sides: Derivatives, joined: Flags, beyond: Flags, shortest: Floats) -> Any:
-    """The kind of each derivative. A jump that a kink nearer than the longer steps would feign is left open."""
-    _, _, _, slopes, errors, jumps = sides
     has_jump = jumps != 0.0
-    is_known = np.isfinite(errors)
+    joined = is_known & ~has_jump
+    errors_of_joined = np.where(joined, errors, np.inf)
+    surest = int(np.argmin(errors_of_joined))
     steepness = np.abs(slopes)
-    steepest = np.max(steepness, axis=-1, where=is_known, initial=0.0)
+    steepest = np.max(steepness, where=is_known, initial=0.0)
     feigned = RUNGS * shortest * steepest
-    by_side = feigned[..., None]
-    is_feigned = has_jump & (np.abs(jumps) < by_side)
-    both = joined.all(axis=-1)
-    one = joined.any(axis=-1)
-    below = slopes[..., 0]
-    above = slopes[..., 1]
-    difference = np.abs(above - below)
-    allowed = errors.sum(axis=-1)
-    conditions = {
-        UNRESOLVED: is_feigned.any(axis=-1),
-        KINK: both & (difference > allowed),
-        SMOOTH: both,
-        ONE_SIDE: one & beyond,
-        JUMP: has_jump.any(axis=-1),
-    }
-    return np.select([*conditions.values()], [*conditions], UNRESOLVED)
-
-
-def _surer(one: _Known, other: _Known, where: Any = True) -> _Known:
-    """Values and errors of the second where they are allowed and surer."""
-    value, error = one
-    other_value, other_error = other
-    better = where & (other_error < error)
-    values = np.where(better, other_value, value)
-    errors = np.where(better, other_error, error)
-    return values, errors
+    is_feigned = has_jump & (np.abs(jumps) < feigned)
+    below, above = slopes
+    kind = UNRESOLVED
+    value = slopes[surest]
+    error = errors[surest]
+    if np.any(is_feigned):
+        pass
+    elif np.all(joined) and abs(above - below) > errors.sum():
+        kind = KINK
+        value = slopes.mean()
+        error = errors.max()
+    elif np.all(joined):
+        kind = SMOOTH
+        if of_central < error:
+            value = central
+            error = of_central
+    elif joined[surest] and is_end[1 - surest]:
+        kind = ONE_SIDE
+    elif np.any(has_jump):
+        kind = JUMP
+    if kind == UNRESOLVED or not np.any(joined):
+        value = np.nan
+        error = np.inf
+    return Derivatives(kind, value, error, slopes, errors, jumps)
 
 
 def _nearer(before: Derivatives, new: Derivatives) -> Derivatives:
     """What two ladders say; nothing where they contradict each other, as where rounding makes stairs of an outcome."""
-    was_known = before.kinds != UNRESOLVED
-    surer_before = was_known & (before.errors <= new.errors)
-    difference = np.abs(new.values - before.values)
-    allowed = new.errors + before.errors
-    contradict = was_known & (difference > allowed)
-    jumped = before.kinds == JUMP
-    goes_on = new.kinds == SMOOTH
-    is_farther = jumped & goes_on  # than the shortest steps, the jump
-    keeps = surer_before & ~is_farther
-    kinds = np.where(keeps, before.kinds, new.kinds)
-    kinds = np.where(contradict, UNRESOLVED, kinds)
-    values = np.where(surer_before, before.values, new.values)
-    values = np.where(contradict, np.nan, values)
-    errors = np.where(surer_before, before.errors, new.errors)
-    errors = np.where(contradict, np.inf, errors)
-    each_side = keeps[..., None]
-    slopes = np.where(each_side, before.slopes, new.slopes)
-    slope_errors = np.where(each_side, before.slope_errors, new.slope_errors)
-    jumps = np.where(each_side, before.jumps, new.jumps)
-    return Derivatives(kinds, values, errors, slopes, slope_errors, jumps)
+    if before.kinds == UNRESOLVED:
+        return new
+    surer = before if before.errors <= new.errors else new
+    is_farther = before.kinds == JUMP and new.kinds == SMOOTH  # than the shortest steps, the jump
+    chosen = surer
+    if is_farther:
+        chosen = new._replace(values=surer.values, errors=surer.errors)
+    difference = abs(new.values - before.values)
+    if difference > new.errors + before.errors:
+        return chosen._replace(kinds=UNRESOLVED, values=np.nan, errors=np.inf)
+    return chosen

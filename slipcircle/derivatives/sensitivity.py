@@ -29,7 +29,7 @@ def sensitivity(scene: Scene[float], outputs: Mapping[str, float], error: float)
     if any(outputs.values()):
         found = neighbour_derivatives(scene, _outcomes, free, error)
         kept = list(_mattering(found, free))
-        found = found.at(kept)
+        found = Derivatives(*(array[:, kept] for array in found))
         names = [*free]
         free = {names[k]: free[names[k]] for k in kept}
         warnings += _warnings(found, free)

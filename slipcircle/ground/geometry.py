@@ -90,11 +90,6 @@ class SectionGeometry(TurningMass):
         _, number, *_ = self._candidates
         return self._cut.stretch == number[:, None]
 
-    @property
-    def _edges_over_mass(self) -> Any:
-        """Which edges of the ground of one section lie over its mass."""
-        return self._mine[0] & self._cut.part[0].is_nonzero
-
     @cached_property
     def _moments(self) -> dict[str, Floats]:
         """Integrals of `circles.MEASURES` over the mass."""

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.kinds import Floats, Integers
+from slipcircle.base.kinds import Floats
 from slipcircle.ground.circles import Cut, cut
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
@@ -48,8 +48,6 @@ class HeightIntegrals(NamedTuple):
 
     pieces: _Pieces
     slope: Floats  # of the edge above each piece, (n, pieces)
-    edge: Integers  # its number, (pieces,)
-    line: Floats  # vertices of the line with its continuations, over R from the centre, (n, V, 2)
 
     @property
     def kinks(self) -> Floats:
@@ -62,68 +60,13 @@ class HeightIntegrals(NamedTuple):
         first_angle, last_angle = _in_first_turn(first, last)
         total = np.zeros(np.shape(first))
         together = max(1, _TOGETHER // np.size(first))
-        for k in range(0, len(self.edge), together):
+        for k in range(0, self.slope.shape[1], together):
             chosen = slice(k, k + together)
             pieces = self.pieces.only(chosen)
             slope = self.slope[:, chosen]
             by_piece = _over_parts(pieces, slope, first_angle, last_angle)
             total += by_piece.sum(axis=-1)
         return total
-
-    def gradient(self, first: Floats, last: Floats) -> Floats:
-        """Derivatives of the integral by the vertices of the line of a single circle, ends held, (..., V, 2).
-
-        A vertex moves an edge's height by its hat function, (sin - x)/run for the second one, and, moving
-        horizontally, by minus the edge's slope times that. The line's ends take their continuations with them.
-        """
-        hats = self._hat_integrals(first, last)
-        slope = self.slope[0]
-        upwards = np.ones_like(slope)
-        direction = np.stack([-slope, upwards], axis=1)
-        vertices = self.line.shape[1] - 2  # without both ends of the continuations
-        by_vertex = np.zeros((*first.shape, vertices, 2))
-        for k, hat in enumerate(hats, -1):
-            vertex = np.clip(self.edge + k, 0, vertices - 1)
-            at_vertex: Any = (..., vertex, slice(None))
-            moved = hat[..., None] * direction
-            np.add.at(by_vertex, at_vertex, moved)
-        return by_vertex
-
-    def _hat_integrals(self, first: Floats, last: Floats) -> tuple[Floats, Floats]:
-        """Of the hat functions of both vertices of the edge above each piece, over arcs of a single circle.
-
-        That of the second one is (sin - x)/run, x of the first one; both together are 1.
-        """
-        first_angle, last_angle = _in_first_turn(first, last)
-        low = self.pieces.low[0]
-        high = self.pieces.high[0]
-        start = np.clip(first_angle, low, high)
-        stop = np.clip(last_angle, low, high)
-        line_x = self.line[0, :, 0]
-        x = line_x[self.edge]
-        second_x = line_x[self.edge + 1]
-        run = second_x - x
-        angle = stop - start
-        start_cosine = np.cos(start)
-        sine_integral = start_cosine - np.cos(stop)
-        from_first = sine_integral - x * angle
-        second = from_first / run
-        return angle - second, second
-
-    def at(self, angle: Floats) -> Floats:
-        """Height above the arc of a single circle at angles, (...,)."""
-        beta, _ = _in_first_turn(angle, angle)
-        low = self.pieces.low[0]
-        high = self.pieces.high[0]
-        is_within = (low <= beta) & (beta < high)
-        first_vertices = self.line[0, self.edge]
-        vertex = Vectors.of(first_vertices)
-        from_vertex = np.sin(beta) - vertex.x
-        rise = self.slope[0] * from_vertex
-        depth_of_arc = np.cos(beta)
-        height = vertex.y + rise + depth_of_arc
-        by_piece = np.where(is_within, height, 0.0)
-        return by_piece.sum(axis=-1)
 
 
 def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
@@ -201,8 +144,7 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     has_width = every.span > 0.0
     used = np.flatnonzero(has_width.any(axis=0))
     pieces = every.only(used)
-    edge = used % slope.shape[1]
-    return HeightIntegrals(pieces, slope[:, edge], edge, line)
+    return HeightIntegrals(pieces, slope[:, used % slope.shape[1]])
 
 
 def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:

@@ -98,19 +98,6 @@ class CrackedSection(Section):
         chosen = [column[below] for column in columns]
         return *chosen, held
 
-    @property
-    def _edges_over_mass(self) -> Any:
-        """Which edges of the ground of one section lie over its mass, wholly or beside a crack."""
-        if not self._is_cracked:
-            return super()._edges_over_mass
-        whole = self._uncracked
-        x = whole._circle[0][0, :, 0]
-        (facing,) = whole._facing
-        lower_end = x[1:] if facing > 0.0 else x[:-1]
-        from_crack = lower_end - self._crack_place
-        below = from_crack * facing > 0.0
-        return whole._edges_over_mass & below
-
     def _crack_errors(self) -> Iterator[Fault]:
         """Masses that are nowhere as thick as their crack is deep."""
 

@@ -9,6 +9,7 @@ from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan, Recipe
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
+from slipcircle.core.walk.compiled import straight_line
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
@@ -25,7 +26,9 @@ class PlanWords(NamedTuple):
 
 def words_of(plan: Plan) -> PlanWords:
     """What a plan says in words."""
-    return _words(plan.recipe)
+    words = _words(plan.recipe)
+    way = "straight-line" if straight_line(plan.program) else "interpreted"
+    return words._replace(method=f"{words.method}; {way}")
 
 
 @cache

@@ -71,7 +71,7 @@ def equation(law: str) -> list[tuple[Any, Any]]:
     return [(phi, omega), (omega, weight * hy.sin(psi) - mu * (radial * hy.cos(psi) + polar * omega * omega))]
 
 
-def in_batches(law: str, tolerance: float, lanes: int) -> Callable[[Floats], Floats]:
+def in_batches(law: str, tolerance: float, lanes: int, wide: bool = True) -> Callable[[Floats], Floats]:
     """A function from frictions to rotation and time at rest, dimensionless, compiled for batches of so many lanes."""
     standstill = hy.t_event_batch(equation(law)[1][0], direction=hy.event_direction.negative)
     start = np.zeros((2, lanes))
@@ -81,7 +81,7 @@ def in_batches(law: str, tolerance: float, lanes: int) -> Callable[[Floats], Flo
         pars=np.zeros((1, lanes)),
         tol=tolerance,
         t_events=[standstill],
-        force_avx512=True,
+        force_avx512=wide,
         fast_math=True,
     )
     state, parameters = integrator.state, integrator.pars

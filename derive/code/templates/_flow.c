@@ -52,9 +52,32 @@ typedef struct {
     int64_t noted, notes_room;
     void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
     int order; /* the highest of all lanes */
+    int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
+@CODES@
 #if !defined(LEVEL) || defined(__wasm__)
+#ifndef __wasm__
+/* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
+ * are operations that rates need. */
+enum { CELL = -2 };
+static const struct { int rates, length; const int32_t *operations; } patterns[] = {
+@PATTERNS@
+};
+
+static int straight_of(const Job *job)
+{
+    const int32_t *const own = job->series;
+    for (int k = 0; k < (int)(sizeof patterns / sizeof *patterns); k++) {
+        const int32_t *const known = patterns[k].operations;
+        int same = patterns[k].rates == job->series_end - own && patterns[k].length == job->later_end - own;
+        for (int i = 0; same && i < patterns[k].length; i++) same = known[i] == CELL || known[i] == own[i];
+        if (same) return k;
+    }
+    return -1;
+}
+#endif
+
 /* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
  * of those on series and of those on series that no rate needs, autonomous; roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
 enum { HEAD = 9, WIDEST = 64 };
@@ -71,6 +94,11 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
     job->autonomous = p[8];
     job->table = (const Table *)(job->state + job->states);
     for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
+#ifdef __wasm__
+    job->straight = -1; /* a page shall be small */
+#else
+    job->straight = straight_of(job);
+#endif
     return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
 }
 #endif
@@ -193,7 +221,22 @@ static int fill(PyObject *module)
     return failed ? -1 : 0;
 }
 
-static PyMethodDef methods[] = {{"integrate", integrate, METH_VARARGS, doc}, {NULL, NULL, 0, NULL}};
+static PyObject *straight_line(PyObject *self, PyObject *program)
+{
+    (void)self;
+    Py_buffer code;
+    Job job = {0};
+    if (PyObject_GetBuffer(program, &code, PyBUF_SIMPLE) < 0) return NULL;
+    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4);
+    PyBuffer_Release(&code);
+    return PyLong_FromLong(fits ? job.straight : -1);
+}
+
+static PyMethodDef methods[] = {
+    {"integrate", integrate, METH_VARARGS, doc},
+    {"straight_line", straight_line, METH_O, "Which of the programs with functions of their own it is, or -1."},
+    {NULL, NULL, 0, NULL},
+};
 static PyModuleDef_Slot slots[] = {
     {Py_mod_exec, fill},
 #ifdef Py_mod_gil
@@ -223,7 +266,6 @@ typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
 @CELLS@
-@CODES@
 _Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
 /* The lanes that are integrated now, beside their cells. */
 typedef struct {
@@ -363,17 +405,16 @@ INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
  * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
- * Register i begins at r + i * stride; by_n is 1 / n. */
-static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
-                                                                        int n, double by_n) {
+ * Cells are read from `own`, all else from `at`, so that this may be constant. Register i begins at r + i; by_n is 1 / n. */
+INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, const V *c, int n, double by_n)
+{
     switch (at[0]) {
     case LIN: {
-        V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){0};
-        const int32_t *const end = at + 4 + 2 * at[3];
-        for (const int32_t *term = at + 4; term < end; term += 2)
-            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
-        r[(ptrdiff_t)at[1] * stride + n] = sum;
-        return end;
+        V sum = n == 0 && own[2] >= 0 ? c[own[2]] : (V){0};
+        const int terms = at[3];
+        for (int k = 0; k < terms; k++) sum += c[own[4 + 2 * k]] * r[at[5 + 2 * k] + n];
+        r[at[1] + n] = sum;
+        return at + 4 + 2 * terms;
     }
     case RAMP:
         return at + 3;
@@ -395,20 +436,49 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 }
 /* --- what the text asks of a program, of tables and of records --- */
 
+#ifndef __wasm__
+#define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
+/* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
+#define EACH_ORDER(k) \
+    static void order_##k(const int32_t *own, V *r, const V *c, int n, double by_n) \
+    { if (n == 0) rates_##k(own, r, c, 0, by_n); else rates_##k(own, r, c, n, by_n); } \
+    static void later_##k(const int32_t *own, V *r, const V *c, int top, const double *inverse) \
+    { others_##k(own, r, c, 0, 0.0); for (int n = 1; n < top; n++) others_##k(own, r, c, n, inverse[n]); }
+@STRAIGHT@
+static const struct {
+    void (*order)(const int32_t *own, V *r, const V *c, int n, double by_n);
+    void (*later)(const int32_t *own, V *r, const V *c, int top, const double *inverse);
+} straight[] = {
+@STRAIGHT_ROWS@
+};
+#endif
+
 /* Coefficient n of every register that the rates need. */
 INLINE void operate(const Batch *b, int n)
 {
     const Job *const job = b->job;
     const double per = b->inverse[n];
-    for (const int32_t *at = job->series; at < job->series_end;) at = IN(operate)(at, b->r, b->c, 1, n, per);
+#ifndef __wasm__
+    if (job->straight >= 0) {
+        straight[job->straight].order(job->series, b->r, b->c, n, per);
+        return;
+    }
+#endif
+    for (const int32_t *at = job->series; at < job->series_end;) at = operation(at, at, b->r, b->c, n, per);
 }
 
 /* Coefficients below n of all others. */
 INLINE void operate_later(const Batch *b, int n)
 {
     const Job *const job = b->job;
+#ifndef __wasm__
+    if (job->straight >= 0) {
+        straight[job->straight].later(job->series, b->r, b->c, n, b->inverse);
+        return;
+    }
+#endif
     for (const int32_t *at = job->series_end, *next = at; at < job->later_end; at = next)
-        for (int k = 0; k < n; k++) next = IN(operate)(at, b->r, b->c, 1, k, b->inverse[k]);
+        for (int k = 0; k < n; k++) next = operation(at, at, b->r, b->c, k, b->inverse[k]);
 }
 
 #define REGISTER(i) (b->r + (i))

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Integers
+from slipcircle.base.kinds import Floats
 
 
 class Data(NamedTuple):
@@ -38,22 +38,6 @@ class Data(NamedTuple):
         if self.breaks.ndim == 2:  # each lane has other breaks
             last = last[lane]
         return bool(np.any(places > last + 1e-9))
-
-    def begins(self, piece: Integers) -> Floats:
-        """The break at which the piece of each lane begins."""
-        if self.breaks.ndim == 1:
-            return np.asarray(self.breaks[piece])
-        lane = np.arange(piece.size)
-        begins = self.breaks[piece, lane]
-        return np.asarray(begins)
-
-    def polynomial(self, piece: Integers) -> Floats:
-        """Coefficients of each lane's piece, (terms, lanes)."""
-        if self.coefficients.ndim == 2:
-            return np.asarray(self.coefficients[piece].T)
-        lane = np.arange(piece.size)
-        by_lane = self.coefficients[piece, :, lane]
-        return np.asarray(by_lane.T)
 
 
 def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:

@@ -38,6 +38,11 @@ def _widest() -> int:
     return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
 
 
+def straight_line(program: Program) -> bool:
+    """Whether the compiled module has a function of this very program, rather than to interpret it."""
+    return module() is not None and module().straight_line(encoded(program)) >= 0
+
+
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
 
 

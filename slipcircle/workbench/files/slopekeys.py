@@ -3,7 +3,6 @@
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from generated.effects import INFINITY, LIMITS, Parameter
 from slipcircle.derivatives import SOIL_BOUNDS
@@ -42,10 +41,6 @@ def _points(name: str, title: str) -> dict[str, Key]:
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
     return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair")}
-
-
-def _names(law: Any) -> list[str]:
-    return [p.name for p in law.parameters]
 
 
 def _place(name: str, help: str) -> Parameter:

@@ -1,7 +1,6 @@
 """Scenes derived from others: along the critical circle of the means."""
 
-from collections.abc import Iterator
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,6 @@ from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import Slope, soil
 
@@ -23,13 +21,12 @@ def along_means(scene: Scene) -> Scene:
         return scene
     found = scene.stability
     drawn = uncertain_numbers(scene)
-    mean = with_parameters(scene, {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()})
-    assert isinstance(scene.arc, Section)
-    slope = slope_of(mean, found.slope)
-    pairs = zip(_leaves(slope.arrays()), _leaves(found.slope.arrays()), strict=True)
-    if all(one is other or np.allclose(one, other, rtol=1e-12, atol=0.0) for one, other in pairs):
+    means = {n: float(u.number.to_si(u.moments[0])) for n, u in drawn.items()}
+    medians: list[Any] = [scene.numbers[n] for n in means]
+    if np.allclose(medians, [*means.values()], rtol=1e-12, atol=0.0):
         return scene
-    found = critical(slope, found.method, **found.limits)
+    assert isinstance(scene.arc, Section)
+    found = critical(slope_of(with_parameters(scene, means), found.slope), found.method, **found.limits)
     section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
     return replace(scene, arc=section, stability=found.without_map())
 
@@ -43,14 +40,3 @@ def slope_of(scene: Scene, like: Slope) -> Slope:
     else:
         soils = soil(scene.friction, scene.called) | {"unit_weight": float(np.asarray(arc.unit_weight))}
     return replace(like, ground=arc.ground, level=arc.level, **soils)
-
-
-def _leaves(value: Any) -> Iterator[Any]:
-    """Arrays and numbers of a slope, all as arrays, with its soils."""
-    if isinstance(value, SlopeArrays):
-        value = tuple(getattr(value, field.name) for field in fields(value))
-    if isinstance(value, tuple):
-        for part in value:
-            yield from _leaves(part)
-    else:
-        yield value

@@ -98,7 +98,8 @@ def framed(motion: Motion) -> Raw:
 def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None) -> Raw:
     """The slide as a part of a page, which needs `style`, `engine` and `script`; the name is its identifier there."""
     scene = motion.plan.scene
-    frame, magnification = frame_around([motion]), magnified(motion)
+    magnification = magnified(motion)
+    frame = frame_around(motion, magnification)
     drawn = section(motion, frame, magnification, name)
     why_not = unsolvable(motion)
     first = _first(motion)

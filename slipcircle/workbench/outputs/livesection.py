@@ -4,7 +4,7 @@ The mass is one group, which the page turns about the centre of the slip circle.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +14,6 @@ from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.plotstyle import SOILS
 from slipcircle.workbench.outputs.scenery import Line, lines
-from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 
 WIDTH = 1000.0  # of the drawing, in its own unit
@@ -67,17 +66,13 @@ class Frame(NamedTuple):
         return data
 
 
-def frame_around(motions: Sequence[Motion]) -> Frame:
-    """The frame around the masses of all motions at the start and at the greatest displacement."""
-    outlines = []
-    magnification = common_magnification(motions)
-    for motion in motions:
-        soil = motion.plan.scene.arc
-        mass = mass_of(soil, soil)
-        rotation = float(motion.reach.rotation) if motion.moves else 0.0
-        turned = magnification * rotation * float(soil.facing)
-        outlines += [mass.outline(), mass.outline(turned)]
-    view = View.around(*outlines)
+def frame_around(motion: Motion, magnification: float) -> Frame:
+    """The frame around the mass at the start and at the greatest displacement."""
+    soil = motion.plan.scene.arc
+    mass = mass_of(soil, soil)
+    rotation = float(motion.reach.rotation) if motion.moves else 0.0
+    turned = magnification * rotation * float(soil.facing)
+    view = View.around(mass.outline(), mass.outline(turned))
     margin = _MARGIN * view.size
     view = view.grown(margin, margin)
     width = view.right - view.left
@@ -86,7 +81,7 @@ def frame_around(motions: Sequence[Motion]) -> Frame:
     missing_width = max(height / _TALLEST - width, 0.0)
     view = view._replace(bottom=view.bottom - missing_height)
     view = view.grown(missing_width / 2, 0.0)
-    view = view._replace(bottom=min(_bottom_below_names(motion.plan.scene.arc, view) for motion in motions))
+    view = view._replace(bottom=_bottom_below_names(soil, view))
     scale = WIDTH / (view.right - view.left)
     return Frame(view, scale, scale * (view.top - view.bottom))
 
@@ -98,15 +93,6 @@ def _bottom_below_names(soil: Any, view: View) -> float:
     named = [line for line in lines(mass_of(soil, soil), soil, view) if line.name and line.role != "surcharge"]
     visible = [height for line in named if (height := _height(line, is_left, view)) > view.bottom]
     return min([view.bottom, *(height - room for height in visible)])
-
-
-def common_magnification(motions: Sequence[Motion]) -> float:
-    """Magnification of displacements: that of the motion with the greatest displacement."""
-
-    def farthest(motion: Motion) -> float:
-        return abs(float(motion.reach.rotation)) if motion.moves else 0.0
-
-    return magnified(max(motions, key=farthest))
 
 
 def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Section:
