@@ -113,6 +113,7 @@ QUANTITIES = {
     "peak-friction-deg": "angle of friction at the start, which falls exponentially with slip",
     "length-m": "slip in which it falls by a factor of e",
     "cohesion-kPa": "needs the unit weight",
+    "pore-pressure-kPa": "on the arc, constant; needs the unit weight",
     "unit-weight-kN-m3": "of the mass",
     "gravity-m-s2": "by default 9.81",
 }

@@ -136,9 +136,20 @@ def test_info_says_how_each_missing_package_is_installed(tmp_path: Path) -> None
     code += "from slipcircle.__main__ import main; main(['info'])"
     done = alone(tmp_path, code)
     told = dict(re.findall(r"^(\S+) +not installed: pip install 'slipcircle\[(\w+)\]'$", done.stdout, re.MULTILINE))
-    assert len(told) == len(EXTRAS) > 6, done.stderr
+    assert len(told) == len(EXTRAS) > 7, done.stderr
     for package, extra in told.items():
         assert any(re.match(rf"{package}\b", requirement) for requirement in EXTRA_OF[extra]), package
+
+
+def test_without_rich_the_progress_is_a_line(tmp_path: Path) -> None:
+    """A bar is no result: nothing is said of its package, and the line is on the terminal."""
+    code = "import io, slipcircle; from slipcircle.base.progress import Progress\n"
+    code += "class T(io.StringIO):\n    isatty = lambda self: True\n"
+    code += "out = T()\nwith Progress(4, 'scenes solved', out) as count:\n    count.pause = 0\n    count(2)\n"
+    code += "print(repr(out.getvalue()))"
+    done = alone(tmp_path, code, "rich")
+    assert done.returncode == 0, done.stderr
+    assert "2 of 4 scenes solved" in done.stdout
 
 
 @pytest.mark.parametrize("words", ["import slipcircle", "run vaiont"])

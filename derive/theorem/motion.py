@@ -3,7 +3,7 @@
 The moments come from their definitions (`derive.check.truth`), and the motion from the balance of moments about the
 centre of the arc, with psi the dip of the chord, for lengths in R and times in sqrt(R/g):
 
-    Theta* omega' = C_theta sin psi - mu [C_r cos psi + I_p omega^2] - lambda c*   ((2.20), (3.11)-(3.13)).
+    Theta* omega' = C_theta sin psi - mu [C_r cos psi + I_p omega^2 - lambda u*] - lambda c*   ((2.20), (3.11)-(3.13)).
 """
 
 from collections.abc import Callable
@@ -32,6 +32,7 @@ class Slide(NamedTuple):
     peak_friction: arb | None = None  # from which it falls exponentially with slip
     length: arb = arb(1)  # of this fall
     cohesion: arb = arb(0)  # over the unit weight: m
+    pore_pressure: arb = arb(0)  # too
     rotation: bool = True
     centripetal: bool = True
 
@@ -60,23 +61,21 @@ def moment(statement: str, alpha: arb) -> arb:
 
 def first_swing(slide: Slide) -> Swing:
     """The coefficients of its motion; an arc that faces the other way is turned about."""
-    opening = slide.theta_2 - slide.theta_1
     middle = (slide.theta_1 + slide.theta_2) / 2
-    alpha = (opening / 2).min(arb.pi() / 2)
-    half_inertia = moment("r^3", alpha) / 2
-    drop, decay = arb(0), arb(0)
-    if slide.peak_friction is not None:
-        drop = slide.peak_friction - slide.friction
-        decay = slide.radius / slide.length
+    alpha = ((slide.theta_2 - slide.theta_1) / 2).min(arb.pi() / 2)
+    inertia = moment("r^3", alpha)
+    over_stress = 2 * alpha / (slide.radius * inertia)  # lambda/Theta* over sigma_ref = gamma f R
+    peak = slide.friction if slide.peak_friction is None else slide.peak_friction
     return Swing(
         dip=abs(arb.pi() * 3 / 2 - middle),
-        weight=moment("r^2 cos u", alpha) / half_inertia,
-        press=moment("r^1 cos u", alpha) / half_inertia,
-        polar=moment("r^2", alpha) / half_inertia if slide.centripetal else arb(0),
-        cohesion=2 * alpha * slide.cohesion / (slide.radius * half_inertia),  # lambda c* = 2 alpha f c/(gamma f R)
+        weight=moment("r^2 cos u", alpha) / inertia,
+        press=moment("r^1 cos u", alpha) / inertia,
+        polar=moment("r^2", alpha) / inertia * slide.centripetal,
+        cohesion=slide.cohesion * over_stress,
+        pore=slide.pore_pressure * over_stress,
         residual=slide.friction,
-        drop=drop,
-        decay=decay,
+        drop=peak - slide.friction if slide.peak_friction is not None else arb(0),
+        decay=slide.radius / slide.length,
     )
 
 
@@ -98,11 +97,11 @@ def theorem(slide: Callable[[], Slide], digits: int = 20) -> Theorem:
     proof = Theorem()
     for effort in (1, 3, 9):
         before = proof.digits
-        spare = effort * SPARE
-        with working(int(BITS * (digits + 5 * spare))):
+        wanted = digits + effort * SPARE
+        with working(int(BITS * (wanted + 4 * effort * SPARE)), wanted + SPARE):
             proof = Theorem()
             try:
-                proof.status = _status(slide(), proof, arb(10) ** -(digits + spare))
+                proof.status = _status(slide(), proof, arb(10) ** -wanted)
             except ArithmeticError as undecided:
                 proof.reason = f"{undecided}; more digits or narrower inputs are needed"
         if proof.status != "undecided" and not before + 1 < proof.digits < digits + 1:
@@ -118,23 +117,20 @@ def about(x: arb) -> str:
 def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
     """The status of the motion; claims and numbers go into the proof, as far as it gets."""
     swing = first_swing(slide)
-    start = arb(0)
-    if not swing.dip < arb.pi() / 2:
-        raise Undecided("the mass does not certainly press on the arc: its chord has to dip by less than 90 degrees")
-    sin, cos = swing.dip.sin_cos()
-    driving = swing.weight * sin - swing.cohesion
-    normal = swing.press * cos
-    limit_friction = driving / normal
-    margin = swing.friction(start) - limit_friction
+    still = arb(0)
+    normal = swing.normal(still, still)
+    if not normal > 0:
+        dip = "its chord has to dip by less than 90 degrees, the pore pressure to be below the normal stress"
+        raise Undecided(f"the mass does not certainly press on the arc: {dip}")
+    limit_friction = (swing.dip.sin() * swing.weight - swing.cohesion) / normal
+    margin = swing.friction(still) - limit_friction
     proof.numbers |= {"limit_friction": limit_friction, "margin": margin}
-    net = swing.net(start)
-    if net < 0:
-        proof.numbers |= dict.fromkeys(("rotation_rad", "run_out_m", "peak_velocity_m_s", "duration_s"), start)
-        proof.proved.append(
-            f"friction is above its limit of {about(limit_friction)} by {about(margin)}: it does not move"
-        )
+    if margin > 0:
+        proof.numbers |= dict.fromkeys(("rotation_rad", "run_out_m", "peak_velocity_m_s", "duration_s"), still)
+        above = f"friction is above its limit of {about(limit_friction)} by {about(margin)}"
+        proof.proved.append(f"{above}: it does not move")
         return "does not move"
-    if not net > 0:
+    if not margin < 0:
         raise Undecided(f"whether friction is above its limit, by {margin.str(3)}, is not certain")
     proof.proved.append(f"friction is below its limit of {about(limit_friction)} by {about(-margin)}: the mass moves")
     if slide.rotation:
@@ -145,52 +141,44 @@ def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
 
 def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
     """Swing by swing, until the mass stays where it stands."""
-    stands = list[Standstill]()
-    while swing.net(arb(0)) > 0:
+    stands: list[Standstill] = []
+    still = arb(0)
+    while swing.acceleration(still, still) > 0:
         stand = standstill(swing, tolerance)
-        if not stand.rest - swing.dip < arb.pi() / 2:
-            raise Undecided("the mass does not certainly press on the arc where it stands")
-        if not stands:
-            _claim_swing(stand, proof)
+        stands.append(stand)
+        if len(stands) == 1:
+            proof.proved += [
+                f"it speeds up until omega has its one maximum, after {about(stand.peak_at)} rad",
+                f"it slows down until it stands, after {about(stand.rest)} rad, and does not stand sooner",
+                "it presses on the arc all the way",
+            ]
         if swing.residual == 0 and swing.drop == 0 and swing.cohesion == 0:
             proof.proved.append("nothing resists: it swings back as far as it came, and never rests")
             return "never rests"
-        stands.append(stand)
         if len(stands) == MOST_SWINGS:
             raise Undecided(f"the mass still swings after {MOST_SWINGS} standstills")
         swing = swing.reversed(stand.rest)
-    if not swing.net(arb(0)) < 0:
+    if not swing.acceleration(still, still) < 0:
         raise Undecided("whether the mass stays where it stands is not certain")
-    _claim_rest(slide, stands, proof)
-    return "rests"
-
-
-def _claim_rest(slide: Slide, stands: list[Standstill], proof: Theorem) -> None:
     if len(stands) > 1:
         proof.proved.append(f"it swings back {len(stands) - 1} times; the same holds of each swing")
     proof.proved.append("where it stands, the resistance exceeds what pulls it back: it stays")
+    proof.numbers |= _numbers(slide, stands)
+    return "rests"
+
+
+def _numbers(slide: Slide, stands: list[Standstill]) -> dict[str, arb]:
+    """Of the whole motion, in SI units; the place of the peak if it is certain in which swing it is."""
     first, *others = stands
     rotation = sum(((-1) ** k * stand.rest for k, stand in enumerate(stands)), arb(0))
-    if all(first.peak > stand.peak for stand in others):
-        proof.numbers["peak_displacement_m"] = first.peak_at * slide.radius
-    speed = (slide.radius * slide.gravity).sqrt()
-    clock = (slide.radius / slide.gravity).sqrt()
+    duration = sum((stand.time for stand in stands), arb(0))
     peak = reduce(arb.max, (stand.peak for stand in stands))
-    time = sum((stand.time for stand in stands), arb(0))
-    proof.numbers |= {
+    numbers = {
         "rotation_rad": rotation,
         "run_out_m": rotation * slide.radius,
-        "peak_velocity_m_s": peak.sqrt() * speed,
-        "duration_s": time * clock,
+        "peak_velocity_m_s": peak * (slide.radius * slide.gravity).sqrt(),
+        "duration_s": duration * (slide.radius / slide.gravity).sqrt(),
     }
-
-
-def _claim_swing(stand: Standstill, proof: Theorem) -> None:
-    turn = about(stand.turn)
-    rest = about(stand.rest)
-    proof.proved += [
-        f"the net moment at rest changes its sign once, after {turn} rad: before, omega^2 cannot return to 0",
-        f"beyond it omega^2 falls until the mass stands after {rest} rad, and not sooner",
-        f"omega^2 has one maximum, after {about(stand.peak_at)} rad",
-        "the mass presses on the arc all the way: the normal force is least at one of the ends, and positive there",
-    ]
+    if all(first.peak > stand.peak for stand in others):
+        numbers["peak_displacement_m"] = first.peak_at * slide.radius
+    return numbers

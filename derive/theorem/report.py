@@ -17,7 +17,8 @@ from derive.theorem.motion import Slide, Theorem, theorem
 VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", "friction_deg": "10"}
 SOFTENING = {"peak_friction_deg": "22.5", "length_m": "1"}
 SCENES: dict[str, dict[str, Any]] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
-OTHERS = {"cohesion_kPa": "0", "gravity_m_s2": "9.81"}
+STRESSES = ("cohesion_kPa", "pore_pressure_kPa")  # that act over the unit weight
+OTHERS = dict.fromkeys(STRESSES, "0") | {"gravity_m_s2": "9.81"}
 POSITIVE = (Fraction(1, 10**9), 10**9)
 BOUNDS: dict[str, tuple[Fraction | int, int]] = {
     "radius_m": POSITIVE,
@@ -26,7 +27,7 @@ BOUNDS: dict[str, tuple[Fraction | int, int]] = {
     "friction_deg": (0, 89),
     "peak_friction_deg": (0, 89),
     "length_m": POSITIVE,
-    "cohesion_kPa": (0, 10**9),
+    **dict.fromkeys(STRESSES, (0, 10**9)),
     "unit_weight_kN_m3": POSITIVE,
     "gravity_m_s2": POSITIVE,
 }
@@ -76,8 +77,9 @@ def read(texts: Mapping[str, str]) -> dict[str, Interval]:
         )
     if "peak_friction_deg" in given and given["friction_deg"].high > given["peak_friction_deg"].low:
         raise ValueError("peak_friction_deg: has to be at least friction_deg, to which friction falls")
-    if given["cohesion_kPa"].high and "unit_weight_kN_m3" not in given:
-        raise ValueError("cohesion_kPa: add unit_weight_kN_m3, over which it acts")
+    for name in STRESSES:
+        if given[name].high and "unit_weight_kN_m3" not in given:
+            raise ValueError(f"{name}: add unit_weight_kN_m3, over which it acts")
     return given
 
 
@@ -85,6 +87,7 @@ def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
     """Of quantities that are allowed, at the precision in force."""
     balls = {name: x.ball() * (arb.pi() / 180 if "deg" in name else 1) for name, x in given.items()}
     peak = balls.get("peak_friction_deg")
+    unit_weight = balls.get("unit_weight_kN_m3", arb(1))
     return Slide(
         balls["radius_m"],
         balls["theta_1_deg"],
@@ -93,7 +96,8 @@ def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
         balls["gravity_m_s2"],
         peak.tan() if peak is not None else None,
         balls.get("length_m", arb(1)),
-        balls["cohesion_kPa"] / balls.get("unit_weight_kN_m3", 1),
+        balls["cohesion_kPa"] / unit_weight,
+        balls["pore_pressure_kPa"] / unit_weight,
         **switches,
     )
 

@@ -178,10 +178,9 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
         required = not p.optional
         if required and name not in given:
             sentences.append(f"{path}: {name!r} is missing: {p.help}")
-    names = ", ".join(known) or "none"
-    unknown = [name for name in given if name not in known]
-    for name in unknown:
-        sentences.append(f"{path}: {name!r} is unknown; known are {names}")
+    for name in given:
+        if name not in known:
+            sentences.append(f"{path}: {name!r} is unknown; known are {', '.join(known) or 'none'}")
     for name, p in known.items():
         if name in given:
             sentences += _value_mistakes(path, p, given[name])

@@ -5,6 +5,7 @@ from typing import Any
 
 EXTRAS = {
     "scipy": "scenes",
+    "rich": "scenes",
     "matplotlib": "plot",
     "dask": "dask",
     "distributed": "dask",

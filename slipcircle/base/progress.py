@@ -1,11 +1,13 @@
-"""How much of long work is done, on stderr: a line of the terminal, elsewhere lines now and then."""
+"""How much of long work is done, on stderr: a bar on a terminal with rich, else a line on it, or lines now and then."""
 
 import sys
 import time
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
+from importlib import import_module
+from importlib.util import find_spec
 from threading import Event, Lock, Thread
-from typing import IO, ClassVar, Self, TypeVar
+from typing import IO, Any, ClassVar, Self, TypeVar
 
 T = TypeVar("T")
 _SOON = 1.0, 10.0  # s, before `counted` work shows anything on a terminal, elsewhere
@@ -34,6 +36,7 @@ class Progress:
         self.start = self.shown = time.monotonic()
         self.is_terminal = self.stream is not None and self.stream.isatty()
         self.pause = _OFTEN if self.is_terminal else _SELDOM
+        self.bar: Any = None
 
     def __enter__(self) -> Self:
         Progress.running += 1
@@ -43,7 +46,9 @@ class Progress:
     def __exit__(self, *_: object) -> None:
         Progress.running -= 1
         Progress.is_shown &= Progress.running > 0
-        if self.is_terminal and not self.is_silent:
+        if self.bar is not None:
+            self.bar.stop()
+        elif self.is_terminal and not self.is_silent:
             print(_CLEAR, end="", file=self.stream, flush=True)
 
     def __call__(self, count: int = 1, kept: int = 0) -> None:
@@ -58,6 +63,8 @@ class Progress:
         if not self.is_terminal:
             self.pause *= 2
             print(self.text(), file=self.stream, flush=True)
+        elif find_spec("rich"):
+            self._draw_bar()
         else:
             print(f"{_CLEAR}{self.text()}", end="", file=self.stream, flush=True)
 
@@ -73,6 +80,19 @@ class Progress:
             left = f"{(self.total - self.done) / rate:.0f} s left"
         kept = f", {self.kept} from before" if self.kept else ""
         return f"{self.done} of {self.total} {self.things}{kept}, {rate:.3g} a second, {left}"
+
+    def _draw_bar(self) -> None:
+        if self.bar is None:
+            clear_line()
+            rich = import_module("rich.progress")
+            console = import_module("rich.console").Console(file=self.stream)
+            columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
+            bar = rich.Progress(*columns, console=console, auto_refresh=False, transient=True)
+            bar.add_task("", total=self.total)
+            bar.start()
+            self.bar = bar  # which can be stopped now
+        (task,) = self.bar.task_ids
+        self.bar.update(task, completed=self.done, description=self.text(), refresh=True)
 
 
 def counted(total: int, things: str) -> Progress:

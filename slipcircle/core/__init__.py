@@ -6,7 +6,6 @@ The names listed here are public: all that the workbench, or any program built o
 need stands in rooms beside it, which `slipcircle.core.doors` lists.
 """
 
-from slipcircle.core.motion.forces import OUTPUTS, Forces
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Energy, State, Status
@@ -32,14 +31,12 @@ __all__ = [
     "ARC_BOUNDS",
     "GIVEN",
     "GRAVITY",
-    "OUTPUTS",
     "RATE_LAWS",
     "STATUS_OF_END",
     "WIDTH",
     "Arc",
     "Dimensionless",
     "Energy",
-    "Forces",
     "Mass",
     "Motion",
     "Plan",

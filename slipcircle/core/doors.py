@@ -12,7 +12,9 @@ class Door(NamedTuple):
 
 
 DOORS = {
-    "given": Door("coefficients are given in place of computed ones", "slipcircle.core.scene.given"),
+    "given": Door("coefficients are given in place of computed ones", "slipcircle.given"),
+    "history": Door("states, forces, stresses or energy are asked for", "slipcircle.history.history"),
+    "journey": Door("where a rotation brings the mass is asked for", "slipcircle.history.journey"),
     "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
     "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
     "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),
@@ -25,6 +27,7 @@ DOORS = {
     "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),
     "warnings": Door("the warnings of a motion are asked for", "slipcircle.words.warnings"),
     "summary": Door("a motion in one line is asked for", "slipcircle.words.summary"),
+    "refusal": Door("a single scene has no result", "slipcircle.words.refusal"),
     "velocity": Door("velocity classes are asked for", "slipcircle.words.velocity"),
     "parameters": Door("lanes of an ensemble are chosen", "slipcircle.derivatives.parameters"),
     "sensitivity": Door("derivatives are asked for", "slipcircle.derivatives.sensitivity"),

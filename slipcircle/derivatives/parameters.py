@@ -17,10 +17,11 @@ from generated import effects as declared
 from slipcircle.base.checks import InputError, plain
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
-from slipcircle.core.scene.coordinates import arc_numbers, changed_fields, replace_unchecked
+from slipcircle.core.scene.coordinates import arc_numbers, replace_unchecked
 from slipcircle.core.scene.effects import without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
+from slipcircle.derivatives.changed import changed_fields
 from slipcircle.ground.ground import BOUNDS, FAR
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import share_one_law

@@ -44,8 +44,8 @@ SHARES = np.tile(_MIDDLES[:, None], RUNS)
 
 
 @lru_cache(maxsize=256)
-def _signs(program: Program) -> Floats:
-    """The sign with which each run moves each input of the program, (cells, 8); 0 for the motion itself."""
+def _moves(program: Program, rounding: float) -> Floats:
+    """By what each run multiplies each input of the program to move it by rounding, (cells, 8); 1 for the motion."""
     inputs = program.cells[len(ix.CELLS) : program.given]
     moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
     for table in program.tables:
@@ -56,7 +56,7 @@ def _signs(program: Program) -> Floats:
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
         signs[cell, 1:] = SIGNS[:, factor]
-    return signs
+    return 1.0 + rounding * signs
 
 
 def _is_of_table(cell: str) -> bool:
@@ -70,9 +70,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    signs = _signs(problem.program)
-    change = rounding * signs[:, runs]
-    cells: Floats = problem.cells() * (1.0 + change)
+    cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
     cells[ix.ORDER] += FURTHER[runs]
     cells[ix.FACTOR] = FACTORS[runs]
     return cells
@@ -127,13 +125,10 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
 
 def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:
     """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
-    begin = perturbed_runs(problem, slice(None), rounding)
-    outputs = 2 + len(problem.program.states)
-    shape = (outputs, *SHARES.shape)
-    states = np.zeros(shape)
+    states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
     summary = summary_vector(final)
-    duration = summary[0]
-    samples = Samples(duration * SHARES, states)
+    samples = Samples(summary[0] * SHARES, states)
+    begin = perturbed_runs(problem, slice(None), rounding)
     cells = integrate(problem, begin, samples)
     changes = _changes(cells, summary)
     spread = np.fmax.reduce(changes, axis=None)
@@ -167,8 +162,7 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
     other_status = cells[ix.STATUS] != status
     moves = cells[ix.PHASES] > 0.0
     phases = final[ix.PHASES]
-    motion_moves = np.greater(phases, 0.0)
-    return other_status | (moves != motion_moves)
+    return other_status | (moves != (phases > 0.0))
 
 
 def summary_vector(final: Any) -> Floats:

@@ -6,7 +6,7 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from math import prod
 from typing import Any, Generic, Self
 
@@ -20,7 +20,7 @@ from slipcircle.core.doors import room
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.problem.problem import problem_of
-from slipcircle.core.walk.lanes import States, integrate
+from slipcircle.core.walk.lanes import integrate
 
 ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
@@ -125,7 +125,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @property
     def brake(self) -> Any:
         """q, twice the decrease of the rate per unit of omega*^2 at the start: the speed decays like exp(-q phi/2)."""
-        return self._shaped(self._forces.brake)
+        return self._shaped(self._history.forces.brake)
 
     # --- results -----------------------------------------------------------------------------------------------------
 
@@ -206,14 +206,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         speed = choose(moving, self._final[omega], 0.0)
         gain = choose(moving, self._final[rate], 0.0)
         angle, speed, gain = map(self._known, (self._final[rotation], speed, gain))
-        stress = partial(self._final_stress, time, angle, speed)
-        return self._state(time + 0.0, angle, speed, gain, stress)
-
-    def _final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
-        states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
-        pressing = self._shaped(self._mean_forces.outputs(states)["pressing"])
-        return pressing * self.stress_unit + 0.0
+        return self._state(time + 0.0, angle, speed, gain, lambda: self._history.final_stress(time, angle, speed))
 
     @property
     def swings_back(self) -> Any:
@@ -278,19 +271,19 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def limit_friction(self) -> Any:
-        return self._shaped(self._forces.statics["limit_friction"])
+        return self._shaped(self._history.forces.statics["limit_friction"])
 
     @property
     def factor_of_safety(self) -> Any:
-        return self._shaped(self._forces.statics["factor_of_safety"])
+        return self._shaped(self._history.forces.statics["factor_of_safety"])
 
     @property
     def yield_coefficient(self) -> Any:
-        return self._shaped(self._forces.statics["yield_coefficient"])
+        return self._shaped(self._history.forces.statics["yield_coefficient"])
 
     @property
     def friction(self) -> Any:
-        return self._shaped(self._forces.statics["friction"])
+        return self._shaped(self._history.forces.statics["friction"])
 
     # --- accuracy ----------------------------------------------------------------------------------------------------
 

@@ -14,18 +14,14 @@ from typing import Any
 
 import numpy as np
 
-from generated.layout import MOST_TURNS
-from slipcircle.base.checks import InputError
+from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import problem_of
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.walk.lanes import BLOCK, ENTRIES, integrate
-
-STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
 
 def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any = False) -> Motion[Numbers]:
@@ -61,8 +57,9 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
-    if not scene.shape:
-        _refuse(motion)
+    speed = plain(scene.initial_velocity)
+    if not (scene.shape or (motion.is_finite and math.isfinite(speed * speed))):
+        raise room("refusal").refusal(motion)
     return motion
 
 
@@ -84,40 +81,3 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
         part = room("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
         final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
     return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid)
-
-
-def _refuse(motion: Motion) -> None:
-    """Raise an error for a single scene without a result."""
-    scene = motion.plan.scene
-    speed = float(np.asarray(scene.initial_velocity))
-    if motion.is_finite and math.isfinite(speed * speed):
-        return
-    status = motion.status
-    turns = motion.plan.turns
-    stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
-    overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
-    velocity, end_time = (f"{{{n}}} = {getattr(scene, n)!r}" for n in ("initial_velocity", "end_time"))
-    few_turnings = status == Status.ENDLESS and motion.turnings < 20
-    if status == Status.UPRIGHT:
-        why = (
-            f"{velocity}, friction: the chord is vertical after {motion.stopped_at:.6g} s and the mass would hang "
-            "over, which this method cannot follow; give an earlier {end_time} or a lower velocity"
-        )
-    elif not turns and (status == Status.ENDLESS or overflows):
-        why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
-    elif few_turnings and motion.brake > STRONGEST:
-        why = (
-            f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
-            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
-        )
-    elif few_turnings:
-        why = (
-            "{end_time}: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or "
-            f"trembles on: it has not rested after {motion.stopped_at:.3g} s; give {{end_time}} in s"
-        )
-    elif status == Status.ENDLESS:
-        times = min(motion.turnings, MOST_TURNS)
-        why = f"{end_time}: this mass turns back {times} times or more without coming to rest; give an earlier end in s"
-    else:
-        why = f"{velocity}, {end_time}: the motion overflows; give a lower velocity or an earlier end"
-    raise InputError("", [why])

@@ -1,35 +1,22 @@
-"""A solved scene over time: states, stresses, friction and energy at any times, of one scene or of an ensemble's lanes.
+"""A solved scene, one or an ensemble's lanes: how it ended, and in SI units what it is asked along the way.
 
-The integration keeps a few cells of each lane's end; what happens on the way is integrated again on request.
 Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
 """
 
 import math
-from dataclasses import replace
-from functools import cached_property, partial
-from typing import Any, NamedTuple
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.checks import INFINITY, choose, mistakes, plain, raise_all
-from slipcircle.base.kinds import Floats
-from slipcircle.core.motion.forces import Forces
+from slipcircle.base.checks import choose, plain
+from slipcircle.core.doors import room
 from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
-from slipcircle.core.problem.plan import Plan, recipe_of
+from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.program import Log
-from slipcircle.core.walk.lanes import States, read
-
-ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
-
-
-class Stresses(NamedTuple):
-    """Mean normal stress with the water and without, Pa, each of the shape of states."""
-
-    total: Any
-    effective: Any
 
 
 class Trajectory:
@@ -46,7 +33,6 @@ class Trajectory:
         self._log = log
         self._radius = plain(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
-        self._last_read: tuple[bytes, Floats] | None = None
         if problem is not None:
             self.problem = problem
 
@@ -58,21 +44,12 @@ class Trajectory:
         return self._solved and math.isfinite(run_out + self._radius * angular_velocity)
 
     @cached_property
+    def _history(self) -> Any:
+        return room("history").History(self)
+
+    @cached_property
     def problem(self) -> Problem:
         return problem_of(self.plan, self.invalid)
-
-    @cached_property
-    def _forces(self) -> Forces:
-        return Forces(self.problem)
-
-    @cached_property
-    def _mean_forces(self) -> Forces:
-        """Forces of which the stresses are means over the arc."""
-        scene = self.plan.scene.of_means()
-        if scene is self.plan.scene:
-            return self._forces
-        plan = replace(self.plan, scene=scene, recipe=recipe_of(scene))
-        return Forces(problem_of(plan, self.invalid))
 
     def _shaped(self, values: Any) -> Any:
         """One number of each lane in the scene's shape; of a single scene a Python number."""
@@ -143,16 +120,13 @@ class Trajectory:
         ValueError
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
-        time = self._checked(times)
-        rotation, omega, rate, *_ = (self._over_time(time, row) for row in self._rows(time))
-        every_time = np.broadcast_to(time, self.shape + time.shape)[()]
-        return self._state(every_time, rotation, omega, rate, lambda: self._stresses(time).total)
+        return self._history.at(times)
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any, stress: Any) -> State:
         """A state in SI units from dimensionless numbers of the shape of the time."""
         axes = np.ndim(time) - len(self.shape)
-        scale = _before(self._time_scale, axes)
-        radius = _before(self._radius, axes)
+        scale = before(self._time_scale, axes)
+        radius = before(self._radius, axes)
         with np.errstate(over="ignore"):  # an overflow is refused where the result is read
             angular_velocity = omega / scale
             velocity = radius * angular_velocity
@@ -161,82 +135,7 @@ class Trajectory:
         columns = (rotation, angular_velocity, velocity, displacement, acceleration)
         return State(time, *(column + 0.0 for column in columns), stress=stress)
 
-    def _checked(self, times: ArrayLike) -> Floats:
-        """Times as an array, none of them beyond the end of a lane that still moves there."""
-        faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
-        raise_all("Motion.at", faults)
-        time = np.asarray(times, dtype=np.float64)
-        status = self._final[ix.STATUS]
-        known_until = choose(status == ix.PAUSED, self.plan.scene.until, self._duration)
-        moving = status != ix.ARRESTED
-        ends = choose(moving & self._solved, known_until, np.inf)
-        last = float(np.min(ends))
-        late = time[time > last]
-        if late.size:
-            requested = float(late.flat[0])
-            end = "the scene's end_time"
-            if self.plan.scene.end_time is None:
-                end = "the end of this motion"
-            raise ValueError(
-                f"Motion.at: times = {requested!r}: must be at most {end}, {last!r} s, unless the mass stays at rest"
-            )
-        return time
-
-    def _dimensionless(self, flat_times: Floats) -> Floats:
-        """Times in s over the time scale of each lane, (times, lanes)."""
-        return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
-
-    def _read(self, problem: Problem, flat_times: Floats) -> Floats:
-        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
-        increasing = np.argsort(flat_times, kind="stable")
-        rows = read(problem, self._dimensionless(flat_times[increasing]))
-        states = np.empty_like(rows)
-        states[:, increasing] = rows
-        return states
-
-    def _rows(self, time: Floats) -> Floats:
-        """The same of this motion; kept for the same times again."""
-        key = time.tobytes()
-        if self._last_read is not None:
-            last_key, last_rows = self._last_read
-            if last_key == key:
-                return last_rows
-        flat_times = np.ravel(time)
-        rows = self._read(self.problem, flat_times)
-        ended = self._has_ended(flat_times)
-        at_end = (ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
-        for row, entry in zip(rows, at_end, strict=False):
-            row[:] = np.where(ended, np.ravel(self._final[entry]), row)
-        self._last_read = key, rows
-        return rows
-
-    def _has_ended(self, flat_times: Floats) -> Any:
-        """Which lanes have ended at times in s, (times, lanes), whatever rounding makes of the time of the end."""
-        return flat_times[:, None] >= np.ravel(self._duration)
-
-    def _over_time(self, time: Floats, values: Floats) -> Any:
-        """Values (times, lanes) in the scene's shape followed by that of the times."""
-        return values.T.reshape(self.shape + time.shape)[()]
-
     # --- forces and energy -------------------------------------------------------------------------------------------
-
-    def _states(self, time: Floats) -> States:
-        """States at times in s, as separate lanes, time by time."""
-        rows = self._rows(time)
-        rotation, omega, _, *further = rows.reshape(len(rows), time.size * self.problem.lanes)
-        lane = np.tile(np.arange(self.problem.lanes), time.size)
-        return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
-
-    def _by_state(self, time: Floats, values: Floats) -> Any:
-        """A number of each of `_states` in the scene's shape followed by that of the times."""
-        return self._over_time(time, values.reshape(time.size, self.problem.lanes))
-
-    def _stresses(self, time: Floats) -> Stresses:
-        outputs = self._mean_forces.outputs(self._states(time))
-        unit = _before(self.stress_unit, time.ndim)
-        total = self._by_state(time, outputs["pressing"])
-        effective = self._by_state(time, outputs["normal"])
-        return Stresses(total * unit, effective * unit)
 
     @property
     def stress_unit(self) -> Any:
@@ -246,56 +145,30 @@ class Trajectory:
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
-        stresses = self._stresses(self._checked(times))
-        return stresses.total - stresses.effective
+        return self._history.pore_pressure_at(times)
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
         """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
-        stresses = self._stresses(self._checked(times))
-        return np.maximum(stresses.effective, 0.0)
+        return self._history.effective_stress_at(times)
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
-        time = self._checked(times)
-        outputs = self._forces.outputs(self._states(time))
-        mobilised = np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0)
-        return self._by_state(time, mobilised)
+        return self._history.friction_at(times)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
 
         NaN where contact is lost.
         """
-        time = self._checked(times)
-        return self._by_state(time, self._forces.holding_friction(self._states(time)))
+        return self._history.holding_friction_at(times)
 
     def path_at(self, times: ArrayLike) -> Any:
         """The path travelled from the start, there and back, m; times as for `at`."""
-        time = self._checked(times)
-        _, _, _, slip, *_ = self._rows(time)
-        return _before(self._radius, time.ndim) * self._over_time(time, slip)
+        return self._history.path_at(times)
 
     def energy_at(self, times: ArrayLike) -> Energy:
         """The energy balance from the start to any times, as for `at`; integrated with the motion on request."""
-        time = self._checked(times)
-        flat_times = np.ravel(time)
-        problem = self.problem.with_outputs(("energy",))
-        program = problem.program
-        _, omega, _, _, *further = self._read(problem, flat_times)
-        names = [program.cells[cell] for cell, _, _ in program.states[2:]]
-        rows = dict(zip(names, further, strict=True))
-        unit = self.energy_unit
-        rests = np.ravel(self._rests_at_end) & self._has_ended(flat_times)
-        kinetic = np.where(rests, 0.0, omega**2 / 2)
-        of_times = partial(self._over_time, time)
-        over_time = _before(unit, time.ndim)
-        first_omega = problem.cells()[ix.OMEGA]
-        return Energy(
-            kinetic_start=self._shaped(first_omega**2 / 2) * unit,
-            kinetic_end=over_time * of_times(kinetic),
-            work=over_time * of_times(rows["work"]),
-            dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
-        )
+        return self._history.energy_at(times)
 
     @property
     def energy_unit(self) -> Any:
@@ -306,7 +179,6 @@ class Trajectory:
         return plain(weight_times_radius * arc.dimensionless.moment_of_inertia)
 
 
-def _before(values: Any, axes: int) -> Any:
+def before(values: Any, axes: int) -> Any:
     """Numbers of lanes with further axes for times; one number stays one."""
-    shape = np.shape(values)
-    return np.reshape(values, (*shape, *[1] * axes)) if shape else values
+    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

@@ -52,7 +52,7 @@ def in_order(effects: Names) -> Names:
 
 def named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
     """Effects by name, each with its parameters, and a sentence for what is no such thing."""
-    if isinstance(effects, str) or not isinstance(effects, Iterable):
+    if isinstance(effects, str) or not hasattr(effects, "__iter__"):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
     given = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
     named = {}
@@ -80,6 +80,8 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
 
 def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
     """An effect's parameters, with functions of time in the place of what they are made of."""
+    if not given:
+        return given
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given

@@ -12,6 +12,7 @@ import numpy as np
 
 from slipcircle.base.checks import EPS, Fault, plain
 from slipcircle.base.kinds import Effects, Names, Values
+from slipcircle.core.doors import room
 from slipcircle.core.scene.piecewise import Tables
 
 
@@ -57,37 +58,6 @@ class MomentCoefficients(NamedTuple):
     polar_moment: Any
     limit_friction: Any  # J_theta/J_r at the start
     cover: Any  # the stress of which r_u is a share, over the static normal stress
-
-
-class Journey(NamedTuple):
-    """Where a rotation brings the mass.
-
-    Attributes
-    ----------
-    toe : ndarray
-        x and y of the lower end of the slip surface, m; of an `Arc` from the centre of its circle.
-    run_out, rise
-        Of the toe, horizontally down-slope and upwards, m.
-    travel, fall
-        Of the centroid, horizontally down-slope and downwards, m.
-    travel_angle
-        Of the centroid's way, fall over travel, rad.
-    """
-
-    toe: Any
-    run_out: Any
-    rise: Any
-    travel: Any
-    fall: Any
-    travel_angle: Any
-
-    @property
-    def toe_x(self) -> Any:
-        return self.toe[..., 0][()]
-
-    @property
-    def toe_y(self) -> Any:
-        return self.toe[..., 1][()]
 
 
 Farther = Callable[[], Tables]
@@ -193,29 +163,9 @@ class Mass:
         turned = np.stack([turned_x, turned_y], axis=-1)
         return np.asarray(self.centre) + turned
 
-    def journey(self, rotation: Any) -> Journey:
-        """Where a rotation brings toe and centroid.
-
-        The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
-        """
-        toe = self.placed(self.exit, rotation)
-        toe_moved = toe - self.exit
-        moved = self.placed(self.centroid, rotation) - self.centroid
-        half_rotation = np.multiply(rotation, 0.5)
-        half_way = self.placed(self.centroid, half_rotation)
-        from_centre = np.subtract(half_way, self.centre)
-        moves_back = np.less(rotation, 0.0)
-        sign = np.where(moves_back, 1.0, -1.0)
-        fall = sign * self.facing * from_centre[..., 0]
-        run = sign * from_centre[..., 1]
-        return Journey(
-            toe=toe,
-            run_out=toe_moved[..., 0] * self.facing,
-            rise=toe_moved[..., 1][()],
-            travel=moved[..., 0] * self.facing,
-            fall=-moved[..., 1],
-            travel_angle=np.arctan2(fall, run),
-        )
+    def journey(self, rotation: Any) -> Any:
+        """Where a rotation brings toe and centroid, a `slipcircle.history.Journey`."""
+        return room("journey").journey(self, rotation)
 
     # --- what follows ------------------------------------------------------------------------------------------------
 

@@ -223,14 +223,15 @@ class Scene(Generic[Numbers]):
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         values = [value for value in self.numbers.values() if type(value) is not float]
-        shapes = map(np.shape, values)
-        return np.broadcast_shapes(*shapes)
+        return np.broadcast_shapes(*map(np.shape, values)) if values else ()
 
 
 def _friction_numbers(friction: Any) -> dict[str, Any]:
     """The numbers of a friction, by name; functions and tables have none."""
     if callable(friction):
         return {}
+    if not isinstance(friction, Mapping):
+        return {"friction": friction}
     numbers = {}
     for path, (law, parameters) in zip(law_paths(friction), law_parts(friction), strict=True):
         if LAWS[law].parameters[0].kind != "list":

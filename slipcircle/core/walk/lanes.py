@@ -47,7 +47,7 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         engine().integrate(problem.program, problem.tables(), cells, samples, log)
         if problem.reach_farther(cells[ix.REACH_ROTATION]):
             continue
-        if cells[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
+        if (cells[ix.STATUS] < ix.TOO_LONG).all():
             return cells
         _go_on(problem, cells, samples, log)
         if not np.any(cells[ix.STATUS] == ix.NEED):

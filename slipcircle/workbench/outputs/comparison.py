@@ -15,6 +15,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     REST,
     SERIES,
     WIDTH,
+    area,
     axis,
     ending,
     label,
@@ -23,10 +24,9 @@ from slipcircle.workbench.outputs.plotstyle import (
     note,
     number,
     points_of,
-    to_scale,
 )
-from slipcircle.workbench.outputs.sectionplot import scenery
-from slipcircle.workbench.outputs.shapes import View, mass_of
+from slipcircle.workbench.outputs.sectionplot import surroundings
+from slipcircle.workbench.outputs.shapes import mass_of
 from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.ladder import Rung
 
@@ -85,8 +85,6 @@ def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
 
 def _sections(motions: Sequence[Motion], ax: Any) -> None:
     """The mass at the start, and where each comes to rest."""
-    from matplotlib.patches import Polygon
-
     soil = motions[0].plan.scene.arc
     facing = float(soil.facing)
     mass = mass_of(soil, soil)
@@ -97,16 +95,13 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
         if motion.moves:
             turn = facing * float(motion.end.rotation)
             ends[k] = mass.outline(turn)
-    view = View.around(start, *ends.values())
-    margin = 0.1 * view.size
-    view = scenery(ax, mass, soil, view.grown(margin, margin), [start, *ends.values()])
-    ax.add_patch(Polygon(start, closed=True, zorder=2, **AREAS["start"]))
+    view = surroundings(ax, mass, soil, [start, *ends.values()])
+    area(ax, start, "start")
     for k, outline in ends.items():
         colour, dashes, _ = styles.get(k, REST)
-        ax.add_patch(Polygon(outline, closed=True, fill=False, ec=colour, ls=dashes, lw=1.6, zorder=3))
+        area(ax, outline, "end", edgecolor=colour, ls=dashes, lw=1.6, hatch="", zorder=3)
     label(ax, "start", start.mean(axis=0), "0.3", inside=True)
     view.show(ax)
-    to_scale(ax, "$x$ (m)", "$y$ (m)")
 
 
 def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None:
@@ -155,8 +150,11 @@ def _outcome(motion: Motion) -> str:
     """Run-out, peak velocity and duration in words."""
     if not motion.moves:
         return "does not move"
-    speed, duration = number(abs(float(motion.peak.velocity))), number(motion.settling_time)
-    return f"{number(motion.run_out)} m, peak {speed} m/s, {ending(motion)} after {duration} s"
+    return _words(motion.run_out, abs(float(motion.peak.velocity)), f"{ending(motion)} after", motion.settling_time)
+
+
+def _words(run_out: float, speed: float, end: str, duration: float) -> str:
+    return f"{number(run_out)} m, peak {number(speed)} m/s, {end} {number(duration)} s"
 
 
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
@@ -184,4 +182,4 @@ def _rung_words(rung: Rung) -> str:
     if not rung.peak_velocity:
         return "does not move"
     end = "at rest after" if rung.arrested else "still moving at"
-    return f"{number(rung.run_out)} m, peak {number(rung.peak_velocity)} m/s, {end} {number(rung.duration)} s"
+    return _words(rung.run_out, rung.peak_velocity, end, rung.duration)

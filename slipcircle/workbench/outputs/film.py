@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import AREAS, axis, number, pace
+from slipcircle.workbench.outputs.plotstyle import area, axis, number, pace
 from slipcircle.workbench.outputs.sectionplot import set_stage
 
 _FRAMES = 60
@@ -25,14 +25,12 @@ class Film(NamedTuple):
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     """The section with the mass at equidistant times, played in so many seconds; a single frame if nothing moves."""
-    from matplotlib.patches import Polygon
-
     ax = axis(None if figure is None else figure.add_subplot())
     stage = set_stage(motion, ax)
     mass = stage.mass
     turn_per_rotation = stage.magnification * float(motion.plan.scene.arc.facing)
-    ax.add_patch(Polygon(mass.outline(), closed=True, zorder=2, **AREAS["start"]))
-    body = ax.add_patch(Polygon(mass.outline(), closed=True, zorder=4, **AREAS["moving"]))
+    area(ax, mass.outline(), "start")
+    body = area(ax, mass.outline(), "moving", zorder=4)
     times = np.linspace(0.0, motion.settling_time, frames if motion.moves else 1)
     states = motion.at(times)
     turns = turn_per_rotation * states.rotation

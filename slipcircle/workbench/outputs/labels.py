@@ -22,12 +22,9 @@ _NEAR = 15.0  # points, within which a label needs no leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
 _SPACING = 4.0  # of the points that stand for lines, in pixels
 _GAP = 2.0  # around labels, in pixels
-# Costs: a covered point, a pixel outside the axis, an overlap with a label or its leader, leaders that cross, a point
-# of a leader on a line, a pixel of distance.
-_COVERED, _OUTSIDE, _WORDS, _LEADERS, _CROSSED, _FAR = 2.0, 200.0, 400.0, 20.0, 3.0, 0.12
-_ALONG, _FREE = 24, 4  # points along a leader, and those at its anchor that are on the line of the anchor
+# Costs: a covered point, a pixel outside the axis, an overlap with a label, a pixel of distance.
+_COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.25
 _CELL, _AROUND = 2.0, 60.0  # of the grid that counts points, and its margin around an axis, in pixels
-_ARROW = 10  # points of an arrow in the place of one of a line
 BACK = 1.5  # `zorder` below which artists may be covered
 _HALO = 2.5  # points of white around a label
 
@@ -78,8 +75,7 @@ class Label(Annotation):
         at = anchors[which]
         centres = at + np.tile(offsets, (count, 1))
         cost = self._cost(centres, half + _GAP, renderer)
-        cost += _FAR * far
-        cost += self._leader_cost(centres, at, far)
+        cost += _FAR * far + self._crossed_words(centres, at)
         best = int(np.argmin(cost))
         anchor = self.anchors[which[best]]
         offset = centres[best] - at[best]
@@ -112,21 +108,15 @@ class Label(Annotation):
             cost += _WORDS * overlaps
         return np.asarray(cost)
 
-    def _leader_cost(self, centres: Floats, anchors: Floats, far: Floats) -> Floats:
-        """Costs of leaders that cross other labels or their leaders."""
+    def _crossed_words(self, centres: Floats, anchors: Floats) -> Floats:
+        """Costs of leaders that cross other labels."""
         share = np.linspace(0.1, 0.9, 9)[:, None, None]
         points = anchors + share * (centres - anchors)
         cost = np.zeros(len(centres))
         for box in self._other_words(None):
             inside = np.all((points > box.min) & (points < box.max), axis=-1)
-            crossed = np.any(inside, axis=0) & (far > 0.0)
-            cost += _WORDS / 4 * crossed
-        for anchor, centre in self._other_leaders():
-            cost += _LEADERS * _crosses(anchors, centres, anchor, centre)
-        across = np.linspace(0.0, 1.0, _ALONG)[_FREE:, None, None]
-        places = anchors + across * (centres - anchors)
-        crossed = np.count_nonzero(self._covered(places - _GAP, places + _GAP), axis=0)
-        return np.asarray(cost + _CROSSED * crossed * (far > 0.0))
+            cost += _WORDS / 4 * np.any(inside, axis=0)
+        return cost
 
     def _placed(self) -> Iterator[Any]:
         """The labels that have been placed, and all other texts."""
@@ -141,13 +131,6 @@ class Label(Annotation):
         """Boxes of the texts that have been placed."""
         for text in self._placed():
             yield Text.get_window_extent(text, renderer)
-
-    def _other_leaders(self) -> Iterator[tuple[Floats, Floats]]:
-        """Anchors and centres of the labels with leaders that have been placed, in pixels."""
-        for text in self._placed():
-            if isinstance(text, Label) and text.leader.get_visible():
-                anchor = text.parent.transData.transform(text.xy)
-                yield anchor, anchor + text.get_position()
 
 
 class _Covered:
@@ -185,20 +168,6 @@ def _beside(ax: Any) -> list[Any]:
     return [other for other in ax.figure.axes if other.bbox.bounds == ax.bbox.bounds]
 
 
-def _crosses(first: Floats, last: Floats, start: Floats, end: Floats) -> Floats:
-    """Which segments from first to last points, (candidates, 2), cross the one from start to end."""
-
-    def side(point: Floats, tail: Floats, tip: Floats) -> Floats:
-        """On which side of the line from a tail to a tip a point lies."""
-        x, y = (point - tail).T
-        along_x, along_y = (tip - tail).T
-        return np.sign(along_x * y - along_y * x)
-
-    divided = side(first, start, end) * side(last, start, end) < 0.0
-    divides = side(start, first, last) * side(end, first, last) < 0.0
-    return np.asarray(divided & divides)
-
-
 def _obstacles(axes: Any) -> Iterator[Floats]:
     """Points in pixels that stand for lines, marks and outlines on an axis and its twins."""
     frame = axes.bbox
@@ -218,9 +187,6 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
                     yield _along(np.asarray(polygon, dtype=np.float64), frame)
                 if artist.get_hatch():
                     yield _inside(path, frame)
-            elif isinstance(artist, Annotation) and artist.arrow_patch and not isinstance(artist, Label):
-                ends = np.array([artist.xyann, artist.xy], dtype=np.float64)
-                yield np.repeat(_along(ax.transData.transform(ends), frame), _ARROW, axis=0)
 
 
 def _about(points: Floats, size: float) -> Floats:

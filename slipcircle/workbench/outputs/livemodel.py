@@ -14,8 +14,9 @@ from numpy.polynomial import chebyshev
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats, Names
-from slipcircle.core import OUTPUTS, STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
+from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
+from slipcircle.history import OUTPUTS
 from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name

@@ -66,7 +66,6 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
         (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
     ),
 }
-_TOUCHES = 0.02  # of the required friction at the start, below which it is zero
 _TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
 _SECTION = 4.3  # height of the section, inches
 _PANEL = 2.3  # height of a row of panels, inches
@@ -97,8 +96,6 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     if len(curves) > 1:
         for curve, heights in zip(curves, drawn_values, strict=True):
             label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
-    if what == "friction":
-        _explain_zeros(ax, motion, len(curves) > 1)
     if what == "displacement":
         _rotation_axis(ax, motion)
     return ax
@@ -142,23 +139,6 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     inside = in_middle & (low < values) & (values < high)
     shown = inside if np.any(inside) else slice(None)
     return np.asarray(points_of(times[shown], values[shown]))
-
-
-def _explain_zeros(ax: Any, motion: Motion, with_required: bool) -> None:
-    """Labels where the friction drops to zero, and where the required friction, without its sign, is zero once."""
-    columns = drawn(motion)
-    times, required, friction = columns["time"], columns["holding_friction"], columns["friction"]
-    if with_required:
-        is_small = required < _TOUCHES * required[0]
-        passes_once = np.count_nonzero(np.diff(is_small)) == 2 and not is_small[0]
-        if passes_once:
-            least = int(np.nanargmin(required))
-            label(ax, "in balance\nwithout friction", (times[least], required[least]), LINES["other"]["color"])
-    drops = (friction[1:] == 0.0) & (friction[:-1] > 0.0)
-    if np.any(drops):
-        last = int(np.argmax(drops))
-        beside_drop = times[last + 1], friction[last] / 2
-        label(ax, "no effective stress", beside_drop, LINES["main"]["color"])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:

@@ -168,6 +168,13 @@ def axis_words(quantity: Number) -> str:
     return f"{quantity_words(quantity)} ({unit_of(quantity) or '–'})"
 
 
+def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
+    """An area in the style of one of `AREAS`."""
+    from matplotlib.patches import Polygon
+
+    return ax.add_patch(Polygon(outline, closed=True, **{"zorder": 2, **AREAS[role], **more}))
+
+
 def to_scale(ax: Any, across: str, up: str) -> None:
     """Draw to scale on all of the axis, with the names of its directions."""
     ax.set(xlabel=across, ylabel=up)

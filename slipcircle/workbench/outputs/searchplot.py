@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.workbench.outputs.plotstyle import AREAS, SCENERY, label, note, to_scale
+from slipcircle.workbench.outputs.plotstyle import SCENERY, area, label, note, to_scale
 from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
 from slipcircle.workbench.stability.factors import YIELD
@@ -18,13 +18,12 @@ _TALL = 1.4  # greatest height over width
 
 def critical_circle(critical: Critical, figure: Any) -> Any:
     """The section with the circle, and the least factor of all circles about each centre, on an empty figure."""
-    from matplotlib.patches import Polygon
     from matplotlib.patheffects import withStroke
 
     ax = figure.add_subplot()
     mass = mass_of(critical, critical.slope)
     outline = mass.outline()
-    ax.add_patch(Polygon(outline, closed=True, zorder=2, **AREAS["start"]))
+    area(ax, outline, "start")
     width = float(np.ptp(outline[:, 0]))
     height = float(np.ptp(mass.ground[:, 1]))
     reach = max(width, 1.2 * height)

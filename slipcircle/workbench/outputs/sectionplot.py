@@ -17,10 +17,10 @@ from slipcircle.workbench.outputs.plotstyle import (
     LINES,
     SCENERY,
     SOILS,
+    area,
     axis,
     ending,
     label,
-    mark,
     note,
     number,
     to_scale,
@@ -31,7 +31,6 @@ from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
-_SMALL = 0.12  # chord over view, below which the mass is drawn as a mark
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
 _WIDE = 0.1  # magnified displacement over chord
 _MARGIN = 0.1  # of the view
@@ -42,7 +41,7 @@ _NAMES = {"water": LINES["main"]["color"]}  # colours of names that differ from 
 class Pose(NamedTuple):
     """The mass at one of the times that a section shows."""
 
-    role: str  # of `AREAS` and `MARKS`
+    role: str  # of `AREAS`
     rotation: float
     words: str
 
@@ -68,7 +67,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
     if farthest:
         _continuation(ax, motion, stage.mass, farthest)
     rightwards = (farthest or float(soil.facing)) > 0.0
-    _draw_poses(ax, stage.poses, stage.outlines, rightwards, stage.is_small)
+    _draw_poses(ax, stage.poses, stage.outlines, rightwards)
     if isinstance(soil, LayeredSection):
         draw_stretches(ax, stage.mass, soil, turns[1:2])
     name_circle(ax, stage.mass, soil)
@@ -86,29 +85,30 @@ class Stage(NamedTuple):
     turns: Sequence[float]  # as they are drawn
     outlines: Sequence[Floats]
     view: View
-    is_small: bool  # the mass in the view
 
 
 def set_stage(motion: Motion, ax: Any) -> Stage:
     """Draw slope and circle of a motion to scale, with room for all positions of the mass."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
-    is_arc = isinstance(soil, Arc)
     magnification = magnified(motion)
     facing = float(soil.facing)
     poses = _poses(motion)
     turns = [magnification * pose.rotation * facing for pose in poses]
     outlines = [mass.outline(turn) for turn in turns]
+    view = surroundings(ax, mass, soil, outlines)
+    return Stage(mass, magnification, poses, turns, outlines, view)
+
+
+def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> View:
+    """Draw slope and circle to scale, with room for the mass in all these outlines; return the view."""
     view = View.around(*outlines)
-    first, last = mass.on_circle(mass.ends)
-    chord = math.dist(first, last)
-    is_small = chord < _SMALL * view.size
     margin = _MARGIN * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin), outlines)
-    origin = " from the centre K" if is_arc else ""
+    origin = " from the centre K" if isinstance(soil, Arc) else ""
     view.show(ax)
     to_scale(ax, f"$x${origin} (m)", f"$y${origin} (m)")
-    return Stage(mass, magnification, poses, turns, outlines, view, is_small)
+    return view
 
 
 def _poses(motion: Motion) -> list[Pose]:
@@ -134,19 +134,13 @@ def _after(state: Any, time: float) -> str:
     return f"\nafter {number(time)} s and {number(state.displacement)} m"
 
 
-def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool, small: bool) -> None:
-    """The outline of the mass in each pose, or a mark if it is too small.
+def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool) -> None:
+    """The outline of the mass in each pose.
 
     Labels are at the rear of the mass at the start and at its front at the end.
     """
-    from matplotlib.patches import Polygon
-
     for pose, outline in zip(poses, outlines, strict=True):
-        if small:
-            x, y = outline.mean(axis=0)
-            mark(ax, x, y, pose.role, pose.words)
-            continue
-        ax.add_patch(Polygon(outline, closed=True, zorder=2, label=pose.role, **AREAS[pose.role]))
+        area(ax, outline, pose.role, label=pose.role)
         tips = outline[[0, ON_ARC - 1]]
         rear, front = tips if rightwards else tips[::-1]
         anchors = {"start": rear, "end": front}.get(pose.role, tips)

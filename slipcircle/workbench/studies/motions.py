@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core import Forces, Motion, Scene, plan, problem_of, solve
+from slipcircle.core import Motion, Scene, plan, problem_of, solve
 from slipcircle.derivatives import with_parameter_arrays
+from slipcircle.history import Forces
 from slipcircle.workbench.common.quantities import factors
 
 

@@ -10,8 +10,9 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.checks import choose, mistakes
 from slipcircle.base.kinds import Effects, Numbers
-from slipcircle.core.scene.arc import GIVEN, Arc
-from slipcircle.core.scene.mass import Dimensionless
+from slipcircle.core import GIVEN, Arc, Dimensionless
+
+__all__ = ["GivenArc"]
 
 
 @dataclass(frozen=True)

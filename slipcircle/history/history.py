@@ -1,0 +1,201 @@
+"""A motion along the way: states, stresses, friction and energy at any times.
+
+The integration keeps a few cells of each lane's end; what happens on the way is integrated again on request.
+"""
+
+from dataclasses import replace
+from functools import cached_property, partial
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from generated import layout as ix
+from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
+from slipcircle.base.kinds import Floats
+from slipcircle.core.motion.states import Energy, State
+from slipcircle.core.motion.trajectory import Trajectory, before
+from slipcircle.core.problem.plan import recipe_of
+from slipcircle.core.problem.problem import Problem, problem_of
+from slipcircle.core.walk.lanes import States, read
+from slipcircle.history.forces import Forces
+
+ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
+
+
+class Stresses(NamedTuple):
+    """Mean normal stress with the water and without, Pa, each of the shape of states."""
+
+    total: Any
+    effective: Any
+
+
+class History:
+    """What a solved scene is asked beyond its end; times and states are those of the methods of `Motion`."""
+
+    def __init__(self, motion: Trajectory) -> None:
+        self.motion = motion
+        self.plan = motion.plan
+        self.problem = motion.problem
+        self.shape = motion.shape
+        self._final = motion._final
+        self._duration = motion._duration
+        self._radius = motion._radius
+        self._time_scale = motion._time_scale
+        self._last_read: tuple[bytes, Floats] | None = None
+
+    @cached_property
+    def forces(self) -> Forces:
+        return Forces(self.problem)
+
+    @cached_property
+    def _mean_forces(self) -> Forces:
+        """Forces of which the stresses are means over the arc."""
+        scene = self.plan.scene.of_means()
+        if scene is self.plan.scene:
+            return self.forces
+        plan = replace(self.plan, scene=scene, recipe=recipe_of(scene))
+        return Forces(problem_of(plan, self.motion.invalid))
+
+    # --- states ------------------------------------------------------------------------------------------------------
+
+    def at(self, times: ArrayLike) -> State:
+        """`Motion.at`."""
+        time = self._checked(times)
+        rotation, omega, rate, *_ = (self._over_time(time, row) for row in self._rows(time))
+        every_time = np.broadcast_to(time, self.shape + time.shape)[()]
+        return self.motion._state(every_time, rotation, omega, rate, lambda: self._stresses(time).total)
+
+    def _checked(self, times: ArrayLike) -> Floats:
+        """Times as an array, none of them beyond the end of a lane that still moves there."""
+        faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
+        raise_all("Motion.at", faults)
+        time = np.asarray(times, dtype=np.float64)
+        status = self._final[ix.STATUS]
+        known_until = choose(status == ix.PAUSED, self.plan.scene.until, self._duration)
+        moving = status != ix.ARRESTED
+        ends = choose(moving & self.motion._solved, known_until, np.inf)
+        last = float(np.min(ends))
+        late = time[time > last]
+        if late.size:
+            requested = float(late.flat[0])
+            end = "the scene's end_time"
+            if self.plan.scene.end_time is None:
+                end = "the end of this motion"
+            raise ValueError(
+                f"Motion.at: times = {requested!r}: must be at most {end}, {last!r} s, unless the mass stays at rest"
+            )
+        return time
+
+    def _dimensionless(self, flat_times: Floats) -> Floats:
+        """Times in s over the time scale of each lane, (times, lanes)."""
+        return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
+
+    def _read(self, problem: Problem, flat_times: Floats) -> Floats:
+        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
+        increasing = np.argsort(flat_times, kind="stable")
+        rows = read(problem, self._dimensionless(flat_times[increasing]))
+        states = np.empty_like(rows)
+        states[:, increasing] = rows
+        return states
+
+    def _rows(self, time: Floats) -> Floats:
+        """The same of this motion; kept for the same times again."""
+        key = time.tobytes()
+        if self._last_read is not None:
+            last_key, last_rows = self._last_read
+            if last_key == key:
+                return last_rows
+        flat_times = np.ravel(time)
+        rows = self._read(self.problem, flat_times)
+        ended = self._has_ended(flat_times)
+        at_end = (ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
+        for row, entry in zip(rows, at_end, strict=False):
+            row[:] = np.where(ended, np.ravel(self._final[entry]), row)
+        self._last_read = key, rows
+        return rows
+
+    def _has_ended(self, flat_times: Floats) -> Any:
+        """Which lanes have ended at times in s, (times, lanes), whatever rounding makes of the time of the end."""
+        return flat_times[:, None] >= np.ravel(self._duration)
+
+    def _over_time(self, time: Floats, values: Floats) -> Any:
+        """Values (times, lanes) in the scene's shape followed by that of the times."""
+        return values.T.reshape(self.shape + time.shape)[()]
+
+    # --- forces and energy -------------------------------------------------------------------------------------------
+
+    def _states(self, time: Floats) -> States:
+        """States at times in s, as separate lanes, time by time."""
+        rows = self._rows(time)
+        rotation, omega, _, *further = rows.reshape(len(rows), time.size * self.problem.lanes)
+        lane = np.tile(np.arange(self.problem.lanes), time.size)
+        return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
+
+    def _by_state(self, time: Floats, values: Floats) -> Any:
+        """A number of each of `_states` in the scene's shape followed by that of the times."""
+        return self._over_time(time, values.reshape(time.size, self.problem.lanes))
+
+    def _stresses(self, time: Floats) -> Stresses:
+        outputs = self._mean_forces.outputs(self._states(time))
+        unit = before(self.motion.stress_unit, time.ndim)
+        total = self._by_state(time, outputs["pressing"])
+        effective = self._by_state(time, outputs["normal"])
+        return Stresses(total * unit, effective * unit)
+
+    def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
+        """The mean normal stress of each lane in a state of its end, Pa."""
+        at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
+        states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
+        pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
+        return pressing * self.motion.stress_unit + 0.0
+
+    def pore_pressure_at(self, times: ArrayLike) -> Any:
+        """`Motion.pore_pressure_at`."""
+        stresses = self._stresses(self._checked(times))
+        return stresses.total - stresses.effective
+
+    def effective_stress_at(self, times: ArrayLike) -> Any:
+        """`Motion.effective_stress_at`."""
+        stresses = self._stresses(self._checked(times))
+        return np.maximum(stresses.effective, 0.0)
+
+    def friction_at(self, times: ArrayLike) -> Any:
+        """`Motion.friction_at`."""
+        time = self._checked(times)
+        outputs = self.forces.outputs(self._states(time))
+        mobilised = np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0)
+        return self._by_state(time, mobilised)
+
+    def holding_friction_at(self, times: ArrayLike) -> Any:
+        """`Motion.holding_friction_at`."""
+        time = self._checked(times)
+        return self._by_state(time, self.forces.holding_friction(self._states(time)))
+
+    def path_at(self, times: ArrayLike) -> Any:
+        """`Motion.path_at`."""
+        time = self._checked(times)
+        _, _, _, slip, *_ = self._rows(time)
+        return before(self._radius, time.ndim) * self._over_time(time, slip)
+
+    def energy_at(self, times: ArrayLike) -> Energy:
+        """`Motion.energy_at`."""
+        time = self._checked(times)
+        flat_times = np.ravel(time)
+        problem = self.problem.with_outputs(("energy",))
+        program = problem.program
+        _, omega, _, _, *further = self._read(problem, flat_times)
+        names = [program.cells[cell] for cell, _, _ in program.states[2:]]
+        rows = dict(zip(names, further, strict=True))
+        unit = self.motion.energy_unit
+        rests = np.ravel(self.motion._rests_at_end) & self._has_ended(flat_times)
+        kinetic = np.where(rests, 0.0, omega**2 / 2)
+        of_times = partial(self._over_time, time)
+        over_time = before(unit, time.ndim)
+        first_omega = problem.cells()[ix.OMEGA]
+        return Energy(
+            kinetic_start=self.motion._shaped(first_omega**2 / 2) * unit,
+            kinetic_end=over_time * of_times(kinetic),
+            work=over_time * of_times(rows["work"]),
+            dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
+        )

@@ -1,0 +1,61 @@
+"""Where a rotation brings the mass: rise and travel of toe and centroid."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Journey(NamedTuple):
+    """Where a rotation brings the mass.
+
+    Attributes
+    ----------
+    toe : ndarray
+        x and y of the lower end of the slip surface, m; of an `Arc` from the centre of its circle.
+    run_out, rise
+        Of the toe, horizontally down-slope and upwards, m.
+    travel, fall
+        Of the centroid, horizontally down-slope and downwards, m.
+    travel_angle
+        Of the centroid's way, fall over travel, rad.
+    """
+
+    toe: Any
+    run_out: Any
+    rise: Any
+    travel: Any
+    fall: Any
+    travel_angle: Any
+
+    @property
+    def toe_x(self) -> Any:
+        return self.toe[..., 0][()]
+
+    @property
+    def toe_y(self) -> Any:
+        return self.toe[..., 1][()]
+
+
+def journey(mass: Any, rotation: Any) -> Journey:
+    """Where a rotation brings toe and centroid.
+
+    The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
+    """
+    toe = mass.placed(mass.exit, rotation)
+    toe_moved = toe - mass.exit
+    moved = mass.placed(mass.centroid, rotation) - mass.centroid
+    half_rotation = np.multiply(rotation, 0.5)
+    half_way = mass.placed(mass.centroid, half_rotation)
+    from_centre = np.subtract(half_way, mass.centre)
+    moves_back = np.less(rotation, 0.0)
+    sign = np.where(moves_back, 1.0, -1.0)
+    fall = sign * mass.facing * from_centre[..., 0]
+    run = sign * from_centre[..., 1]
+    return Journey(
+        toe=toe,
+        run_out=toe_moved[..., 0] * mass.facing,
+        rise=toe_moved[..., 1][()],
+        travel=moved[..., 0] * mass.facing,
+        fall=-moved[..., 1],
+        travel_angle=np.arctan2(fall, run),
+    )

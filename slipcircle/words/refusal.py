@@ -1,0 +1,47 @@
+"""Why a single scene has no result."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from generated.layout import MOST_TURNS
+from slipcircle.base.checks import InputError
+from slipcircle.core import Status
+
+STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
+
+
+def refusal(motion: Any) -> InputError:
+    """Why a single scene has no result, and what to change."""
+    scene = motion.plan.scene
+    speed = float(np.asarray(scene.initial_velocity))
+    status = motion.status
+    turns = motion.plan.turns
+    stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
+    overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
+    velocity, end_time = (f"{{{n}}} = {getattr(scene, n)!r}" for n in ("initial_velocity", "end_time"))
+    few_turnings = status == Status.ENDLESS and motion.turnings < 20
+    if status == Status.UPRIGHT:
+        why = (
+            f"{velocity}, friction: the chord is vertical after {motion.stopped_at:.6g} s and the mass would hang "
+            "over, which this method cannot follow; give an earlier {end_time} or a lower velocity"
+        )
+    elif not turns and (status == Status.ENDLESS or overflows):
+        why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
+    elif few_turnings and motion.brake > STRONGEST:
+        why = (
+            f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
+            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
+        )
+    elif few_turnings:
+        why = (
+            "{end_time}: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or "
+            f"trembles on: it has not rested after {motion.stopped_at:.3g} s; give {{end_time}} in s"
+        )
+    elif status == Status.ENDLESS:
+        times = min(motion.turnings, MOST_TURNS)
+        why = f"{end_time}: this mass turns back {times} times or more without coming to rest; give an earlier end in s"
+    else:
+        why = f"{velocity}, {end_time}: the motion overflows; give a lower velocity or an earlier end"
+    return InputError("", [why])
