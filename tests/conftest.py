@@ -14,6 +14,7 @@ from slipcircle.__main__ import main
 # What takes longest goes first, so that no worker is left alone with it; and what shares its intermediate results, the
 # derivation, the judgement of the paper and the notebooks on both, follows in the same process.
 LONGEST = (
+    "test_what_is_added",
     "test_mypy",
     "test_generated_is_up_to_date",
     "test_verify",
@@ -23,7 +24,6 @@ LONGEST = (
     "test_ctrl_c",
     "test_it_builds",
     "test_jax",
-    "test_added",
 )
 
 
