@@ -33,9 +33,10 @@ from slipcircle.base import VERSION
 from slipcircle.base.forms import use_forms
 
 if TYPE_CHECKING:
-    from slipcircle.core import Arc, Dimensionless, Energy, Motion, Plan, Scene, State, Status, plan, solve
+    from slipcircle.core import Arc, Dimensionless, Motion, Plan, Scene, State, Status, plan, solve
     from slipcircle.derivatives.parameters import parameters
     from slipcircle.ground import Section
+    from slipcircle.history import Energy
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
     from slipcircle.workbench.common.quantities import Interval
@@ -54,9 +55,10 @@ __version__ = VERSION
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
-    "core": "Arc Dimensionless Energy Motion Plan Scene State Status plan solve",
+    "core": "Arc Dimensionless Motion Plan Scene State Status plan solve",
     "derivatives": "parameters",
     "ground": "Section",
+    "history": "Energy",
     "layers": "LayeredSection Soil",
     "tables": "Pulse Series",
     "workbench.common.quantities": "Interval",

@@ -8,6 +8,7 @@ import pytest
 
 from slipcircle import Scene, Section, solve
 from slipcircle import load as load_scene
+from slipcircle.core.walk.lanes import BLOCK
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.tables.interpolation import between_kinks
@@ -132,3 +133,14 @@ def test_lanes_of_circles_and_of_strengths_broadcast() -> None:
     for i, j in np.ndindex(many.shape):
         one = {"radius": radius[i, 0]} | {name: c * shares[j] for name, c in of_soils.items()}
         assert many.run_out[i, j] == pytest.approx(solve(with_parameters(scene, one)).run_out, rel=1e-9)
+
+
+def test_statics_of_many_lanes_are_those_of_each() -> None:
+    """They are computed block by block: the lanes where one ends and the next begins."""
+    friction = np.linspace(0.1, 0.5, 2 * BLOCK + 3)
+    vaiont = load_scene("vaiont")
+    many = solve(replace(vaiont, friction=friction), 1e-3)
+    for lane in (0, BLOCK - 1, BLOCK, 2 * BLOCK, 2 * BLOCK + 2):
+        one = solve(replace(vaiont, friction=float(friction[lane])))
+        for name in ("factor_of_safety", "yield_coefficient", "limit_friction", "friction"):
+            assert getattr(many, name)[lane] == pytest.approx(getattr(one, name), rel=1e-14), (name, lane)

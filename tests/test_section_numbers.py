@@ -10,7 +10,6 @@ from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.derivatives import with_parameters
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.studies.ensemble import grid
@@ -98,7 +97,7 @@ def test_derivatives_against_thirty_digits(index: int, layered: bool) -> None:
     given = section_references.row(index)["scene"]
     scene = section_references.scene(given)
     motion = solve(in_two_layers(scene) if layered else scene)
-    found, own = motion.sensitivity(), arc_numbers(motion.plan.scene.arc)
+    found, own = motion.sensitivity(), motion.plan.scene.arc.numbers_by_name()
     sign = np.array([np.sign(motion.peak.velocity), 1.0, 1.0])
     size = np.abs(found.values).max(axis=1)[:3]
     for field in ("radius", "centre", "ground", "level"):

@@ -8,20 +8,11 @@ need stands in rooms beside it, which `slipcircle.core.doors` lists.
 
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
-from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, Energy, State, Status
+from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH, Arc
-from slipcircle.core.scene.coordinates import arc_numbers
-from slipcircle.core.scene.friction import (
-    RATE_LAWS,
-    friction_at_rest,
-    law_depends,
-    law_mistakes,
-    law_names,
-    law_parts,
-    may_have_rate,
-)
+from slipcircle.core.scene.friction import RATE_LAWS, law_depends, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.walk.compiled import numpy_only, program_integers
@@ -36,7 +27,6 @@ __all__ = [
     "WIDTH",
     "Arc",
     "Dimensionless",
-    "Energy",
     "Mass",
     "Motion",
     "Plan",
@@ -44,9 +34,7 @@ __all__ = [
     "Scene",
     "State",
     "Status",
-    "arc_numbers",
     "checked",
-    "friction_at_rest",
     "law_depends",
     "law_mistakes",
     "law_names",

@@ -17,11 +17,10 @@ from generated import effects as declared
 from slipcircle.base.checks import InputError, plain
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
-from slipcircle.core.scene.coordinates import arc_numbers, replace_unchecked
 from slipcircle.core.scene.effects import without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
-from slipcircle.derivatives.changed import changed_fields
+from slipcircle.ground.coordinates import changed_fields, replace_unchecked
 from slipcircle.ground.ground import BOUNDS, FAR
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import share_one_law
@@ -193,7 +192,7 @@ def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
     if "ground" not in arc.quantities:
         yield DIP
     else:
-        for name in arc_numbers(arc):
+        for name in arc.numbers_by_name():
             if "." in name:
                 yield Parameter(name, "m", -FAR, FAR)
     for name in arc.other_numbers():
@@ -305,7 +304,7 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
         for end in ("theta_1", "theta_2"):
             theta = np.asarray(getattr(scene.arc, end))
             arc[end] = theta + turn
-    of_arc = {DIP.name, *arc_numbers(scene.arc)}
+    of_arc = {DIP.name, *scene.arc.numbers_by_name()}
     assert isinstance(scene.effects, dict)
     effects = {name: dict(given) for name, given in scene.effects.items()}
     friction = scene.friction

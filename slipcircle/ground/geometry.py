@@ -8,8 +8,8 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.kinds import Floats
-from slipcircle.core.scene.coordinates import leading_shape
 from slipcircle.ground.circles import Cut
+from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.ground.plane import Vectors
 from slipcircle.ground.turning import TurningMass

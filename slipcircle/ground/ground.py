@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Floats, Values
-from slipcircle.core.scene.coordinates import leading_shape
+from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.plane import Vectors, each_lane
 
 FAR = 1e9  # m; coordinates are smaller

@@ -17,6 +17,7 @@ from slipcircle.core.doors import room
 from slipcircle.core.scene.effects import rotates
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
+from slipcircle.ground.coordinates import coordinates
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
 from slipcircle.ground.ground import line_errors, section_errors
@@ -98,6 +99,9 @@ class Section(SectionGeometry, Mass):
     def __post_init__(self) -> None:
         errors = section_errors(vars(self), self.quantities)
         raise_all("Section", errors or complaint(geometry_errors(self), self.shape))
+
+    def numbers_by_name(self) -> dict[str, Any]:
+        return coordinates(self) | self.other_numbers()
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether this is another section's circle through the same lines."""

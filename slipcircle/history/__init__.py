@@ -2,5 +2,6 @@
 
 from slipcircle.history.forces import OUTPUTS, Forces
 from slipcircle.history.journey import Journey
+from slipcircle.history.phases import Energy, Phase
 
-__all__ = ["OUTPUTS", "Forces", "Journey"]
+__all__ = ["OUTPUTS", "Energy", "Forces", "Journey", "Phase"]

@@ -13,13 +13,15 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core.motion.states import Energy, State
+from slipcircle.core.motion.states import State
 from slipcircle.core.motion.trajectory import Trajectory, before
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.walk.lanes import States, read
 from slipcircle.history.forces import Forces
+from slipcircle.history.phases import Energy, Phase
 
+ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
 
 
@@ -199,3 +201,42 @@ class History:
             work=over_time * of_times(rows["work"]),
             dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
         )
+
+    def lift_off(self) -> tuple[float, ...]:
+        """`Motion.lift_off`."""
+        scale = self._time_scale
+        times = list[float]()
+        lifted = False
+        resumed = -1.0
+        for event, time, _, _ in self.motion._log:
+            lifts = event == ix.NOTE_LIFTS
+            if lifts and not lifted and resumed != time:
+                times.append(time * scale)
+            begins = event == ix.NOTE_BEGINS
+            resumed = time if begins and lifted else -1.0
+            lifted = lifts or (lifted and event == ix.NOTE_STANDS)
+        return tuple(times)
+
+    def phases(self) -> tuple[Phase, ...]:
+        """`Motion.phases`."""
+        scale = self._time_scale
+        last = self.motion._settling_time
+        phases = list[Phase]()
+        for event, time, rotation, direction in self.motion._log:
+            if event == ix.NOTE_BEGINS:
+                phase = Phase(time * scale, last, rotation, int(direction))
+                phases.append(phase)
+            elif event == ix.NOTE_STANDS:
+                phase = phases.pop()
+                phases.append(phase._replace(end=time * scale))
+        return tuple(phases)
+
+    def energy_error_estimate(self) -> float:
+        """`Motion.energy_error_estimate`."""
+        times = np.linspace(0.0, self.motion._settling_time, ENERGY_CHECKS)
+        energy = self.energy_at(times)
+        exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
+        greatest = np.maximum.accumulate(exchanged)
+        size = np.maximum(greatest, 1e-300)
+        errors = np.abs(energy.residual) / size
+        return float(2 * np.max(errors))

@@ -1,5 +1,6 @@
 """Layered ground: soils, stretches of the arc, strips, cracks."""
 
+from slipcircle.layers.at_rest import friction_at_rest
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
 from slipcircle.layers.soils_along import Stretch, mean_normal_stress, stretches
@@ -12,6 +13,7 @@ __all__ = [
     "arc_crossings",
     "datum_of",
     "edge_below",
+    "friction_at_rest",
     "layer_mistakes",
     "line_crossings",
     "mean_normal_stress",

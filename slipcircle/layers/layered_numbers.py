@@ -12,7 +12,7 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.kinds import Values
-from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
 
 Load = tuple[float, float, Any, Any]  # a surcharge: x1, x2, and the pressures there

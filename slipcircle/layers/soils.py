@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import mistakes, raise_all
-from slipcircle.core.scene.friction import friction_at_rest, law_mistakes, least_friction
+from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
+from slipcircle.layers.at_rest import friction_at_rest, least_friction
 
 # The numbers of a soil that vary beside its friction, and all of them as one a lane.
 SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")

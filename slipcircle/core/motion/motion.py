@@ -17,12 +17,11 @@ from slipcircle.base.checks import choose
 from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
-from slipcircle.core.motion.states import Phase, State, Status
+from slipcircle.core.motion.states import State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.problem.problem import problem_of
 from slipcircle.core.walk.lanes import integrate
 
-ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
 
 
@@ -239,33 +238,12 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
         A loss of contact that lasts through standstills counts once.
         """
-        scale = self._time_scale
-        times = list[float]()
-        lifted = False
-        resumed = -1.0
-        for event, time, _, _ in self._log:
-            lifts = event == ix.NOTE_LIFTS
-            if lifts and not lifted and resumed != time:
-                times.append(time * scale)
-            begins = event == ix.NOTE_BEGINS
-            resumed = time if begins and lifted else -1.0
-            lifted = lifts or (lifted and event == ix.NOTE_STANDS)
-        return tuple(times)
+        return self._history.lift_off()
 
     @cached_property
-    def phases(self) -> tuple[Phase, ...]:
-        """Phases of a single motion between its standstills."""
-        scale = self._time_scale
-        last = self._settling_time
-        phases = list[Phase]()
-        for event, time, rotation, direction in self._log:
-            if event == ix.NOTE_BEGINS:
-                phase = Phase(time * scale, last, rotation, int(direction))
-                phases.append(phase)
-            elif event == ix.NOTE_STANDS:
-                phase = phases.pop()
-                phases.append(phase._replace(end=time * scale))
-        return tuple(phases)
+    def phases(self) -> tuple[Any, ...]:
+        """Phases of a single motion between its standstills, `slipcircle.history.Phase`."""
+        return self._history.phases()
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
@@ -304,13 +282,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def energy_error_estimate(self) -> float:
         """Greatest error of the energy balance of a single motion, relative to all energy until then."""
-        times = np.linspace(0.0, self._settling_time, ENERGY_CHECKS)
-        energy = self.energy_at(times)
-        exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
-        greatest = np.maximum.accumulate(exchanged)
-        size = np.maximum(greatest, 1e-300)
-        errors = np.abs(energy.residual) / size
-        return float(2 * np.max(errors))
+        return self._history.energy_error_estimate()
 
     @property
     def warnings(self) -> tuple[str, ...]:

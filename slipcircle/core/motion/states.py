@@ -1,9 +1,9 @@
-"""The parts of a `Motion`: how it ended, its state and its energy at a time, its phases."""
+"""The parts of a `Motion`: how it ended, and its state at a time."""
 
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass, field
 from enum import IntEnum
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -99,34 +99,3 @@ class State:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         object.__setattr__(self, name, self._stress())
         return self.normal_stress
-
-
-@dataclass(frozen=True)
-class Energy:
-    """Energy balance from the start to one or several times, J.
-
-    Attributes
-    ----------
-    kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity and shaking, and energy dissipated by all resistance, integrated with the
-        motion.
-    """
-
-    kinetic_start: Any
-    kinetic_end: Any
-    work: Any
-    dissipation: Any
-
-    @property
-    def residual(self) -> Any:
-        """Work of gravity - change of kinetic energy - dissipation."""
-        return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
-
-
-class Phase(NamedTuple):
-    """A stretch of motion in one direction, between two standstills: its times, s, where it begins, and which way."""
-
-    start: float
-    end: float
-    rotation: float
-    direction: int

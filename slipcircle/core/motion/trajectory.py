@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import choose, plain
 from slipcircle.core.doors import room
-from slipcircle.core.motion.states import STATUS_OF_END, Energy, State, Status
+from slipcircle.core.motion.states import STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.program import Log
@@ -166,7 +166,7 @@ class Trajectory:
         """The path travelled from the start, there and back, m; times as for `at`."""
         return self._history.path_at(times)
 
-    def energy_at(self, times: ArrayLike) -> Energy:
+    def energy_at(self, times: ArrayLike) -> Any:
         """The energy balance from the start to any times, as for `at`; integrated with the motion on request."""
         return self._history.energy_at(times)
 

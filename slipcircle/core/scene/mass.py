@@ -132,6 +132,11 @@ class Mass:
         """
         return {}, None
 
+    def numbers_by_name(self) -> dict[str, Any]:
+        """All its numbers: each one number, or an array of one a lane."""
+        fields = {name: getattr(self, name) for name in self.quantities}
+        return fields | self.other_numbers()
+
     def other_numbers(self) -> dict[str, Any]:
         """Numbers beside those of its fields, by name: of the soils of a layered section."""
         return {}

@@ -16,7 +16,6 @@ from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain
 from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.coordinates import arc_numbers
 from slipcircle.core.scene.effects import effect_mistakes, named, resolved
 from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
@@ -201,7 +200,7 @@ class Scene(Generic[Numbers]):
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
         ``cohesion.cohesion``, ..."""
-        numbers = arc_numbers(self.arc)
+        numbers = self.arc.numbers_by_name()
         if self.arc.friction is None:  # otherwise its soils have the numbers of friction
             numbers |= _friction_numbers(self.friction)
         numbers["initial_velocity"] = self.initial_velocity

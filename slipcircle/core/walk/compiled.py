@@ -5,13 +5,13 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache, lru_cache
+from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from generated import _compiled
 from generated import layout as ix
-from generated import walk as in_numpy
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.definitions import RESULTS
@@ -58,7 +58,8 @@ def numpy_only() -> Iterator[bool]:
 
 def engine() -> Any:
     """The faster module for `integrate`, `begin_phase` and `registers` on this machine."""
-    return sys.modules[__name__] if module() and not _numpy_only else in_numpy
+    name = __name__ if module() and not _numpy_only else "generated.walk"
+    return sys.modules.get(name) or import_module(name)  # NumPy's takes long to load
 
 
 @lru_cache(maxsize=256)

@@ -15,7 +15,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core import Scene, arc_numbers, law_names
+from slipcircle.core import Scene, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
@@ -48,7 +48,7 @@ def lengths(arc: Any) -> set[str]:
     """Coordinates and radii of a section, whose size depends on the distance from the origin, or on how flat it is."""
     if "ground" not in arc.quantities:
         return set()
-    return {name for name in arc_numbers(arc) if name.partition(".")[0] in ("radius", *_POINTS)}
+    return {name for name in arc.numbers_by_name() if name.partition(".")[0] in ("radius", *_POINTS)}
 
 
 def _tables(scene: Any) -> dict[str, Table]:

@@ -15,9 +15,8 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core import friction_at_rest
 from slipcircle.ground import Section, pond_errors, slope_errors
-from slipcircle.layers import LayeredSection, Soil, datum_of, layer_mistakes
+from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -349,7 +348,8 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
 
     cohesion = effects.get("cohesion", {})
     water = effects.get("pore_pressure", {})
-    strength = {"friction": friction_at_rest(friction), "cohesion": at_start(cohesion.get("cohesion", 0.0))}
+    of_friction = friction_at_rest(friction)
+    strength = {"friction": of_friction, "cohesion": at_start(cohesion.get("cohesion", 0.0))}
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     pore_ratio = at_start(water.get("ratio", 0.0))

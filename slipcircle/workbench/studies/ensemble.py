@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.progress import Progress
-from slipcircle.core import Scene, arc_numbers, checked, plan
+from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
 from slipcircle.ground import Section
 from slipcircle.tables import Series
@@ -297,13 +297,14 @@ def _described(design: Design) -> dict[str, Any]:
     """What identifies a study in the folder of its blocks."""
     scene, arc = design.scene, design.scene.arc
     section = {f.name: getattr(arc, f.name) for f in fields(arc)} if isinstance(arc, Section) else {}
+    of_section = arc.numbers_by_name()
     described = {
         "slipcircle": VERSION,
         "outcomes": [*OUTCOMES],
         "factors": "each" if design.search_each else "means",
         "accuracy": design.accuracy,
         "section": section,
-        "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in arc_numbers(arc)},
+        "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in of_section},
         "given": arc.given or {},
         "friction": scene.friction,
         "effects": scene.called,

@@ -1,0 +1,94 @@
+"""A second opinion on rounding: Gappa (Daumas and Melquiond 2010), a program by others that proves such bounds.
+
+A script asks for the relative distance between a program's value and that of the same operations in real arithmetic,
+for every double from 2**-320 to pi/2. How far the latter is from the exact function stays the checker's (`certify`).
+Gappa knows sums and products; pieces, logarithms and compensated sums of the best tiers are beyond it.
+"""
+
+import re
+import shutil
+import subprocess
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from math import inf
+from pathlib import Path
+
+from derive.check import certify
+from derive.check.patches import patches
+from derive.check.records import TIERS, Record, read
+from derive.check.truth import TOP
+
+FOLDER = Path("build") / "gappa"
+CUTS = 64  # of the domain, cubically closer towards pi/2, where rationals have lost most
+HALVINGS = 200
+FORMULAS = {"add": "{} + {}", "sub": "{} - {}", "mul": "{} * {}", "div": "{} / {}", "neg": "-{}", "fma": "{} * {} + {}"}
+END = re.compile(r"\{(-?[\d.]+(?:e-?\d+)?), ")  # of an interval, to six digits
+MARGIN = 1.001  # for these digits, and as the errors are relative to the program's value, not the exact one
+
+
+def script(record: Record) -> str:
+    """The question to Gappa; ValueError where the program has an operation without a formula."""
+    lines = ["@double = float<ieee_64, ne>;"]
+    for place, (kind, args, value) in enumerate(record["operations"]):
+        if kind in FORMULAS:
+            rounded, real = (FORMULAS[kind].format(*(f"{name}{a}" for a in args)) for name in "vr")
+            lines += [f"v{place} double= {rounded};", f"r{place} = {real};"]
+        elif kind in ("input", "const"):
+            given = "double(alpha)" if kind == "input" else value
+            lines += [f"v{place} = {given};", f"r{place} = v{place};"]
+        else:
+            raise ValueError(f"no formula for {kind}")
+    last = record["output"]
+    error = f"(v{last} - r{last}) / r{last}"
+    cuts = ", ".join(str(TOP * (1 - (k / CUTS) ** 3)) for k in range(CUTS - 1, 0, -1))
+    lines += [f"{{ v0 in [1b-320, {TOP.hex()}] -> {error} in ? }}", f"{error} $ v0 in ({cuts});"]
+    return "\n".join(lines) + "\n"
+
+
+def asked(record: Record, text: str) -> float:
+    """Gappa's bound on the relative error by rounding; infinity if it has none. The script stays in FOLDER."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    name = "-".join([record["kernel"], record["tier"], record["form"]])
+    (FOLDER / f"{name}.g").write_text(text, encoding="utf-8")
+    done = subprocess.run(["gappa"], input=text, capture_output=True, text=True, check=False)
+    ends = END.findall(done.stdout + done.stderr)
+    return max((abs(float(end)) * MARGIN for end in ends), default=inf)
+
+
+def approximation(record: Record) -> float:
+    """The checker's bound of a program that does not round, in the unit of its tier; at most that of one that does."""
+    parts = []
+    for part in patches(record):
+        exact = tuple(node._replace(rounds=False, floor=0.0) for node in part.tape)
+        parts.append(replace(part, tape=exact))
+    bound, _ = certify.halve(record, parts, halvings=HALVINGS)
+    return min(bound, float(record["bound"]))
+
+
+def compared(record: Record) -> tuple[str, bool]:
+    """A row of the table, and whether Gappa proves what the tier promises."""
+    tier = record["tier"]
+    name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6} {record['bound']:>9.4g}"
+    try:
+        rounding = asked(record, script(record))
+    except ValueError as missing:
+        return f"{name} {'-':>9} {'-':>9}  undecided: {missing}", False
+    total = approximation(record) + rounding * 2.0 ** TIERS[tier].bits  # ulps in the exact value, at most
+    proved = total <= TIERS[tier].goal(record)
+    return f"{name} {total:>9.4g} {rounding:>9.2g}  {'proved' if proved else 'undecided'}", proved
+
+
+def compare() -> bool:
+    """Print the table; whether Gappa proves all tiers but the best, or is not there to be asked."""
+    if shutil.which("gappa") is None:
+        print("skipped: gappa is not installed; on Debian and Ubuntu type: sudo apt install gappa")
+        return True
+    records = read()
+    print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'ours':>9} {'by Gappa':>9} {'rounding':>9}")
+    proved = []
+    with ProcessPoolExecutor(2) as pool:
+        for record, (line, is_proved) in zip(records, pool.map(compared, records), strict=True):
+            print(line, flush=True)
+            proved += [is_proved] * (record["tier"] != "best")
+    print(f"{sum(proved)} of {len(proved)} proved beside tier best; below 2**-320 and for two angles nothing is asked")
+    return all(proved)

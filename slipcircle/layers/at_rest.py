@@ -1,0 +1,40 @@
+"""Friction before any slip, at no speed and at the start."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from generated.effects import LAWS
+from slipcircle.base.kinds import Parameters
+from slipcircle.core.scene.friction import law_parts
+
+
+def friction_at_rest(friction: Any) -> Any:
+    """The coefficient before any slip, at no speed and at the start."""
+    if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
+        friction = {**friction, "law": "constant"}
+        del friction["soils"]
+    return math.prod(_at_rest(*law) for law in law_parts(friction))
+
+
+def _at_rest(name: str, parameters: Parameters) -> Any:
+    """The coefficient of one law before any slip; a table begins with it."""
+    if name == "callable":
+        coefficient = parameters["function"](0.0)
+        return float(np.ravel(coefficient)[0])
+    if "peak" in parameters:
+        return parameters["peak"]
+    coefficient = parameters["coefficient"]
+    first_parameter = LAWS[name].parameters[0]
+    is_table = first_parameter.kind == "list"
+    return coefficient[0] if is_table else coefficient
+
+
+def least_friction(friction: Any) -> float:
+    """The least coefficient of a law without a law of speed beside it, of any lane."""
+    _, given = law_parts(friction)[0]
+    names = {"coefficient", "peak", "residual"} & given.keys()
+    least = [np.min(given[name]) for name in names]
+    return float(min(least))
