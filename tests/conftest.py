@@ -4,6 +4,7 @@ import gc
 import json
 import shlex
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -32,6 +33,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), len(LONGEST))
 
     items.sort(key=place)
+    if {item.path for item in items} >= {*Path(__file__).parent.glob("test_*.py")}:  # all tests: each name is one's
+        assert {place(item) for item in items} >= {*range(len(LONGEST))}, LONGEST
 
 
 def pytest_configure() -> None:

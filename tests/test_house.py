@@ -25,7 +25,6 @@ from derive import build
 from slipcircle import Motion, load, solve
 from slipcircle.core import doors
 from slipcircle.core.program.program import build_program
-from tests.conftest import LONGEST
 from tests.support.layered import of_each_soil
 
 ROOT = Path(__file__).parents[1]
@@ -78,14 +77,6 @@ console_entry()
 
 def test_mypy_is_silent() -> None:
     succeed(sys.executable, "-c", MYPY, *PACKAGES, "tests")
-
-
-def test_those_that_go_first_are_there(request: pytest.FixtureRequest) -> None:
-    """A name in the list that no test has would leave a worker alone with the longest."""
-    items = request.session.items
-    if {item.path for item in items} < {*(ROOT / "tests").glob("test_*.py")}:
-        pytest.skip("only some of the tests are run")
-    assert not [part for part in LONGEST if not any(part in item.nodeid for item in items)]
 
 
 def test_no_test_module_imports_another() -> None:
