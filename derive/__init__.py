@@ -30,8 +30,8 @@ How to add a friction law, an effect or a moment
 
 A friction law has a formula for the coefficient in `SLIP` or `SPEED` and the parameters of the law, each by a symbol of
 its name: here those of softening laws. Slip and speed must stand over a parameter in their unit, and the coefficient
-may nowhere be negative. Its functions are sums, products, powers, exp, log, sin and cos, and min and max that change
-branch at a parameter. The decrease of friction between two slips is derived from it, without cancellation.
+may nowhere be negative. Its functions are sums, products, powers, exp, log, sin, cos and tanh, and min and max that
+change branch at a parameter. The decrease of friction between two slips is derived from it, without cancellation.
 At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
     Law("inverse_square", "residual + (peak - residual)/(1 + slip/length)^2", _SOFTENING,

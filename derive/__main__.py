@@ -29,7 +29,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
 
     Shapes of kernels without a record are searched for, or all of them with ``anew``, in so many ``trials``.
     """
-    from derive.algebra import dynamics, integrate, slopes
+    from derive.algebra import dynamics, integrate, rules, slopes
     from derive.approximate import certificates, search, shapes
     from derive.approximate.programs import variants
     from derive.check.records import read
@@ -44,7 +44,11 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
     timed("kernels", "search", "new shapes: {0}", search.complete, anew, trials or search.TRIALS)
-    _stable_forms()
+    for name, closed in integrate.closed_forms().items():
+        form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
+        for step in form.steps:
+            counts = " -> ".join(map(str, step.operations))
+            say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
     timed("flow", "balance", "{0} claims proved", linked.prove)
@@ -67,21 +71,6 @@ def _declarations() -> list[Any]:
         found = f"{type(error).__name__}: {error}"
         raise ProofError(f"declarations, {file}, line {line}", found, "what Python can read") from None
     return guards.check()
-
-
-def _stable_forms() -> None:
-    """Derive the forms without cancellation, and reduce the appendices to one line, step by step."""
-    from derive.algebra import integrate, rules
-    from derive.algebra.appendices import APPENDICES, simplify
-
-    for name, closed in integrate.closed_forms().items():
-        form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
-        for step in form.steps:
-            counts = " -> ".join(map(str, step.operations))
-            say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
-    for appendix in APPENDICES:
-        for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
-            say(f"{'':<52}{reduced.operations:4d} operations: {reduced.text} ({reduced.proof})")
 
 
 class Command(NamedTuple):

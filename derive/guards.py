@@ -42,7 +42,7 @@ UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
 KINDS = (*NUMBERS, "list", "text", "flag")
 # Functions of series, beside powers and minima.
-OF_SERIES = set[type]()
+OF_SERIES: set[type] = {sp.tanh}  # made of exponentials
 for _operation in OPERATIONS.values():
     for _meaning in _operation.means:
         OF_SERIES |= set(map(type, _meaning.atoms(sp.Function)))

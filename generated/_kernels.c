@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "da08385d9d438d4353e984471b741c1ffcd7d31da51348fe8bb4925fdf741782"
+#define DIGEST "48ad6e8661c3718af6f0c509218c747719b1321ca95dd648368f5146a4d8befc"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -151,6 +151,106 @@ INLINE double logarithm_fused(double b)
     const double p1 = POLY6(t4, 0x1.55555555559d8p-1, 0x1.999999987c7a3p-2, 0x1.249249f1b0e53p-2,
         0x1.c71be01ef8d7bp-3, 0x1.747966b22b47ep-3, 0x1.3804595ac79edp-3, 0x1.3cda08c7927d8p-3);
     return FMA(t3, FMA(t4, p1, -t2), FMA(exponent_of(t1), 0x1.62e42fefa39efp-1, t2));
+}
+
+INLINE void cos_psi_fused(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
+{
+    const double t1 = theta_1 + theta_2;
+    const double t2 = t1 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t3 = t2 * 2.0;
+    const double t4 = t3 * -0x1.921fb54440000p+1;
+    const double t5 = t3 * -0x1.68c234c4c0000p-38;
+    const double t6 = t3 * -0x1.98a2e03700000p-76;
+    const double t7 = t3 * -0x1.cd129024e088ap-114;
+    const double t8 = lost(theta_1, theta_2);
+    const double t9 = t1 + t4;
+    const double t10 = lost(t1, t4);
+    const double t11 = t9 + t5;
+    const double t12 = lost(t9, t5);
+    const double t13 = t11 + t6;
+    const double t14 = lost(t11, t6);
+    const double t15 = t13 + t7;
+    const double t16 = lost(t13, t7);
+    const double t17 = t8 + t10;
+    const double t18 = lost(t8, t10);
+    const double t19 = t17 + t12;
+    const double t20 = lost(t17, t12);
+    const double t21 = t19 + t14;
+    const double t22 = lost(t19, t14);
+    const double t23 = t21 + t16;
+    const double t24 = lost(t21, t16);
+    const double t25 = t23 + t15;
+    const double t26 = lost(t23, t15);
+    const double t27 = t18 + t20;
+    const double t28 = t27 + t22;
+    const double t29 = t28 + t24;
+    const double t30 = t29 + t26;
+    const double t31 = t30 + t25;
+    const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
+    const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t34 = t2 * 0.5;
+    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t36 = t33 * 0.5;
+    const double t37 = t36 * t36;
+    const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
+    *to_0 = t33;
+    *to_1 = ((t38 * t37 + -0x1.5555555555555p-2) * t37 + 1.0) * lost(t31, t32);
+    *to_2 = t35 * t35 * 4.0 - 0.5;
+}
+
+INLINE void sin_psi_fused(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
+{
+    const double t1 = theta_1 + theta_2;
+    const double t2 = t1 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t3 = t2 * 2.0 + 1.0;
+    const double t4 = t3 * -0x1.921fb54440000p+1;
+    const double t5 = t3 * -0x1.68c234c4c0000p-38;
+    const double t6 = t3 * -0x1.98a2e03700000p-76;
+    const double t7 = t3 * -0x1.cd129024e088ap-114;
+    const double t8 = lost(theta_1, theta_2);
+    const double t9 = t1 + t4;
+    const double t10 = lost(t1, t4);
+    const double t11 = t9 + t5;
+    const double t12 = lost(t9, t5);
+    const double t13 = t11 + t6;
+    const double t14 = lost(t11, t6);
+    const double t15 = t13 + t7;
+    const double t16 = lost(t13, t7);
+    const double t17 = t8 + t10;
+    const double t18 = lost(t8, t10);
+    const double t19 = t17 + t12;
+    const double t20 = lost(t17, t12);
+    const double t21 = t19 + t14;
+    const double t22 = lost(t19, t14);
+    const double t23 = t21 + t16;
+    const double t24 = lost(t21, t16);
+    const double t25 = t23 + t15;
+    const double t26 = lost(t23, t15);
+    const double t27 = t18 + t20;
+    const double t28 = t27 + t22;
+    const double t29 = t28 + t24;
+    const double t30 = t29 + t26;
+    const double t31 = t30 + t25;
+    const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
+    const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t34 = t2 * 0.5;
+    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t36 = t33 * 0.5;
+    const double t37 = t36 * t36;
+    const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
+    *to_0 = t33;
+    *to_1 = ((t38 * t37 + -0x1.5555555555555p-2) * t37 + 1.0) * lost(t31, t32);
+    *to_2 = t35 * t35 * -4.0 - -0.5;
+}
+
+INLINE double share_fused(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    return ((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5;
 }
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, fused:
@@ -795,444 +895,114 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
  * fused: proved within 8.56e-16 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
-    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
-    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
-    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
-    const double t50 = radial_weight_amplitude_best_fused(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
-    return t50 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_best_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t6 + -0x1.2f49b46814157p-57;
+    const double t8 = ((t7 * t6 + 0x1.952c77030ad4ap-49) * t6 + -0x1.ae7f3e733b81fp-41) * t6;
+    const double t9 = ((t8 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26) * t6 + 0x1.71de3a556c734p-19;
+    const double t10 = ((t9 * t6 + -0x1.a01a01a01a01ap-13) * t6 + 0x1.1111111111111p-7) * t6;
+    const double t11 = t1 * ((t10 + -0x1.5555555555555p-3) * t6 + 1.0) * t4;
+    return t11 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
  * 1e-10, fused: proved within 6.47e-11 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_1e_10_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return radial_weight_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_1e_10_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
  * float32, fused: proved within 0.502 ulp of float32 (certificates/radial_weight.json) */
 INLINE double radial_weight_float32_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return radial_weight_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_1e_10_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, 1e-6,
  * fused: proved within 3.99e-07 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_1e_6_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
-    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return radial_weight_amplitude_1e_6_fused(t2) * t47 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_1e_6_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13;
+    const double t8 = ((t7 * t6 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0;
+    return t1 * t8 * t4 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, best, fused: proved within 8.47e-16 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
-    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
-    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
-    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
-    const double t50 = weight_moment_amplitude_best_fused(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
-    return t50 * (t40 * t40 * -4.0 - -0.5) * t45;
+    const double t1 = weight_moment_amplitude_best_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t6 + -0x1.2f49b46814157p-57;
+    const double t8 = ((t7 * t6 + 0x1.952c77030ad4ap-49) * t6 + -0x1.ae7f3e733b81fp-41) * t6;
+    const double t9 = ((t8 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26) * t6 + 0x1.71de3a556c734p-19;
+    const double t10 = ((t9 * t6 + -0x1.a01a01a01a01ap-13) * t6 + 0x1.1111111111111p-7) * t6;
+    const double t11 = t1 * ((t10 + -0x1.5555555555555p-3) * t6 + 1.0) * t4;
+    return t11 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, 1e-10, fused: proved within 8.17e-12 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_10_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    const double t49 = weight_moment_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
-    return t49 * t45;
+    const double t1 = weight_moment_amplitude_1e_10_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, float32, fused: proved within 0.501 ulp of float32 (certificates/weight_moment.json) */
 INLINE double weight_moment_float32_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    const double t49 = weight_moment_amplitude_1e_10_fused(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
-    return t49 * t45;
+    const double t1 = weight_moment_amplitude_1e_10_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, 1e-6, fused: proved within 4.96e-07 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_6_fused(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
-    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return weight_moment_amplitude_1e_6_fused(t2) * t47 * (t40 * t40 * -4.0 - -0.5) * t45;
+    const double t1 = weight_moment_amplitude_1e_6_fused(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13;
+    const double t8 = ((t7 * t6 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0;
+    return t1 * t8 * t4 * (t2 + (t3 + t2 * share_fused(theta_1, theta_2)));
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
@@ -1241,94 +1011,23 @@ INLINE double limit_friction_best_fused(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_fused(SMALLER((theta_2 - theta_1) * 0.5,
         0x1.921fb54442d18p+0));
-    const double t2 = theta_1 + theta_2;
-    const double t3 = t2 * 0x1.45f306dc9c883p-3;
-    const double t4 = t3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t5 = t4 * 2.0 + 1.0;
-    const double t6 = t5 * -0x1.921fb54440000p+1;
-    const double t7 = t5 * -0x1.68c234c4c0000p-38;
-    const double t8 = t5 * -0x1.98a2e03700000p-76;
-    const double t9 = t5 * -0x1.cd129024e088ap-114;
-    const double t10 = lost(theta_1, theta_2);
-    const double t11 = t2 + t6;
-    const double t12 = lost(t2, t6);
-    const double t13 = t11 + t7;
-    const double t14 = lost(t11, t7);
-    const double t15 = t13 + t8;
-    const double t16 = lost(t13, t8);
-    const double t17 = t15 + t9;
-    const double t18 = lost(t15, t9);
-    const double t19 = t10 + t12;
-    const double t20 = lost(t10, t12);
-    const double t21 = t19 + t14;
-    const double t22 = lost(t19, t14);
-    const double t23 = t21 + t16;
-    const double t24 = lost(t21, t16);
-    const double t25 = t23 + t18;
-    const double t26 = lost(t23, t18);
-    const double t27 = t25 + t17;
-    const double t28 = lost(t25, t17);
-    const double t29 = t20 + t22;
-    const double t30 = t29 + t24;
-    const double t31 = t30 + t26;
-    const double t32 = t31 + t28;
-    const double t33 = t32 + t27;
-    const double t34 = lost(t20, t22) + lost(t29, t24) + lost(t30, t26) + lost(t31, t28) + lost(t32, t27);
-    const double t35 = LARGER(SMALLER(t33 + t34, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t36 = t4 * 0.5;
-    const double t37 = t36 - (t36 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t38 = t35 * 0.5;
-    const double t39 = t38 * t38;
-    const double t40 = (t39 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t39 + -0x1.6c16c16c16c17p-6;
-    const double t41 = (t39 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t39 + -0x1.2f49b46814157p-57;
-    const double t42 = ((t41 * t39 + 0x1.952c77030ad4ap-49) * t39 + -0x1.ae7f3e733b81fp-41) * t39;
-    const double t43 = ((t42 + 0x1.6124613a86d09p-33) * t39 + -0x1.ae64567f544e4p-26) * t39 + 0x1.71de3a556c734p-19;
-    const double t44 = ((t43 * t39 + -0x1.a01a01a01a01ap-13) * t39 + 0x1.1111111111111p-7) * t39;
-    const double t45 = t3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t46 = t45 * 2.0;
-    const double t47 = t46 * -0x1.921fb54440000p+1;
-    const double t48 = t46 * -0x1.68c234c4c0000p-38;
-    const double t49 = t46 * -0x1.98a2e03700000p-76;
-    const double t50 = t46 * -0x1.cd129024e088ap-114;
-    const double t51 = t2 + t47;
-    const double t52 = lost(t2, t47);
-    const double t53 = t51 + t48;
-    const double t54 = lost(t51, t48);
-    const double t55 = t53 + t49;
-    const double t56 = lost(t53, t49);
-    const double t57 = t55 + t50;
-    const double t58 = lost(t55, t50);
-    const double t59 = t10 + t52;
-    const double t60 = lost(t10, t52);
-    const double t61 = t59 + t54;
-    const double t62 = lost(t59, t54);
-    const double t63 = t61 + t56;
-    const double t64 = lost(t61, t56);
-    const double t65 = t63 + t58;
-    const double t66 = lost(t63, t58);
-    const double t67 = t65 + t57;
-    const double t68 = lost(t65, t57);
-    const double t69 = t60 + t62;
-    const double t70 = t69 + t64;
-    const double t71 = t70 + t66;
-    const double t72 = t71 + t68;
-    const double t73 = t72 + t67;
-    const double t74 = lost(t60, t62) + lost(t69, t64) + lost(t70, t66) + lost(t71, t68) + lost(t72, t67);
-    const double t75 = LARGER(SMALLER(t73 + t74, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t76 = t45 * 0.5;
-    const double t77 = t76 - (t76 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t78 = t75 * 0.5;
-    const double t79 = t78 * t78;
-    const double t80 = (t79 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t79 + -0x1.6c16c16c16c17p-6;
-    const double t81 = (t79 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t79 + -0x1.2f49b46814157p-57;
-    const double t82 = ((t81 * t79 + 0x1.952c77030ad4ap-49) * t79 + -0x1.ae7f3e733b81fp-41) * t79;
-    const double t83 = ((t82 + 0x1.6124613a86d09p-33) * t79 + -0x1.ae64567f544e4p-26) * t79 + 0x1.71de3a556c734p-19;
-    const double t84 = ((t83 * t79 + -0x1.a01a01a01a01ap-13) * t79 + 0x1.1111111111111p-7) * t79;
-    const double t85 = t1 * ((t44 + -0x1.5555555555555p-3) * t39 + 1.0);
-    const double t86 = t35 + ((t40 * t39 + -0x1.5555555555555p-2) * t39 + 1.0) * lost(t33, t34);
-    const double t87 = t86 * (t85 / ((t84 + -0x1.5555555555555p-3) * t79 + 1.0));
-    const double t88 = t75 + ((t80 * t79 + -0x1.5555555555555p-2) * t79 + 1.0) * lost(t73, t74);
-    return t87 * ((t37 * t37 * -4.0 - -0.5) * (t77 * t77 * 4.0 - 0.5) * 4.0) / t88;
+    double t2, t3, t4; sin_psi_fused(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t6 + -0x1.2f49b46814157p-57;
+    const double t8 = ((t7 * t6 + 0x1.952c77030ad4ap-49) * t6 + -0x1.ae7f3e733b81fp-41) * t6;
+    const double t9 = ((t8 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26) * t6 + 0x1.71de3a556c734p-19;
+    const double t10 = ((t9 * t6 + -0x1.a01a01a01a01ap-13) * t6 + 0x1.1111111111111p-7) * t6;
+    double t11, t12, t13; cos_psi_fused(theta_1, theta_2, &t11, &t12, &t13);
+    const double t14 = t11 * 0.5;
+    const double t15 = t14 * t14;
+    const double t16 = (t15 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t15 + -0x1.2f49b46814157p-57;
+    const double t17 = ((t16 * t15 + 0x1.952c77030ad4ap-49) * t15 + -0x1.ae7f3e733b81fp-41) * t15;
+    const double t18 = ((t17 + 0x1.6124613a86d09p-33) * t15 + -0x1.ae64567f544e4p-26) * t15 + 0x1.71de3a556c734p-19;
+    const double t19 = ((t18 * t15 + -0x1.a01a01a01a01ap-13) * t15 + 0x1.1111111111111p-7) * t15;
+    const double t20 = t1 * ((t10 + -0x1.5555555555555p-3) * t6 + 1.0);
+    const double t21 = (t2 + t3) * (t20 / ((t19 + -0x1.5555555555555p-3) * t15 + 1.0)) * (t4 * t13 * 4.0);
+    return t21 / (t11 + t12);
 }
 #endif
 
@@ -1345,6 +1044,106 @@ INLINE double logarithm_plain(double b)
     const double p1 = POLY6(t4, 0x1.55555555559d8p-1, 0x1.999999987c7a3p-2, 0x1.249249f1b0e53p-2,
         0x1.c71be01ef8d7bp-3, 0x1.747966b22b47ep-3, 0x1.3804595ac79edp-3, 0x1.3cda08c7927d8p-3);
     return t3 * (t4 * p1 - t2) + (exponent_of(t1) * 0x1.62e42fefa39efp-1 + t2);
+}
+
+INLINE void cos_psi_plain(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
+{
+    const double t1 = theta_1 + theta_2;
+    const double t2 = t1 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t3 = t2 * 2.0;
+    const double t4 = t3 * -0x1.921fb54440000p+1;
+    const double t5 = t3 * -0x1.68c234c4c0000p-38;
+    const double t6 = t3 * -0x1.98a2e03700000p-76;
+    const double t7 = t3 * -0x1.cd129024e088ap-114;
+    const double t8 = lost(theta_1, theta_2);
+    const double t9 = t1 + t4;
+    const double t10 = lost(t1, t4);
+    const double t11 = t9 + t5;
+    const double t12 = lost(t9, t5);
+    const double t13 = t11 + t6;
+    const double t14 = lost(t11, t6);
+    const double t15 = t13 + t7;
+    const double t16 = lost(t13, t7);
+    const double t17 = t8 + t10;
+    const double t18 = lost(t8, t10);
+    const double t19 = t17 + t12;
+    const double t20 = lost(t17, t12);
+    const double t21 = t19 + t14;
+    const double t22 = lost(t19, t14);
+    const double t23 = t21 + t16;
+    const double t24 = lost(t21, t16);
+    const double t25 = t23 + t15;
+    const double t26 = lost(t23, t15);
+    const double t27 = t18 + t20;
+    const double t28 = t27 + t22;
+    const double t29 = t28 + t24;
+    const double t30 = t29 + t26;
+    const double t31 = t30 + t25;
+    const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
+    const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t34 = t2 * 0.5;
+    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t36 = t33 * 0.5;
+    const double t37 = t36 * t36;
+    const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
+    *to_0 = t33;
+    *to_1 = ((t38 * t37 + -0x1.5555555555555p-2) * t37 + 1.0) * lost(t31, t32);
+    *to_2 = t35 * t35 * 4.0 - 0.5;
+}
+
+INLINE void sin_psi_plain(double theta_1, double theta_2, double *to_0, double *to_1, double *to_2)
+{
+    const double t1 = theta_1 + theta_2;
+    const double t2 = t1 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
+    const double t3 = t2 * 2.0 + 1.0;
+    const double t4 = t3 * -0x1.921fb54440000p+1;
+    const double t5 = t3 * -0x1.68c234c4c0000p-38;
+    const double t6 = t3 * -0x1.98a2e03700000p-76;
+    const double t7 = t3 * -0x1.cd129024e088ap-114;
+    const double t8 = lost(theta_1, theta_2);
+    const double t9 = t1 + t4;
+    const double t10 = lost(t1, t4);
+    const double t11 = t9 + t5;
+    const double t12 = lost(t9, t5);
+    const double t13 = t11 + t6;
+    const double t14 = lost(t11, t6);
+    const double t15 = t13 + t7;
+    const double t16 = lost(t13, t7);
+    const double t17 = t8 + t10;
+    const double t18 = lost(t8, t10);
+    const double t19 = t17 + t12;
+    const double t20 = lost(t17, t12);
+    const double t21 = t19 + t14;
+    const double t22 = lost(t19, t14);
+    const double t23 = t21 + t16;
+    const double t24 = lost(t21, t16);
+    const double t25 = t23 + t15;
+    const double t26 = lost(t23, t15);
+    const double t27 = t18 + t20;
+    const double t28 = t27 + t22;
+    const double t29 = t28 + t24;
+    const double t30 = t29 + t26;
+    const double t31 = t30 + t25;
+    const double t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25);
+    const double t33 = LARGER(SMALLER(t31 + t32, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
+    const double t34 = t2 * 0.5;
+    const double t35 = t34 - (t34 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
+    const double t36 = t33 * 0.5;
+    const double t37 = t36 * t36;
+    const double t38 = (t37 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t37 + -0x1.6c16c16c16c17p-6;
+    *to_0 = t33;
+    *to_1 = ((t38 * t37 + -0x1.5555555555555p-2) * t37 + 1.0) * lost(t31, t32);
+    *to_2 = t35 * t35 * -4.0 - -0.5;
+}
+
+INLINE double share_plain(double theta_1, double theta_2)
+{
+    const double t1 = theta_2 - theta_1;
+    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
+    const double t3 = t2 * t2;
+    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
+    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
+    return ((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5;
 }
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, plain:
@@ -1829,444 +1628,114 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
  * plain: proved within 1.6e-15 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_best_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
-    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
-    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
-    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
-    const double t50 = radial_weight_amplitude_best_plain(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
-    return t50 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_best_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t6 + -0x1.2f49b46814157p-57;
+    const double t8 = ((t7 * t6 + 0x1.952c77030ad4ap-49) * t6 + -0x1.ae7f3e733b81fp-41) * t6;
+    const double t9 = ((t8 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26) * t6 + 0x1.71de3a556c734p-19;
+    const double t10 = ((t9 * t6 + -0x1.a01a01a01a01ap-13) * t6 + 0x1.1111111111111p-7) * t6;
+    const double t11 = t1 * ((t10 + -0x1.5555555555555p-3) * t6 + 1.0) * t4;
+    return t11 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
  * 1e-10, plain: proved within 6.47e-11 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_1e_10_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return radial_weight_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_1e_10_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends,
  * float32, plain: proved within 0.502 ulp of float32 (certificates/radial_weight.json) */
 INLINE double radial_weight_float32_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return radial_weight_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_1e_10_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both ends, 1e-6,
  * plain: proved within 3.99e-07 relative (certificates/radial_weight.json) */
 INLINE double radial_weight_1e_6_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
-    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return radial_weight_amplitude_1e_6_plain(t2) * t47 * (t40 * t40 * 4.0 - 0.5) * t45;
+    const double t1 = radial_weight_amplitude_1e_6_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; cos_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13;
+    const double t8 = ((t7 * t6 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0;
+    return t1 * t8 * t4 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, best, plain: proved within 1.53e-15 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_best_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t42 + -0x1.2f49b46814157p-57;
-    const double t47 = ((t46 * t42 + 0x1.952c77030ad4ap-49) * t42 + -0x1.ae7f3e733b81fp-41) * t42;
-    const double t48 = ((t47 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26) * t42 + 0x1.71de3a556c734p-19;
-    const double t49 = ((t48 * t42 + -0x1.a01a01a01a01ap-13) * t42 + 0x1.1111111111111p-7) * t42;
-    const double t50 = weight_moment_amplitude_best_plain(t2) * ((t49 + -0x1.5555555555555p-3) * t42 + 1.0);
-    return t50 * (t40 * t40 * -4.0 - -0.5) * t45;
+    const double t1 = weight_moment_amplitude_best_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t6 + -0x1.2f49b46814157p-57;
+    const double t8 = ((t7 * t6 + 0x1.952c77030ad4ap-49) * t6 + -0x1.ae7f3e733b81fp-41) * t6;
+    const double t9 = ((t8 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26) * t6 + 0x1.71de3a556c734p-19;
+    const double t10 = ((t9 * t6 + -0x1.a01a01a01a01ap-13) * t6 + 0x1.1111111111111p-7) * t6;
+    const double t11 = t1 * ((t10 + -0x1.5555555555555p-3) * t6 + 1.0) * t4;
+    return t11 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, 1e-10, plain: proved within 8.17e-12 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_10_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    const double t49 = weight_moment_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
-    return t49 * t45;
+    const double t1 = weight_moment_amplitude_1e_10_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, float32, plain: proved within 0.501 ulp of float32 (certificates/weight_moment.json) */
 INLINE double weight_moment_float32_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t42 + -0x1.ae64567f544e4p-26;
-    const double t47 = ((t46 * t42 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13) * t42;
-    const double t48 = ((t47 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    const double t49 = weight_moment_amplitude_1e_10_plain(t2) * t48 * (t40 * t40 * -4.0 - -0.5);
-    return t49 * t45;
+    const double t1 = weight_moment_amplitude_1e_10_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae7f3e733b81fp-41 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26;
+    const double t8 = ((t7 * t6 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13) * t6;
+    const double t9 = t1 * (((t8 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0);
+    return t9 * t4 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2, both
  * ends, 1e-6, plain: proved within 4.96e-07 relative (certificates/weight_moment.json) */
 INLINE double weight_moment_1e_6_plain(double theta_1, double theta_2)
 {
-    const double t1 = theta_2 - theta_1;
-    const double t2 = SMALLER(t1 * 0.5, 0x1.921fb54442d18p+0);
-    const double t3 = t2 * t2;
-    const double t4 = (t3 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t3 + -0x1.6c16c16c16c17p-6;
-    const double t5 = lost(theta_2, -theta_1) / LARGER(t1, 0x1.0000000000000p-1000);
-    const double t6 = theta_1 + theta_2;
-    const double t7 = t6 * 0x1.45f306dc9c883p-3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t8 = t7 * 2.0 + 1.0;
-    const double t9 = t8 * -0x1.921fb54440000p+1;
-    const double t10 = t8 * -0x1.68c234c4c0000p-38;
-    const double t11 = t8 * -0x1.98a2e03700000p-76;
-    const double t12 = t8 * -0x1.cd129024e088ap-114;
-    const double t13 = lost(theta_1, theta_2);
-    const double t14 = t6 + t9;
-    const double t15 = lost(t6, t9);
-    const double t16 = t14 + t10;
-    const double t17 = lost(t14, t10);
-    const double t18 = t16 + t11;
-    const double t19 = lost(t16, t11);
-    const double t20 = t18 + t12;
-    const double t21 = lost(t18, t12);
-    const double t22 = t13 + t15;
-    const double t23 = lost(t13, t15);
-    const double t24 = t22 + t17;
-    const double t25 = lost(t22, t17);
-    const double t26 = t24 + t19;
-    const double t27 = lost(t24, t19);
-    const double t28 = t26 + t21;
-    const double t29 = lost(t26, t21);
-    const double t30 = t28 + t20;
-    const double t31 = lost(t28, t20);
-    const double t32 = t23 + t25;
-    const double t33 = t32 + t27;
-    const double t34 = t33 + t29;
-    const double t35 = t34 + t31;
-    const double t36 = t35 + t30;
-    const double t37 = lost(t23, t25) + lost(t32, t27) + lost(t33, t29) + lost(t34, t31) + lost(t35, t30);
-    const double t38 = LARGER(SMALLER(t36 + t37, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t39 = t7 * 0.5;
-    const double t40 = t39 - (t39 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t41 = t38 * 0.5;
-    const double t42 = t41 * t41;
-    const double t43 = (t42 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t42 + -0x1.6c16c16c16c17p-6;
-    const double t44 = ((t43 * t42 + -0x1.5555555555555p-2) * t42 + 1.0) * lost(t36, t37);
-    const double t45 = t38 + (t44 + t38 * (((t4 * t3 + -0x1.5555555555555p-2) * t3 + 1.0) * 3.0 * t5));
-    const double t46 = (t42 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t42 + -0x1.a01a01a01a01ap-13;
-    const double t47 = ((t46 * t42 + 0x1.1111111111111p-7) * t42 + -0x1.5555555555555p-3) * t42 + 1.0;
-    return weight_moment_amplitude_1e_6_plain(t2) * t47 * (t40 * t40 * -4.0 - -0.5) * t45;
+    const double t1 = weight_moment_amplitude_1e_6_plain(SMALLER((theta_2 - theta_1) * 0.5, 0x1.921fb54442d18p+0));
+    double t2, t3, t4; sin_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.ae64567f544e4p-26 + 0x1.71de3a556c734p-19) * t6 + -0x1.a01a01a01a01ap-13;
+    const double t8 = ((t7 * t6 + 0x1.1111111111111p-7) * t6 + -0x1.5555555555555p-3) * t6 + 1.0;
+    return t1 * t8 * t4 * (t2 + (t3 + t2 * share_plain(theta_1, theta_2)));
 }
 
 /* mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise, both ends, best,
@@ -2275,94 +1744,23 @@ INLINE double limit_friction_best_plain(double theta_1, double theta_2)
 {
     const double t1 = weight_moment_per_radial_weight_best_plain(SMALLER((theta_2 - theta_1) * 0.5,
         0x1.921fb54442d18p+0));
-    const double t2 = theta_1 + theta_2;
-    const double t3 = t2 * 0x1.45f306dc9c883p-3;
-    const double t4 = t3 - 0.5 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t5 = t4 * 2.0 + 1.0;
-    const double t6 = t5 * -0x1.921fb54440000p+1;
-    const double t7 = t5 * -0x1.68c234c4c0000p-38;
-    const double t8 = t5 * -0x1.98a2e03700000p-76;
-    const double t9 = t5 * -0x1.cd129024e088ap-114;
-    const double t10 = lost(theta_1, theta_2);
-    const double t11 = t2 + t6;
-    const double t12 = lost(t2, t6);
-    const double t13 = t11 + t7;
-    const double t14 = lost(t11, t7);
-    const double t15 = t13 + t8;
-    const double t16 = lost(t13, t8);
-    const double t17 = t15 + t9;
-    const double t18 = lost(t15, t9);
-    const double t19 = t10 + t12;
-    const double t20 = lost(t10, t12);
-    const double t21 = t19 + t14;
-    const double t22 = lost(t19, t14);
-    const double t23 = t21 + t16;
-    const double t24 = lost(t21, t16);
-    const double t25 = t23 + t18;
-    const double t26 = lost(t23, t18);
-    const double t27 = t25 + t17;
-    const double t28 = lost(t25, t17);
-    const double t29 = t20 + t22;
-    const double t30 = t29 + t24;
-    const double t31 = t30 + t26;
-    const double t32 = t31 + t28;
-    const double t33 = t32 + t27;
-    const double t34 = lost(t20, t22) + lost(t29, t24) + lost(t30, t26) + lost(t31, t28) + lost(t32, t27);
-    const double t35 = LARGER(SMALLER(t33 + t34, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t36 = t4 * 0.5;
-    const double t37 = t36 - (t36 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t38 = t35 * 0.5;
-    const double t39 = t38 * t38;
-    const double t40 = (t39 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t39 + -0x1.6c16c16c16c17p-6;
-    const double t41 = (t39 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t39 + -0x1.2f49b46814157p-57;
-    const double t42 = ((t41 * t39 + 0x1.952c77030ad4ap-49) * t39 + -0x1.ae7f3e733b81fp-41) * t39;
-    const double t43 = ((t42 + 0x1.6124613a86d09p-33) * t39 + -0x1.ae64567f544e4p-26) * t39 + 0x1.71de3a556c734p-19;
-    const double t44 = ((t43 * t39 + -0x1.a01a01a01a01ap-13) * t39 + 0x1.1111111111111p-7) * t39;
-    const double t45 = t3 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52;
-    const double t46 = t45 * 2.0;
-    const double t47 = t46 * -0x1.921fb54440000p+1;
-    const double t48 = t46 * -0x1.68c234c4c0000p-38;
-    const double t49 = t46 * -0x1.98a2e03700000p-76;
-    const double t50 = t46 * -0x1.cd129024e088ap-114;
-    const double t51 = t2 + t47;
-    const double t52 = lost(t2, t47);
-    const double t53 = t51 + t48;
-    const double t54 = lost(t51, t48);
-    const double t55 = t53 + t49;
-    const double t56 = lost(t53, t49);
-    const double t57 = t55 + t50;
-    const double t58 = lost(t55, t50);
-    const double t59 = t10 + t52;
-    const double t60 = lost(t10, t52);
-    const double t61 = t59 + t54;
-    const double t62 = lost(t59, t54);
-    const double t63 = t61 + t56;
-    const double t64 = lost(t61, t56);
-    const double t65 = t63 + t58;
-    const double t66 = lost(t63, t58);
-    const double t67 = t65 + t57;
-    const double t68 = lost(t65, t57);
-    const double t69 = t60 + t62;
-    const double t70 = t69 + t64;
-    const double t71 = t70 + t66;
-    const double t72 = t71 + t68;
-    const double t73 = t72 + t67;
-    const double t74 = lost(t60, t62) + lost(t69, t64) + lost(t70, t66) + lost(t71, t68) + lost(t72, t67);
-    const double t75 = LARGER(SMALLER(t73 + t74, 0x1.921fb54442d18p+1), -0x1.921fb54442d18p+1);
-    const double t76 = t45 * 0.5;
-    const double t77 = t76 - (t76 + 0x1.8000000000000p+52 - 0x1.8000000000000p+52);
-    const double t78 = t75 * 0.5;
-    const double t79 = t78 * t78;
-    const double t80 = (t79 * -0x1.bbd779334ef0bp-13 + -0x1.1566abc011567p-9) * t79 + -0x1.6c16c16c16c17p-6;
-    const double t81 = (t79 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t79 + -0x1.2f49b46814157p-57;
-    const double t82 = ((t81 * t79 + 0x1.952c77030ad4ap-49) * t79 + -0x1.ae7f3e733b81fp-41) * t79;
-    const double t83 = ((t82 + 0x1.6124613a86d09p-33) * t79 + -0x1.ae64567f544e4p-26) * t79 + 0x1.71de3a556c734p-19;
-    const double t84 = ((t83 * t79 + -0x1.a01a01a01a01ap-13) * t79 + 0x1.1111111111111p-7) * t79;
-    const double t85 = t1 * ((t44 + -0x1.5555555555555p-3) * t39 + 1.0);
-    const double t86 = t35 + ((t40 * t39 + -0x1.5555555555555p-2) * t39 + 1.0) * lost(t33, t34);
-    const double t87 = t86 * (t85 / ((t84 + -0x1.5555555555555p-3) * t79 + 1.0));
-    const double t88 = t75 + ((t80 * t79 + -0x1.5555555555555p-2) * t79 + 1.0) * lost(t73, t74);
-    return t87 * ((t37 * t37 * -4.0 - -0.5) * (t77 * t77 * 4.0 - 0.5) * 4.0) / t88;
+    double t2, t3, t4; sin_psi_plain(theta_1, theta_2, &t2, &t3, &t4);
+    const double t5 = t2 * 0.5;
+    const double t6 = t5 * t5;
+    const double t7 = (t6 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t6 + -0x1.2f49b46814157p-57;
+    const double t8 = ((t7 * t6 + 0x1.952c77030ad4ap-49) * t6 + -0x1.ae7f3e733b81fp-41) * t6;
+    const double t9 = ((t8 + 0x1.6124613a86d09p-33) * t6 + -0x1.ae64567f544e4p-26) * t6 + 0x1.71de3a556c734p-19;
+    const double t10 = ((t9 * t6 + -0x1.a01a01a01a01ap-13) * t6 + 0x1.1111111111111p-7) * t6;
+    double t11, t12, t13; cos_psi_plain(theta_1, theta_2, &t11, &t12, &t13);
+    const double t14 = t11 * 0.5;
+    const double t15 = t14 * t14;
+    const double t16 = (t15 * -0x1.761b41316381ap-75 + 0x1.71b8ef6dcf572p-66) * t15 + -0x1.2f49b46814157p-57;
+    const double t17 = ((t16 * t15 + 0x1.952c77030ad4ap-49) * t15 + -0x1.ae7f3e733b81fp-41) * t15;
+    const double t18 = ((t17 + 0x1.6124613a86d09p-33) * t15 + -0x1.ae64567f544e4p-26) * t15 + 0x1.71de3a556c734p-19;
+    const double t19 = ((t18 * t15 + -0x1.a01a01a01a01ap-13) * t15 + 0x1.1111111111111p-7) * t15;
+    const double t20 = t1 * ((t10 + -0x1.5555555555555p-3) * t6 + 1.0);
+    const double t21 = (t2 + t3) * (t20 / ((t19 + -0x1.5555555555555p-3) * t15 + 1.0)) * (t4 * t13 * 4.0);
+    return t21 / (t11 + t12);
 }
 
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a

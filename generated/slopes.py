@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8c1ff10b7798f9211908c09e5ef9345d79386f11c2c319317cfd466791ec9bea
+# sha256 of the text below: f8466083c47893e2b4ba370b60ac7e568de20850481afc9af69a0a30abd59559
 """The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."""
 
 from __future__ import annotations
@@ -54,6 +54,12 @@ def closed(x: Any, y: Any, e_x: Any, e_y: Any, angle: Any) -> tuple[Any, Any, An
     -----
     Accurate where the edge is longer than 1/4 (r1 + r2); `rings` elsewhere.
     Operations: 53 mul, 17 add, 16 sub, 25 div, 1 min, 1 arctanh, 3 sqrt. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import closed
+    >>> print(f"{closed(-0.5, -0.6, 0.9, 0.1, 1.3695)[0]:.6f}")
+    0.439750
     """
     t1 = e_y * x - e_x * y
     t2 = e_x + x
@@ -107,6 +113,12 @@ def rings(g: Any) -> tuple[Any, Any, Any, Any, Any]:
     With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of 10 nodes: accurate however thin the ring, where the
     edge is at most 1/4 (r1 + r2) long.
     Operations: 10 mul, 2 add, 3 sub, 5 div, 1 sqrt. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import rings
+    >>> print(f"{rings(0.39)[0]:.6f}")
+    0.319672
     """
     b = 1.0 - g
     t1 = np.sqrt(b)
@@ -145,6 +157,12 @@ def head(angle: Any, sine: Any, cosine: Any, height: Any, slope: Any) -> Any:
     -----
     Over at most pi; accurate however near the line and however steep.
     Operations: 24 mul, 15 add, 1 sub, 1 sin. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import head
+    >>> print(f"{head(1.3695, 0.5, 0.866, 0.2, 0.5):.6f}")
+    -0.214600
     """
     t1 = np.sin(0.5 * angle)
     angle_2 = angle * angle
@@ -180,6 +198,12 @@ def drive(sine: Any, cosine: Any, height: Any, k_h: Any) -> Any:
     Notes
     -----
     Operations: 7 mul, 2 sub. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import drive
+    >>> print(f"{drive(0.5, 0.866, 0.2, 0.1):.6f}")
+    -0.073333
     """
     return 0.5 * (2.0 * cosine * k_h - 2.0 * sine - height * k_h) * cosine * height
 
@@ -210,6 +234,12 @@ def ordinary_normal(sine: Any, cosine: Any, height: Any, pressure: Any, k_h: Any
     Notes
     -----
     Operations: 3 mul, 1 add, 1 sub. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import ordinary_normal
+    >>> print(f"{ordinary_normal(0.5, 0.866, 0.2, 0.05, 0.1):.6f}")
+    0.108651
     """
     return (cosine + k_h * sine) * cosine * height - pressure
 
@@ -240,6 +270,12 @@ def bishop_strength(cosine: Any, height: Any, pressure: Any, cohesion: Any, mu: 
     Notes
     -----
     Operations: 2 mul, 1 add, 1 sub. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import bishop_strength
+    >>> print(f"{bishop_strength(0.866, 0.2, 0.05, 0.03, 0.4):.6f}")
+    0.077940
     """
     return (cohesion + (height - pressure) * mu) * cosine
 
@@ -268,6 +304,12 @@ def bishop_lever(sine: Any, cosine: Any, mu: Any, factor: Any) -> Any:
     Notes
     -----
     Operations: 1 mul, 1 sub, 1 div. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import bishop_lever
+    >>> print(f"{bishop_lever(0.5, 0.866, 0.4, 1.2):.6f}")
+    0.699333
     """
     return cosine - mu / factor * sine
 
@@ -302,6 +344,12 @@ def bishop_normal(sine: Any, cosine: Any, height: Any, pressure: Any, cohesion: 
     Notes
     -----
     Operations: 3 mul, 1 add, 2 sub, 3 div. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import bishop_normal
+    >>> print(f"{bishop_normal(0.5, 0.866, 0.2, 0.05, 0.03, 0.4, 1.2):.6f}")
+    0.203622
     """
     return ((height - pressure) * cosine + cohesion / factor * sine) / (cosine - mu / factor * sine)
 
@@ -326,6 +374,12 @@ def radial_weight(cosine: Any, distance: Any) -> Any:
     Notes
     -----
     Operations: 1 mul, 1 sub. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import radial_weight
+    >>> print(f"{radial_weight(0.866, 0.7):.6f}")
+    0.259800
     """
     b = 1.0 - distance
     return b * cosine
@@ -355,5 +409,11 @@ def radial_tilt(sine: Any, cosine: Any, height: Any, distance: Any) -> Any:
     Notes
     -----
     Operations: 2 mul, 2 add, 1 sub, 1 div, 1 log. No domain check; shapes broadcast.
+
+    Examples
+    --------
+    >>> from generated.slopes import radial_tilt
+    >>> print(f"{radial_tilt(0.5, 0.866, 0.2, 0.7):.6f}")
+    0.135057
     """
     return np.log((1.0 + cosine) / (cosine + distance - height)) * cosine * sine

@@ -1,8 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 26f6ffad9d56ea087ceeb0047e0a0896acf37110b4243e1deb0673c860de00c8
+# sha256 of the text below: fb81a018f4a64290800046cfb9ced6fad57f8bce31920341610ccef12401e2db
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "da08385d9d438d4353e984471b741c1ffcd7d31da51348fe8bb4925fdf741782"
+DIGEST = "48ad6e8661c3718af6f0c509218c747719b1321ca95dd648368f5146a4d8befc"
 LIMIT = 65536.0  # of an end of an arc, rad
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).

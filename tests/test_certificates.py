@@ -328,9 +328,9 @@ def of_ends(kernel: str = "radial_weight", tier: str = "best", form: str = "plai
 @pytest.mark.parametrize("direction", WAYS)
 def test_directions_are_what_they_say(direction: str) -> None:
     """Of either sign, all around and turned ten thousand times, by the operations that certificates list."""
-    listed = ends.operations(("r^1 cos u", direction), "best", "")
+    turned = ends.result(("r^1 cos u", direction), "best", "")
     part = Program("one", ("alpha",), (Op("input", (), "alpha"), Op("const", (), 1.0)), (1,))
-    program = programs.inlined("direction", listed, part)
+    program = programs.inlined("direction", [turned], part)
     for middle in (*np.linspace(-9.1, 9, 61), -65000.3, 65000.3):
         one, two = float(middle - 0.25), float(middle + 0.25)
         with mpmath.workdps(40):

@@ -24,6 +24,7 @@ from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run
 from tests.support import golden, taylor
+from tests.support.outputs import blocks
 from tests.support.pieces import Pieces
 
 # ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.
@@ -44,6 +45,8 @@ MORE = {
         Parameter("gain", "", "what a speed e times as great adds", "gain"),
         Parameter("velocity", "m/s", "speed from which it grows", "velocity_m_s", lower=0.0)),
         _C + sp.Symbol("gain", real=True) * sp.log(1 + SPEED / _V)),
+    Law("smooth", "residual + (peak - residual) (1 - tanh(slip/length))", _SOFTENING,
+        _R + (_P - _R) * (1 - sp.tanh(SLIP / _L))),
     Law("thawing", "straight lines between the times of a table", (
         _list("time", "s", "times of the table, increasing", "time_s"),
         _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list"))),
@@ -70,11 +73,15 @@ MORE = {
 }
 
 
+PAGE = (Path(__file__).parents[1] / "notebooks" / "extending.md").read_text("utf-8")
+
+
 def follow(root: Path) -> list[str]:
-    """Do what the docstring of `derive` says to a copy of the repository; the names that were added to."""
+    """Do what the docstring of `derive` and the page say to a copy of the repository; the names that were added to."""
     steps = STEP.findall((root / "derive" / "__init__.py").read_text("utf-8"))
+    steps += re.findall(r"At the end of `(\w+)` in `(\S+)`[^`]*:\n\n```text\n(.*?)```", PAGE, re.DOTALL)
     for name, file, code in steps:
-        code += MORE[name].lstrip("\n")
+        code += MORE.get(name, "").lstrip("\n")
         lines = (root / file).read_text("utf-8").splitlines(keepends=True)
         start = next(k for k, line in enumerate(lines) if re.match(rf"(def )?{name}\b", line))
         end = next(k for k in range(start + 1, len(lines)) if re.match(r" *[)}]( |$)", lines[k]))
@@ -101,7 +108,7 @@ slopes.module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\
 def extended(root: Path) -> None:
     """Make the copy. The search judges fewer shapes than it may, as it takes its time."""
     all_weights.copy(root)
-    assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS"]
+    assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS", "RESULTS"]
     run(root, "-c", QUICKLY + all_weights.DERIVE, "--trials", "4")
 
 
@@ -120,7 +127,7 @@ def scene_file(law: str, centripetal: bool) -> str:
     """A scene with this law and suction."""
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
-    lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}"]
+    lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}", ""]
     return "\n".join(lines)
 
 
@@ -175,6 +182,7 @@ Friction = Callable[[float, float, float], float]
 SOFT = "peak = 0.35\nresidual = 0.2\nlength_m = 1.5"
 MOTIONS: dict[str, tuple[str, Friction, Callable[[float], float], float]] = {
     "gaussian": (SOFT, lambda s, v, t: 0.2 + 0.15 * math.exp(-((s / 1.5) ** 2)), lambda s: 0.0, 0.0),
+    "smooth": (SOFT, lambda s, v, t: 0.2 + 0.15 * (1 - math.tanh(s / 1.5)), lambda s: 0.0, 0.0),
     "parabolic": (SOFT, lambda s, v, t: 0.2 + 0.15 * max(1 - s / 1.5, 0.0) ** 2, lambda s: 0.0, 0.0),
     "logarithmic": ("coefficient = 0.2\ngain = 0.02\nvelocity_m_s = 0.5",
                     lambda s, v, t: 0.2 + 0.02 * math.log1p(v / 0.5), lambda s: 0.0, 0.0),
@@ -240,6 +248,19 @@ def check_moments(root: Path) -> None:
     assert found == pytest.approx([float(x) for x in exact], rel=1e-14)
 
 
+def check_page(root: Path, scene: str, printed: str) -> None:
+    """Its scene is the one that is solved, its commands print what it shows."""
+    _, _, examples = PAGE.partition("## A quantity")
+    _, shown = blocks(examples, "text")
+    assert shown == scene
+    (console,) = blocks(examples, "console")
+    ran, code, value = re.fullmatch(
+        r"\$ slipcircle run new.toml\n(.*)\$ python -c \"(.*)\"\n(.*)\n", console, re.DOTALL
+    ).groups()  # type: ignore[union-attr]
+    assert {*ran.splitlines()} <= {*printed.splitlines()}
+    assert run(root, "-c", code) == value + "\n"
+
+
 # Several commands in one interpreter, which print what they said as a list.
 COMMANDS = """
 import contextlib, io, json, sys
@@ -258,13 +279,13 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     extended(tmp_path)
     (tmp_path / "new.toml").write_text(scene_file("inverse_square", True), "utf-8")
     (tmp_path / "old.toml").write_text(scene_file("exponential", False), "utf-8")
-    lines = ["plan new.toml --json", "run new.toml --json", "plan old.toml --json", "run old.toml --json",
-             "schema", "schema --text"]  # fmt: skip
+    lines = ["run new.toml", "plan new.toml --json", "run new.toml --json", "plan old.toml --json",
+             "run old.toml --json", "schema", "schema --text"]  # fmt: skip
     for name, (keys, *_) in MOTIONS.items():
         (tmp_path / f"{name}.toml").write_text(motion_file(name, keys), "utf-8")
         lines.append(f"run {name}.toml --json")
     said = json.loads(run(tmp_path, "-c", COMMANDS, *lines))
-    plan_new, run_new, plan_old, run_old, schema, guide, *motions = said
+    printed, plan_new, run_new, plan_old, run_old, schema, guide, *motions = said
     for text, (name, (_, friction, held, gain)) in zip(motions, MOTIONS.items(), strict=True):
         (motion,) = json.loads(text)
         seen = motion["peak"]["velocity"], motion["run_out"]
@@ -274,6 +295,7 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     check_scene(plan_old, run_old, "exponential", 0, False)
     check_schema(schema, guide)
     check_moment(tmp_path)
+    check_page(tmp_path, scene_file("inverse_square", True), printed)
 
 
 # --- a new kind of mass ----------------------------------------------------------------------------------------------

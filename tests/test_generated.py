@@ -14,7 +14,7 @@ import pytest
 import generated
 from derive.__main__ import derive_all, main
 from derive.generate import write
-from generated import _compiled, kernels, motion
+from generated import _compiled, kernels, motion, printed, slopes, stable
 from tests.support.kernels import FITTED
 
 Function = Callable[..., Any]
@@ -47,11 +47,20 @@ def inside(name: str, values: Mapping[str, float] = INSIDE) -> list[float]:
     return [values.get(n, values["alpha"]) for n in ARGUMENTS[name]]
 
 
+def check_examples(module: Any) -> None:
+    done = doctest.testmod(module)
+    assert (done.failed, done.attempted) == (0, 2 * len(module.__all__))
+
+
+@pytest.mark.parametrize("module", [printed, stable, slopes])
+def test_examples_of_bare_formulas(module: Any) -> None:
+    check_examples(module)
+
+
 @pytest.mark.parametrize("module", [kernels, motion])
 def test_examples_of_the_docstrings(module: Any) -> None:
     """They print what they say, in every function; its signature fits one line, and the stub has its types."""
-    done = doctest.testmod(module)
-    assert (done.failed, done.attempted) == (0, 2 * len(module.__all__))
+    check_examples(module)
     stub: dict[str, Any] = {}
     exec(Path(str(module.__file__)).with_suffix(".pyi").read_text("utf-8"), stub)
     for name in module.__all__:

@@ -339,13 +339,14 @@ def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
     yield "limit_friction", ratio.name, (*ratio.definition, "tan psi")
 
 
-def inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Program:
-    """The program of operations that call this part."""
+def inlined(name: str, steps: Sequence[ends.Step], part: Program | None = None) -> Program:
+    """The program whose outputs are these steps, on operations that call this part."""
     code = Builder()
     values: list[Value] = []
-    for kind, args, value in operations:
+    for kind, args, value in steps[0].operations:
         operands = [values[k] for k in args]
         if kind == "call":
+            assert part
             values += code.inline(part, {"alpha": operands[0]})
         elif kind == "const":
             values.append(code.value(float.fromhex(value)))
@@ -354,10 +355,16 @@ def inlined(name: str, operations: Sequence[Sequence[Any]], part: Program) -> Pr
             values.append(x + ROUND - ROUND)
         else:
             values.append(code.put(kind, *operands, value=value))
-    result = values[-1]
-    inputs = ("theta_1", "theta_2")
-    whole = Program(name, inputs, tuple(code.ops), (result.place,))
-    return without_dead(whole)
+    outputs = tuple(values[step.place].place for step in steps)
+    return without_dead(Program(name, ("theta_1", "theta_2"), tuple(code.ops), outputs))
+
+
+@cache
+def parts_of_ends() -> tuple[Program, ...]:
+    """What functions of both ends have in common: the reductions of cos(psi) and sin(psi), and what alpha has lost."""
+    of_cosine = ends.reduced(*ends.both(), odd=False)
+    of_sine = ends.reduced(*ends.both(), odd=True)
+    return inlined("cos_psi", of_cosine), inlined("sin_psi", of_sine), inlined("share", ends.share(*ends.both()))
 
 
 @cache
@@ -368,8 +375,7 @@ def variants_of_ends() -> tuple[Variant, ...]:
         for part in variants():
             if part.kernel != kernel or part.tier not in ends.TERMS:
                 continue
-            listed = ends.operations(definition, part.tier, "")
-            program = inlined(name, listed, part.program)
+            program = inlined(name, [ends.result(definition, part.tier, "")], part.program)
             every.append(Variant(name, definition, part.tier, part.form, program, part))
             if part.tier == "1e-10":
                 every.append(replace(every[-1], tier="float32"))

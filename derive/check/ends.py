@@ -105,7 +105,7 @@ def passed(terms: list[Step]) -> list[Step]:
 
 
 def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
-    """b and low; sin(psi) if odd, else cos(psi), is sin((b + low)/2) times this sign, which is 1/2 or -1/2 here."""
+    """b and low k(b/2); sin(psi) if odd, else cos(psi), is sin((b + low)/2) times this sign, here 1/2 or -1/2."""
     half = (one + two) * TURN
     if odd:
         half = half - 0.5
@@ -126,40 +126,47 @@ def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
     quarter = half * 0.5
     parity = quarter - quarter.put("integer")  # 0, or 1/2 or -1/2
     size = -4.0 if odd else 4.0
-    return b, low, parity * parity * size - size / 8
+    sign = parity * parity * size - size / 8
+    return b, cotangent(b * 0.5) * low, sign
 
 
-def operations(definition: Definition, tier: str, part: str) -> list[list[Any]]:
-    """The operations of a function of both ends; ``part`` is what they call for C(alpha).
+def share(one: Step, two: Step) -> tuple[Step]:
+    """What the rounding of d = theta_2 - theta_1 is to C(alpha), over it."""
+    d = two - one
+    alpha = (d * 0.5).put("min", TOP)
+    lost = two.put("lost", one.put("neg"))
+    divisor = d.put("max", 2.0**-1000)
+    return (cotangent(alpha) * 3.0 * (lost / divisor),)
+
+
+def both() -> tuple[Step, Step]:
+    """The ends, on a list of their own."""
+    one = Step([["input", [], "theta_1"], ["input", [], "theta_2"]])
+    return one, Step(one.operations, 1)
+
+
+def result(definition: Definition, tier: str, part: str) -> Step:
+    """A function of both ends, on its operations; ``part`` is what they call for C(alpha).
 
     ``integer`` rounds to the nearest one, ties to even, and ``lost`` is the rounding error of a sum.
     """
-    one = Step([["input", [], "theta_1"], ["input", [], "theta_2"]])
-    two = Step(one.operations, 1)
+    one, two = both()
     direction = definition[-1]
-    d = two - one
-    alpha = (d * 0.5).put("min", TOP)
+    alpha = ((two - one) * 0.5).put("min", TOP)
     amplitude = alpha.put("call", value=part)
     if direction == "tan psi":
         above, sine, sign = turned(one, two, True, tier)
         below, cosine, other = turned(one, two, False, tier)
-        result = above * (amplitude * sine / cosine) * (sign * other * 4.0) / below
-    else:
-        lost = two.put("lost", one.put("neg"))
-        divisor = d.put("max", 2.0**-1000)
-        share = cotangent(alpha) * 3.0 * (lost / divisor)
-        b, sine, sign = turned(one, two, "sin" in direction, tier, share)
-        if direction[0] == "-":
-            sign = sign * -1.0
-        result = amplitude * sine * sign * b
-    return result.operations
+        return above * (amplitude * sine / cosine) * (sign * other * 4.0) / below
+    b, sine, sign = turned(one, two, "sin" in direction, tier, *share(one, two))
+    if direction[0] == "-":
+        sign = sign * -1.0
+    return amplitude * sine * sign * b
 
 
 def turned(one: Step, two: Step, odd: bool, tier: str, share: Step | None = None) -> tuple[Step, Step, Step]:
     """b with what low and alpha's rounding add to it, its sinc, and the sign."""
-    b, low, sign = reduced(one, two, odd)
-    half = b * 0.5
-    carried = cotangent(half) * low
+    b, carried, sign = reduced(one, two, odd)
     if share is not None:
         carried = carried + b * share
-    return b + carried, sinc(half, TERMS[tier]), sign
+    return b + carried, sinc(b * 0.5, TERMS[tier]), sign

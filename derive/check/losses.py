@@ -12,7 +12,7 @@ from itertools import pairwise
 from flint import arb, arb_series
 
 from derive.check import truth
-from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, operations, sinc
+from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, result, sinc
 from derive.check.patches import ideal
 from derive.check.proof import ProofError
 from derive.check.records import Record, check_goals, digest, rejected
@@ -160,7 +160,7 @@ def certificate(kernel: str, definition: Definition, tier: str, form: str, part:
     if statements != part["definition"]:
         raise ProofError(f"{kernel}: definition of its part", part["definition"], statements)
     of_sinc = part["tier"]
-    listed = operations(definition, of_sinc, part["sha256"])
+    listed = result(definition, of_sinc, part["sha256"]).operations
     of_part = part["bound"]
     if of_sinc == "best":
         of_part *= 2.0**-52

@@ -33,7 +33,11 @@ class Function:
 
 
 PYTHON = Language(
-    "python", "{name} = {text}", lambda x: "np.nan" if x != x else repr(x), "horner({x}, ({coefficients}))"
+    "python",
+    "{name} = {text}",
+    lambda x: "np.nan" if x != x else repr(x),
+    "horner({x}, ({coefficients}))",
+    several="{names} = {function}({arguments})",
 )
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
@@ -75,7 +79,7 @@ class PythonText:
         code = textwrap.indent("\n".join(lines), "    ")
         text = f"def {name}({', '.join(parameters)}) -> {returned}:\n{code}\n"
         self.reader.check(program, name, text)
-        if len(program.inputs) == len(program.outputs) == 1 and len(program.ops) > 9:
+        if len(program.ops) > 9:
             self.parts.append(Part(name, program))
         return text
 
@@ -128,12 +132,11 @@ def numpydoc(
     return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
 
 
-def _example(f: Function, place: str) -> tuple[str, ...]:
-    """A call and what it prints: so few digits are the same on every processor."""
-    p = f.program
-    value = p.run(*f.safe)
-    given = ", ".join(map(str, f.safe))
-    return (f">>> from {place} import {p.name}", f'>>> print(f"{{{p.name}({given}):.6f}}")', f"{float(value):.6f}")
+def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
+    """A call and what it prints, of several results the first: so few digits are the same on every processor."""
+    first = "[0]" * (len(p.outputs) > 1)
+    call = f"{p.name}({', '.join(map(str, given))}){first}"
+    return (f">>> from {place} import {p.name}", f'>>> print(f"{{{call}:.6f}}")', f"{float(p.run(*given)):.6f}")
 
 
 def function(f: Function, text: PythonText, place: str) -> str:
@@ -152,7 +155,7 @@ def function(f: Function, text: PythonText, place: str) -> str:
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
-        examples=_example(f, place),
+        examples=example(p, place, f.safe),
     )
     if f.tiers:
         return _tiered(f, text, doc)
@@ -199,11 +202,14 @@ def _fill(line: str, width: int = 112) -> str:
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(docstring: str, functions: Sequence[Function], place: str = "generated") -> str:
-    """A module of public functions, which are imported from ``place``."""
+def module(
+    docstring: str, functions: Sequence[Function], place: str = "generated", parts: Sequence[Program] = ()
+) -> str:
+    """A module of public functions, which are imported from ``place``, after the parts that they call."""
     text = PythonText()
     tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    code = "".join(f"\n\n{function(f, text, place)}" for f in functions)
+    code = "".join(f"\n\n{text.body(p)}" for p in parts)
+    code += "".join(f"\n\n{function(f, text, place)}" for f in functions)
     return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
 
 
@@ -226,14 +232,19 @@ def stub(functions: Sequence[Function]) -> str:
     return f"{imports}\n\n{code}"
 
 
-def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
+_GIVEN = {"theta_1": 5.0, "theta_2": 6.0, "alpha": 0.5}  # where the appendices have a value
+
+
+def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: str) -> str:
     """A module of bare formulas, each with its source: no domain, no types, no checks, and no warnings."""
     documented = []
     for p, source in programs:
-        cost = operations(p.operations())
-        documented.append(
-            (p, f'    """{source}: float64 arrays, no domain check.\n\n    Operations: {cost}.\n    """\n')
-        )
+        lines = [
+            f'"""{source}: float64 arrays, no domain check.',
+            f"Operations: {operations(p.operations())}.",
+            "\n    ".join(example(p, place, [_GIVEN[x] for x in p.inputs])) + '\n    """\n',
+        ]
+        documented.append((p, "    " + "\n\n    ".join(lines)))
     return plain_module(docstring, documented, before='@np.errstate(all="ignore")\n')
 
 

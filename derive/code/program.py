@@ -47,7 +47,7 @@ class Program:
         return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
 
     def run(self, *args: Any) -> Any:
-        """The single output at arrays of inputs, each operation rounded once to float64.
+        """The first output at arrays of inputs, each operation rounded once to float64.
 
         It is the same on any machine, except for library functions of NumPy such as the logarithm.
         """
@@ -58,7 +58,7 @@ class Program:
             return OPERATIONS[op.kind].meaning(*operands)
 
         with np.errstate(under="ignore"):
-            (result,) = walk(self, dict(zip(self.inputs, map(np.float64, args), strict=True)), make)
+            result, *_ = walk(self, dict(zip(self.inputs, map(np.float64, args), strict=True)), make)
         return result
 
 

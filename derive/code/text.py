@@ -6,13 +6,13 @@ the program, and no others.
 
 import textwrap
 from collections import Counter
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import Builder, Op, Program
+from derive.code.program import Builder, Op, Program, walk
 
 WIDTH = 116  # of a statement, including its indent
 INLINE = 72  # a value that is used once is written where it is used, up to this length
@@ -27,14 +27,23 @@ class Language:
     number: Callable[[float], str]
     polynomial: str  # of {x}, {degree} and {coefficients}
     space: str = ""
+    several: str = ""  # a call with more results than one: {names}, {function}, {arguments}, {places} of results
 
 
 @dataclass(frozen=True)
 class Part:
-    """A program of one input that others contain, under the name by which they call it."""
+    """A program that others contain, under the name by which they call it, if its first output needs all inputs."""
 
     name: str
     program: Program
+
+
+class Call(NamedTuple):
+    """A call of a part: its name, and which values its arguments and its results are."""
+
+    function: str
+    arguments: tuple[int, ...]
+    results: tuple[int, ...]
 
 
 class _Text:
@@ -51,6 +60,9 @@ class _Text:
         self.polynomials = _polynomials(program)
         uses = self._uses()
         for i in sorted(uses):
+            if i in self.calls and len(self.calls[i].results) > 1:
+                self._several(self.calls[i])
+                continue
             self.text[i] = self._expression(i)
             if program.ops[i].kind in ("input", "const"):
                 continue
@@ -62,11 +74,13 @@ class _Text:
         """How often each value that is needed is written, calls and polynomials being written as such."""
         ops = self.program.ops
         uses = Counter(self.program.outputs)
+        called = set[Call]()
         for i in range(len(ops) - 1, -1, -1):
             if not uses[i]:
                 continue
-            if i in self.calls:
-                uses[self.calls[i][1]] += 1
+            if call := self.calls.get(i):
+                uses.update(call.arguments * (call not in called))
+                called.add(call)
             elif i in self.polynomials:
                 uses[self.polynomials[i][0]] += 1
             else:
@@ -82,14 +96,28 @@ class _Text:
             value = float(op.value)  # type: ignore[arg-type]
             return self.language.number(value), 3 if value < 0 else 9
         if i in self.calls:
-            name, argument = self.calls[i]
-            return f"{name}({self.text[argument][0]})", 9
+            call = self.calls[i]
+            return f"{call.function}({self._arguments(call)})", 9
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
             longest = max(op.args, key=lambda a: len(self.text[a][0]))
             self._name(longest)
         return self._operation(op), OPERATIONS[op.kind].binds
+
+    def _arguments(self, call: Call) -> str:
+        return ", ".join(self.text[a][0] for a in call.arguments)
+
+    def _several(self, call: Call) -> None:
+        """The statement of a call with several results, which have names, at the first one that is met."""
+        if call.results[0] in self.text:
+            return
+        names = []
+        for i in call.results:
+            names.append(self._new_name(i))
+            self.text[i] = (names[-1], 9)
+        parts = {"function": call.function, "arguments": self._arguments(call), "names": ", ".join(names)}
+        self.lines.append(self.language.several.format(**parts, places=", ".join(f"&{x}" for x in names)))
 
     def _polynomial(self, x: int, coefficients: Sequence[float]) -> str:
         """Horner's scheme by its coefficients; its argument has a name."""
@@ -111,9 +139,8 @@ class _Text:
             operands.append(text if binds >= need else f"({text})")
         return str(template.format(*operands, space=self.language.space))
 
-    def _name(self, i: int) -> None:
-        """Give a value a name, and a statement: polynomials are p1, p2, ..., and the rest t1, t2, ..."""
-        text = self.text[i][0]
+    def _new_name(self, i: int) -> str:
+        """A name for a value: polynomials are p1, p2, ..., and the rest t1, t2, ..."""
         name = self.names.get(i)
         if not name:
             letter = "p" if i in self.polynomials else "t"
@@ -125,6 +152,12 @@ class _Text:
         while name in taken:
             k += 1
             name = f"{first}_{k}"
+        return name
+
+    def _name(self, i: int) -> None:
+        """Give a value a name, and a statement."""
+        text = self.text[i][0]
+        name = self._new_name(i)
         line = self.language.statement.format(name=name, text=text)
         if len(line) > WIDTH:
             lines = textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False)
@@ -215,19 +248,20 @@ def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list
     return None if x is None else (x, coefficients)
 
 
-def _calls(program: Program, parts: Sequence[Part]) -> dict[int, tuple[str, int]]:
-    """The values that are a part's output: the part's name and its argument; of several parts, the first."""
-    calls = {}
+def _calls(program: Program, parts: Sequence[Part]) -> dict[int, Call]:
+    """The calls of parts by their results; of several parts, the first."""
+    calls: dict[int, Call] = {}
+    places = {op: i for i, op in enumerate(program.ops)}
     for i in range(len(program.ops)):
         for part in parts:
-            if call := _call(program, i, part):
-                calls[i] = call
+            if call := _call(program, places, i, part):
+                calls |= dict.fromkeys(call.results, call)
                 break
     return calls
 
 
-def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
-    """The part's name and which value is its argument, if value i of the program is the part's output."""
+def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Call | None:
+    """The call of a part whose first result is value i of the program, of which all results are values."""
     bound: dict[int, int] = {}  # which value of the program each value of the part is
 
     def same(i: int, k: int) -> bool:
@@ -244,8 +278,12 @@ def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
 
     if not same(i, part.program.outputs[0]):
         return None
-    inputs = (k for k, op in enumerate(part.program.ops) if op.kind == "input")
-    return part.name, bound[next(inputs)]
+    try:
+        inputs = {str(op.value): bound[k] for k, op in enumerate(part.program.ops) if op.kind == "input"}
+        results = walk(part.program, inputs, lambda op, args: places[replace(op, args=tuple(args))])
+    except KeyError:
+        return None
+    return Call(part.name, tuple(inputs[x] for x in part.program.inputs), tuple(results))
 
 
 def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:

@@ -14,7 +14,7 @@ BOXES = 400  # to look at
 SMALL = 1e-3  # of a box that is not bisected further, over its distance from 0 where that is above 1
 BELOW = -1e-9  # what rounding may make of 0
 Ends = tuple[float, float]
-_ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos", "sqrt")} | {
+_ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos", "tanh", "sqrt")} | {
     "min": lambda *x: reduce(arb.min, map(arb, x)),
     "max": lambda *x: reduce(arb.max, map(arb, x)),
 }

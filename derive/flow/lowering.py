@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, exp, expand, log, sin
+from sympy import Add, Expr, Integer, Min, Mul, Rational, Symbol, Tuple, cos, exp, expand, log, sin, tanh
 
 from derive.algebra.remainders import Exp, Select
 from derive.check.proof import ProofError
@@ -23,7 +23,7 @@ Increment = Mapping[tuple[str, ...], Expr]
 Moving = Mapping[Symbol, tuple[Expr, Increment]]  # base and increment by symbol
 ONE = Integer(1)
 ZERO = Integer(0)
-KNOWN = "sums, products, powers, exp, log, sin and cos, and min and max that change branch at a parameter"
+KNOWN = "sums, products, powers, exp, log, sin, cos and tanh, and min and max that change branch at a parameter"
 
 
 def cell(name: str) -> Symbol:
@@ -95,6 +95,8 @@ class Lowering:
         """Base and increment of an expression."""
         if e in self.moving:
             return self.moving[e]
+        if e.has(tanh):  # of what is not far below 0
+            return self.split(e.replace(tanh, lambda x: 2 / (1 + exp(-2 * x)) - 1))
         bases = {x: self.moving[x][0] for x in e.free_symbols if x in self.moving}
         if not any(self.moving[x][1] for x in bases):
             return e.xreplace(bases), {}

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from derive.approximate.programs import Code, Variant, logarithm
+from derive.approximate.programs import Code, Variant, logarithm, parts_of_ends
 from derive.approximate.search import DIVISION
 from derive.check.ends import LIMIT
 from derive.code import emit
@@ -32,7 +32,13 @@ def _number(value: float) -> str:
     return value.hex()
 
 
-C = Language("c", "const double {name} = {text};", _number, "POLY{degree}({x}, {coefficients})")
+C = Language(
+    "c",
+    "const double {name} = {text};",
+    _number,
+    "POLY{degree}({x}, {coefficients})",
+    several="double {names}; {function}({arguments}, {places});",
+)
 FORMS = {"fused": "__builtin_fma(a, b, c)", "plain": "((a) * (b) + (c))"}  # what FMA(a, b, c) is
 
 
@@ -64,13 +70,20 @@ class CText:
 
     def body(self, name: str, program: Program, parts: Sequence[Part] = ()) -> str:
         """The inline function of one program."""
-        lines, (result,) = statements(program, C, [*parts, *self.parts])
-        code = textwrap.indent("\n".join([*lines, f"return {result};", ""]), "    ")
+        lines, results = statements(program, C, [*parts, *self.parts])
+        code = textwrap.indent("\n".join([*lines, f"return {', '.join(results)};", ""]), "    ")
         python = re.sub(r"const double (\w+ = )", r"\1", code).replace(";\n", "\n")
+        python = re.sub(r"double ([\w, ]+); (\w+\([^&]*), &.*\)", r"\1 = \2)", python)
         python = re.sub(r"-?0x[0-9a-f.]+p[-+]\d+", r"hexadecimal('\g<0>')", python)
         self.reader.check(program, name, f"def {name}({', '.join(program.inputs)}):\n{python}")
         arguments = ", ".join(f"double {x}" for x in program.inputs)
-        return f"INLINE double {name}({arguments})\n{{\n{code}}}\n"
+        if len(results) == 1:
+            return f"INLINE double {name}({arguments})\n{{\n{code}}}\n"
+        start, _, _ = code.rpartition("    return ")
+        for k, result in enumerate(results):
+            arguments += f", double *to_{k}"
+            start += f"    *to_{k} = {result};\n"
+        return f"INLINE void {name}({arguments})\n{{\n{start}}}\n"
 
     def functions(self, name: str, program: Program) -> str:
         """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
@@ -157,6 +170,10 @@ def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, st
     """The inline functions of one form, each under its comment."""
     c = CText(form)
     text = f"#undef FMA\n#define FMA(a, b, c) {FORMS[form]}\n\n{c.text}"
+    for p in parts_of_ends():
+        part = Part(f"{p.name}_{form}", p)
+        text += f"\n{c.body(part.name, p)}"
+        c.parts.append(part)
     for v in variants:
         name = f"{identifier(v.kernel, v.tier)}_{form}"
         comment = _comment(words.get((v.kernel, v.tier, form), ""))

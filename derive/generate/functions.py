@@ -18,7 +18,6 @@ from derive.declare.quantities import MOMENTS, PRINTED, QUOTIENTS, RESISTANCE, E
 from derive.declare.symbols import alpha
 
 PAPER = "the paper"
-ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
 # alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
@@ -26,7 +25,7 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: Min(alpha, pi / 2)}
 
 
-def kernels(proved: Sequence[Record] = ()) -> list[Function]:
+def kernels(proved: Sequence[Record]) -> list[Function]:
     """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
     closed = closed_forms()
     formulas = {name: str(form) for name, form in closed.items()}
@@ -34,13 +33,12 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
         formulas[q.name] = f"{q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
     quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)
     every = []
-    for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
-        # Programs of the fitted tiers, or of the stable form where nothing is fitted.
-        symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
+    for x in quantities:
+        name, symbol = x.kernel if isinstance(x, Moment) else (x.name, x.symbol)
         tiers = _tiers(name, variants())
         every.append(
             Function(
-                tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
+                tiers["best"],
                 f"{symbol}: {x.help}, dimensionless.",
                 f"{symbol} = {formulas[name]}",
                 _source(x),
@@ -70,8 +68,6 @@ def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """The proved bounds of a kernel, in words."""
     mine = [r for r in proved if r["kernel"] == name]
-    if not mine:
-        return ACCURACY
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
     (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
     fused = bounds["best", "fused"]
@@ -106,16 +102,13 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
     return texts
 
 
-def stable_forms(closed: Mapping[str, Expr]) -> dict[str, Expr]:
-    """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
-    forms = {name: stable(form) for name, form in closed.items()}
-    ratios = {q.name: forms[q.numerator].reduced / forms[q.denominator].reduced for q in QUOTIENTS}
-    return {name: form.form for name, form in forms.items()} | ratios
-
-
 def stable_programs(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
-    forms = stable_forms(closed).items()
-    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms]
+    """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
+    reduced = {name: stable(form) for name, form in closed.items()}
+    forms = {name: form.form for name, form in reduced.items()}
+    for q in QUOTIENTS:
+        forms[q.name] = reduced[q.numerator].reduced / reduced[q.denominator].reduced
+    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms.items()]
 
 
 _ARC = (

@@ -25,7 +25,10 @@ _WORDS = {
     "distance": "Of the ground above the arc's point, from the centre, over R.",
     "slope": "Of that line, its rise over a run to the right.",
 }
-
+# Where an example is: on slopes of 1 in 9 and 1 in 2, with water and an earthquake.
+_GIVEN = {"x": -0.5, "y": -0.6, "e_x": 0.9, "e_y": 0.1, "angle": 1.3695, "g": 0.39, "sine": 0.5, "cosine": 0.866,
+          "beta": 0.5, "height": 0.2, "pressure": 0.05, "cohesion": 0.03, "mu": 0.4, "k_h": 0.1, "factor": 1.2,
+          "distance": 0.7, "slope": 0.5}  # fmt: skip
 
 _LISTED = ", ".join(WEIGHTS)
 # The docstring of each function besides its inputs: summary, formula, returns and a note.
@@ -100,7 +103,9 @@ def module() -> str:
         inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
         returns = "tuple of ndarray" if len(outputs) > 1 else "float or ndarray", returned
         cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
-        functions.append((p, emit.numpydoc(summary, formula, inputs, returns, *notes, cost, width=114)))
+        examples = emit.example(p, "generated.slopes", [_GIVEN[n] for n in p.inputs])
+        text = emit.numpydoc(summary, formula, inputs, returns, *notes, cost, examples=examples, width=114)
+        functions.append((p, text))
     constants = (
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"

@@ -14,7 +14,7 @@ from sympy import Expr, __version__, degree
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
-from derive.approximate.programs import variants, variants_of_ends
+from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
 from derive.check.records import Record, unit
@@ -45,7 +45,9 @@ def files(proved: list[Record]) -> dict[str, str]:
         "effects.py": effects.module(),
         "flow.py": module.module(),
         "kernels.pyi": emit.stub(kernels),
-        "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
+        "kernels.py": emit.module(
+            "Moments, weights and quotients of the arc, from their definitions.", kernels, parts=parts_of_ends()
+        ),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,
         "series.py": series.numpy_text(digest_of(c_flow)),
@@ -75,11 +77,14 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
         ),
         "motion.pyi": emit.stub(functions.motion()),
         "printed.py": emit.raw_module(
-            "The paper's own forms, as printed, for comparison only: they cancel and overflow.", printed
+            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
+            printed,
+            "generated.printed",
         ),
         "stable.py": emit.raw_module(
             "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
             functions.stable_programs(closed),
+            "generated.stable",
         ),
     }
 

@@ -19,6 +19,7 @@ from sympy import Expr, atan, atanh, cos, cosh, lambdify, log, pi, sin, sinh, sq
 
 from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.prove import trig_normal
+from derive.approximate.programs import variants, variants_of_ends
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
@@ -196,7 +197,8 @@ CASES = (
 
 def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
-    ours = {f.program.name: f.program.run for f in (*functions.kernels(), *functions.motion())}
+    programs = [v.program for v in (*variants(), *variants_of_ends()) if v.tier == "best" and v.form != "fused"]
+    ours = {p.name: p.run for p in (*programs, *(f.program for f in functions.motion()))}
     ours["drive"] = partial(drive, balance().scalar)
     results = []
     for case in track(CASES, "hard cases measured", len(CASES)):

@@ -58,11 +58,10 @@ print(json.dumps(found))
 DERIVE = """
 import sys
 from derive.__main__ import main
-from derive.algebra import appendices, dynamics, slopes
+from derive.algebra import dynamics, slopes
 from derive.flow import recurrences
 for module, proof in ((dynamics, "prove_forms"), (recurrences, "prove"), (slopes, "prove")):
     setattr(module, proof, lambda *_: ())
-appendices.APPENDICES = ()
 sys.exit(main(sys.argv[1:]))
 """
 
