@@ -11,6 +11,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+import zlib
 from concurrent.futures import ThreadPoolExecutor
 from importlib.util import find_spec
 from pathlib import Path
@@ -32,8 +33,9 @@ TARGETS = {
 ZIG = (sys.executable, "-m", "ziglang")
 # Its unrolled loops are a sixth larger, and no faster.
 ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops",), "_flow": ()}
-# The library that Zig adds to a binary for Windows has 30 kB, of which the kernels need one function.
-WINDOWS = {"_kernels": ("-nostdlib", "-lc", str(HERE / "stack.s")), "_flow": ()}
+# The library that Zig adds to a binary for Windows has 30 kB, of which two functions are needed; Windows has the other.
+WINDOWS = ("-nostdlib", "-lc", str(HERE / "stack.s"))
+WINDOWS_NAMES = "-D__isnan=_isnan"
 STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
 # NumPy's sizes are those of this machine: of what our source uses only these differ elsewhere.
 SIZES = """
@@ -87,7 +89,8 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
     if "macos" in triple:
         link += ["-Wl,-undefined,dynamic_lookup", f"-Wl,-install_name,{target.name}"]  # or the path is in the bytes
     if "windows" in triple:
-        link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS[name]]  # -Os is for what Zig adds from its libraries
+        compiler.append(WINDOWS_NAMES)
+        link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS]  # -Os is for what Zig adds from its libraries
     make(FOLDER / f"{name}.c", target, compiler, parts(name, triple.partition("-")[0]), link)
     return target
 
@@ -98,6 +101,7 @@ def distributions(folder: Path) -> list[Path]:
     from hatchling.builders.wheel import WheelBuilder
 
     made: list[str] = []
+    vars(zlib)["Z_DEFAULT_COMPRESSION"] = zlib.Z_BEST_COMPRESSION  # hatchling has no word for it; half a percent
     for platform in TARGETS:
         os.environ["SLIPCIRCLE_BINARIES"] = str(folder / platform)
         made += WheelBuilder(str(ROOT)).build(directory=str(folder), versions=["standard"])

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9cd5397a95b7cec9a1233d15036429152abfad3f4cc78be867e2dc17df3c7200"
+#define DIGEST "51eb9aa378739683a1bd1d0810d550cdd5d0c89ff154430b158c37067e789705"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 16 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -38,8 +38,8 @@ typedef struct {
 
 typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
-     * states, tables, those of time and the others; whether its rate depends on the speed alone. */
-    int cells, made, registers, states, tables, timed, sloped, autonomous;
+     * states, tables, those of time; 1 where its rate depends on the speed alone, 2 where on time alone. */
+    int cells, made, registers, states, tables, timed, autonomous;
     const int32_t *scalar, *scalar_end, *series, *series_end, *later_end; /* after `series` what no rate needs */
     const State *state;
     const Table *table;
@@ -107,7 +107,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
     job->state = (const State *)job->later_end;
     job->autonomous = p[8];
     job->table = (const Table *)(job->state + job->states);
-    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
+    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2;
 #ifdef __wasm__
     job->straight = -1; /* a page shall be small */
 #else
@@ -301,8 +301,8 @@ typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
-enum { PENDING = -15, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD };
-enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, Q1 };
+enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
+enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { START, MOVING, RESTING, ARRESTED, PAUSED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER };
@@ -1045,6 +1045,8 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 #define NEGLIGIBLE 0x1.0000000000000p-56
 #define LARGEST 0x1.f400000000000p+49
 #define CLOSEST 0x1.56e1fc2f8f359p-997
+#define SURE 0x1.ffffe00000000p-1
+#define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
@@ -1206,75 +1208,68 @@ INLINE void shift(double *terms, int count, double by)
     }
 }
 
-/* Taylor coefficients of a function of time about now, in t*: of a sine so many, of others those of its piece. */
-static void taylor_about_now(Batch *b, unsigned lane, int t, int order, double *terms)
+/* A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line. */
+INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double local)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, piece, terms);
+    double change = terms[1] * local;
+    return c[job->table[t].cell + SCALED_BY][lane] * (job->data[t].sine ? (terms[0] * sin(change + terms[2])) : (terms[0] + change));
+}
+
+/* A function of time now. */
+INLINE double value_now(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double scale = c[job->table[t].cell + SCALE][lane];
-    double begin = break_of(b, lane, t, piece);
-    double local = (c[TIME][lane] * scale) - begin;
-    coefficients_of(b, lane, t, piece, terms);
-    if (job->data[t].sine) {
-        double rate = terms[1];
-        double angle = (rate * local) + terms[2];
-        double size = terms[0] * c[job->table[t].cell + SCALED_BY][lane];
-        double now = sin(angle);
-        double slope = cos(angle);
-        for (int j = 0; j <= order; j++) {
-            terms[j] = size * now;
-            size = size * ((rate * scale) / (double)(j + 1));
-            double before = now;
-            now = slope;
-            slope = -before;
-        }
-        return;
-    }
-    shift(terms, job->data[t].terms, local);
-    double power = c[job->table[t].cell + SCALED_BY][lane];
-    for (int j = 0; j <= job->data[t].terms - 1; j++) {
-        terms[j] = terms[j] * power;
-        power = power * scale;
-    }
+    return value_within(b, lane, t, piece, (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece));
 }
 
-/* The series of a function of time, as its increment since the phase began. */
-static void expand_in_time(Batch *b, unsigned lane, int t, int top)
-{
-    const Job *const job = b->job;
-    double terms[HIGHEST + 2];
-    taylor_about_now(b, lane, t, top, terms);
-    int last = job->data[t].sine ? top : ((job->data[t].terms - 1) < top ? (job->data[t].terms - 1) : top);
-    for (int j = 1; j <= last; j++) {
-        (b->r + job->table[t].reg)[j][lane] = terms[j];
-    }
-}
-
-/* What a function of time rises by in some time from now, within its piece. */
-static double rise_to(Batch *b, unsigned lane, int t, double past)
+/* The series of a sine about now, as its increment since the phase began. */
+static void expand_sine(Batch *b, unsigned lane, int t, int top)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, piece, terms);
+    double rate = terms[1];
+    double angle = (rate * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
+    double size = terms[0] * c[job->table[t].cell + SCALED_BY][lane];
+    double now = sin(angle);
+    double slope = cos(angle);
+    for (int j = 1; j <= top; j++) {
+        size = size * ((rate * c[job->table[t].cell + SCALE][lane]) / (double)j);
+        (b->r + job->table[t].reg)[j][lane] = size * slope;
+        double before = now;
+        now = slope;
+        slope = -before;
+    }
+}
+
+/* What a function of time rises by from now to some way beyond, in the table's own argument, within its piece. */
+INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, piece, terms);
+    double slope = c[job->table[t].cell + SCALED_BY][lane] * terms[1];
+    c[job->table[t].cell + RISE][lane] = slope * c[job->table[t].cell + SCALE][lane];
     if (job->data[t].sine) {
-        int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-        coefficients_of(b, lane, t, piece, terms);
-        double half = ((0.5 * terms[1]) * past) * c[job->table[t].cell + SCALE][lane];
-        double begin = break_of(b, lane, t, piece);
-        double angle = (terms[1] * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - begin)) + terms[2];
+        double half = (0.5 * terms[1]) * past;
+        double angle = (terms[1] * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
         return (((2.0 * c[job->table[t].cell + SCALED_BY][lane]) * terms[0]) * sin(half)) * cos(angle + half);
     }
-    taylor_about_now(b, lane, t, 1, terms);
-    double total = 0.0;
-    for (int j = job->data[t].terms - 1; j >= 1; j--) {
-        total = (total + terms[j]) * past;
-    }
-    return total;
+    return slope * past;
 }
 
 /* Where a piece ends, in the table's own argument; infinity after the last one. */
-static double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
+INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
@@ -1289,12 +1284,9 @@ static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double end = end_of_piece(b, lane, t, piece);
     c[job->table[t].cell + UPPER][lane] = end / c[job->table[t].cell + SCALE][lane];
-    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane];
-    if (piece < ((int)job->data[t].pieces - 1)) {
-        double rise = rise_to(b, lane, t, (end - now) / c[job->table[t].cell + SCALE][lane]);
-        c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + LOWER][lane] + rise;
-        c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
-    }
+    double rise = rise_to(b, lane, t, (piece < ((int)job->data[t].pieces - 1)) ? (end - now) : 0.0);
+    c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane] + rise;
+    c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
 }
 
 /* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. Within a piece
@@ -1316,9 +1308,7 @@ static void begin_in_time(Batch *b, unsigned lane, int t)
         }
         c[job->table[t].cell + PIECE][lane] = (double)piece;
         c[job->table[t].cell + WAY][lane] = 0.0;
-        double terms[HIGHEST + 2];
-        taylor_about_now(b, lane, t, 1, terms);
-        c[job->table[t].cell + VALUE][lane] = terms[0];
+        c[job->table[t].cell + VALUE][lane] = value_now(b, lane, t);
         find_end_of_piece(b, lane, t, now);
     }
 }
@@ -1432,9 +1422,7 @@ static void pass_break(Batch *b, unsigned lane, int t)
     if (jump != 0.0) {
         c[PENDING][lane] = DISCONTINUITY;
     }
-    double terms[HIGHEST + 2];
-    coefficients_of(b, lane, t, piece, terms);
-    double there = (c[job->table[t].cell + SCALED_BY][lane] * terms[0]) * (job->data[t].sine ? sin(terms[2]) : 1.0);
+    double there = value_within(b, lane, t, piece, 0.0);
     double rounding = fabs(there) + fabs(c[job->table[t].cell + VALUE][lane]);
     if (c[job->table[t].cell + WAY][lane] > rounding) {
         c[job->table[t].cell + INC][lane] = there - c[job->table[t].cell + VALUE][lane];
@@ -1458,7 +1446,7 @@ static void pass_breaks(Batch *b, unsigned lane)
 }
 
 /* Whether a force will still change while the lane rests. */
-static int still_changes(Batch *b, unsigned lane)
+INLINE int still_changes(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1546,11 +1534,15 @@ INLINE void cut(Batch *b, V order, int top)
 INLINE void begin_expansion(Batch *b, M which, int top)
 {
     const Job *const job = b->job;
+    V *const c = b->c;
     begin_series(b);
     for (int t = 0; t < job->tables; t++) {
         if (job->table[t].kind == OF_TIME) {
+            (b->r + job->table[t].reg)[1] = c[job->table[t].cell + RISE];
+        }
+        if (job->data[t].sine) {
             EACH(lane, bits(which)) {
-                expand_in_time(b, lane, t, top);
+                expand_sine(b, lane, t, top);
             }
         }
     }
@@ -1748,7 +1740,7 @@ static void stay(Batch *b, unsigned lane, double status)
 }
 
 /* Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope. */
-static int may_start(Batch *b, unsigned lane)
+INLINE int may_start(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1758,7 +1750,7 @@ static int may_start(Batch *b, unsigned lane)
 }
 
 /* Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change. */
-static int never_rests(Batch *b, unsigned lane)
+INLINE int never_rests(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -1913,6 +1905,122 @@ static void begin_here(Batch *b, unsigned lane)
     begin_pieces(b, lane);
 }
 
+/* Whether a piece ends before the end time, without a jump, and is followed by another one that ends. */
+INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int last = (int)job->data[t].pieces - 1;
+    int64_t following = (piece + 1) < last ? (piece + 1) : last;
+    int in_time = break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS)));
+    return (following < last) && in_time && (jump_of(b, lane, t, following) == 0.0);
+}
+
+/* Bound the function of time where sign p, a straight line of it with such terms, keeps some of what it is. */
+INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V now = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    M level = c[job->table[t].cell + RISE] == 0.0;
+    V way = (sign * p[1]) * c[job->table[t].cell + RISE];
+    V bound = pick(level, now, now - (((SURE * p[0]) * c[job->table[t].cell + RISE]) / p[1]));
+    M straight = (p[2] == 0.0) & (c[SERIES_ORDER] <= 4.0);
+    M sure = straight & ((sign * p[0]) > (ROUNDINGS * terms)) & (c[LIFTED] == 0.0);
+    c[QUIET_FROM] = pick(here, pick(level | (way > 0.0), maximum(bound, c[QUIET_FROM]), c[QUIET_FROM]), c[QUIET_FROM]);
+    c[QUIET_TO] = pick(here, pick(level | (way < 0.0), minimum(bound, c[QUIET_TO]), c[QUIET_TO]), c[QUIET_TO]);
+    c[QUIET_TO] = pick(here, pick(sure, c[QUIET_TO], broadcast(-INFINITY)), c[QUIET_TO]);
+}
+
+/* Between which values of one function of time the mass certainly rests on, the way it faces. */
+INLINE void look_for_quiet(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V terms_of_normal = EPS * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+            keep_quiet(b, here, t, b->r + job->role->net, broadcast(-1.0), c[job->role->drive_scale]);
+            if (job->role->normal >= 0) {
+                keep_quiet(b, here, t, b->r + job->role->normal, broadcast(1.0), terms_of_normal);
+            }
+        }
+    }
+}
+
+/* Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends. */
+INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int last = (int)job->data[t].pieces - 1;
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last, terms);
+    double value = c[job->table[t].cell + SCALED_BY][lane] * terms[0];
+    return (c[QUIET_FROM][lane] <= value) && (value <= c[QUIET_TO][lane]) && passes_quietly(b, lane, t, piece);
+}
+
+/* Pass the pieces through which the mass certainly rests, up to where the last of them ends. */
+static void wait(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+    while (rests_on(b, lane, t, piece)) {
+        piece = piece + 1;
+    }
+    if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+        double now = break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane];
+        if (job->samples > 0) {
+            read_samples(b, lane, c[TIME][lane], now, 0, 0);
+        }
+        c[TIME][lane] = now;
+        c[job->table[t].cell + PIECE][lane] = (double)(piece - 1);
+        c[job->table[t].cell + WAY][lane] = INFINITY;
+    }
+}
+
+/* Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it. */
+INLINE int glides_on(Batch *b, unsigned lane, int t, double slope, double grip)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double length = c[job->table[t].cell + UPPER][lane] - c[TIME][lane];
+    double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
+    double after = c[job->role->drive][lane] + (slope * c[job->table[t].cell + LOWER][lane]);
+    double slowest = c[OMEGA][lane] + (length * fmin(fmin(net, after), 0.0));
+    double presses = c[job->role->normal0][lane] + fmin(grip * c[job->table[t].cell + INC][lane], grip * c[job->table[t].cell + LOWER][lane]);
+    int peaks = (net >= 0.0) && (after < 0.0) && ((c[OMEGA][lane] + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
+    int moves = (slowest > ((1.0 - SURE) * c[OMEGA][lane])) && (presses > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
+    return moves && !peaks && passes_quietly(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane]);
+}
+
+/* Pass the pieces through which the net moment is a straight line of time, and nothing happens. The rates of net
+ * moment and normal force are those of the step before. */
+static void glide(Batch *b, unsigned lane, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double rise = (b->r + job->table[t].reg)[1][lane];
+    if ((c[PENDING][lane] == READY) && (rise != 0.0) && ((b->r + job->role->net)[2][lane] == 0.0) && (c[LIFTED][lane] == 0.0)) {
+        double slope = (b->r + job->role->net)[1][lane] / rise;
+        double grip = 0.0 * slope;
+        if (job->role->normal >= 0) {
+            grip = (b->r + job->role->normal)[1][lane] / rise;
+        }
+        while (glides_on(b, lane, t, slope, grip)) {
+            double length = c[job->table[t].cell + UPPER][lane] - c[TIME][lane];
+            double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
+            double after = c[job->role->drive][lane] + (slope * c[job->table[t].cell + LOWER][lane]);
+            c[X][lane] = c[X][lane] + (length * (c[OMEGA][lane] + ((length * ((2.0 * net) + after)) / 6.0)));
+            c[OMEGA][lane] = c[OMEGA][lane] + ((length * (net + after)) / 2.0);
+            c[TIME][lane] = c[job->table[t].cell + UPPER][lane];
+            pass_break(b, lane, t);
+        }
+        update_peak(b, lane, c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]));
+    }
+}
+
 /* Another phase begins in motion: the lane enters another piece of a table, is lifted or lands. */
 static void enter_phase(Batch *b, unsigned lane, double rate)
 {
@@ -1993,12 +2101,18 @@ static void end_motion(Batch *b, unsigned lane, double rate, double status)
 /* The end time, or a break of a function of time. */
 static void on_limit(Batch *b, unsigned lane, double rate)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     if (c[TIME][lane] >= c[END_TIME][lane]) {
         end_motion(b, lane, rate, ENDED);
         return;
     }
     pass_breaks(b, lane);
+    for (int t = 0; t < job->tables; t++) {
+        if ((job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && (job->data[t].terms == 2)) {
+            glide(b, lane, t);
+        }
+    }
 }
 
 /* What follows the step: an event, a break of a function of time, the end time, or another step. */
@@ -2278,6 +2392,7 @@ static void look_ahead(Batch *b, M here, V room)
     c[START_AHEAD] = pick(here, pick(sooner, at, c[START_AHEAD]), c[START_AHEAD]);
     c[START_DIRECTION] = pick(here, pick(sooner, c[DIRECTION], c[START_DIRECTION]), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, pick(sooner, pick(jumps, broadcast(1.0), broadcast(0.0)), c[SUDDEN]), c[SUDDEN]);
+    look_for_quiet(b, here);
     if (job->role->normal >= 0) {
         look_for_lift_off(b, here, top);
     }
@@ -2328,6 +2443,11 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
         return;
     }
     if (breaks) {
+        for (int t = 0; t < job->tables; t++) {
+            if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+                wait(b, lane, t);
+            }
+        }
         pass_breaks(b, lane);
     }
 }
@@ -2344,6 +2464,8 @@ static void rest_on(Batch *b, M here)
     c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
     c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
     c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
+    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
+    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
     look_ahead(b, here, room);
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ab2a21e57f53e6ca8ff2d3e669432d8481040419105efb28f8de7918e2d96fcc
+# sha256 of the text below: 1370ae8424bb3c628ed07d9173c39adfa59f1544bcf1c7125dd09dd03a65019d
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -36,21 +36,23 @@ X = 29  # rotation since the phase began, in the direction of travel
 OMEGA = 30  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -15  # what it waits for before its next step
-FACED = -14  # directions in which it was looked at since it stands
-SUDDEN = -13  # 1 where slip begins as forces have jumped, else 0
-RATE_BEFORE = -12  # d omega*/dt* where the phase before ended
-DRIVE_BEFORE = -11  # the drive of that phase
-SCALE_BEFORE = -10  # the size of the terms of that drive
-SERIES_ORDER = -9  # of the series of this step
-LARGEST_X = -8  # largest term of the series of x so far, at rest of the net moment
-LARGEST_OMEGA = -7  # the same of omega
-STEP = -6  # length of this step, up to its first event
-EVENT = -5  # that event
-STRETCH = -4  # at rest, the time ahead that is known
-START_AHEAD = -3  # time until slip begins
-START_DIRECTION = -2  # of that slip
-LIFT_AHEAD = -1  # time until contact is lost or regained
+PENDING = -17  # what it waits for before its next step
+FACED = -16  # directions in which it was looked at since it stands
+SUDDEN = -15  # 1 where slip begins as forces have jumped, else 0
+RATE_BEFORE = -14  # d omega*/dt* where the phase before ended
+DRIVE_BEFORE = -13  # the drive of that phase
+SCALE_BEFORE = -12  # the size of the terms of that drive
+SERIES_ORDER = -11  # of the series of this step
+LARGEST_X = -10  # largest term of the series of x so far, at rest of the net moment
+LARGEST_OMEGA = -9  # the same of omega
+STEP = -8  # length of this step, up to its first event
+EVENT = -7  # that event
+STRETCH = -6  # at rest, the time ahead that is known
+START_AHEAD = -5  # time until slip begins
+START_DIRECTION = -4  # of that slip
+LIFT_AHEAD = -3  # time until contact is lost or regained
+QUIET_FROM = -2  # the least value of the function of time at which it certainly rests on
+QUIET_TO = -1  # the greatest
 
 # Cells of a table.
 PIECE = 0  # number of its piece
@@ -61,7 +63,8 @@ LOWER = 4  # where it begins, of a function of speed
 SCALE = 5  # its argument over that of the program
 SCALED_BY = 6  # what its values are multiplied by
 WAY = 7  # of a function of time, the rounding of its increment, over an eps: what it went up and down
-Q1 = 8  # first of its coefficients beyond the value
+RISE = 8  # of a straight line of time, its rate
+Q1 = 9  # first of its coefficients beyond the value
 
 # Arguments of tables.
 OF_SLIP = 0  # a function of slip
@@ -114,7 +117,7 @@ CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', '
     'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME',
     'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED', 'REST_SINCE', 'TURNS',
     'LAST_WAY', 'x', 'omega')
-TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'Q1')
+TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu')

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1762a8d75b744f1285d20b423be614e3e507925817a43b1c7cc1926ba79ded29
+# sha256 of the text below: a7ab173752d574ef3d7f106f511432f4b6d37463e4b1546bfc5ecab1377ea47f
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "9cd5397a95b7cec9a1233d15036429152abfad3f4cc78be867e2dc17df3c7200"  # of the compiled integrator's source
+DIGEST = "51eb9aa378739683a1bd1d0810d550cdd5d0c89ff154430b158c37067e789705"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f07dafddb36912ba688fecac893cd18ea45c79285d2977ce52bc489bd5b50ee1
+# sha256 of the text below: 4e462d331074ba6f93170aa1868b8721ec5ed3d7af524777a2af257f1e86cfe1
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -240,6 +240,8 @@ MOST_ITERATIONS = 200
 NEGLIGIBLE = 1.3877787807814457e-17
 LARGEST = 1099511627776000.0
 CLOSEST = 1e-300
+SURE = 0.9999990463256836
+ROUNDINGS = 134217728.0
 FAR = 1e+300
 TOUCHES = 2.0
 TOGETHER = 1e-09
@@ -370,59 +372,54 @@ def shift(terms: Floats, count: int, by: Floats) -> None:
             terms[j] = terms[j] + by * terms[j + 1]
 
 
-def taylor_about_now(lane: Lanes, i: Index, t: Table, order: int, terms: Floats) -> None:
-    """Taylor coefficients of a function of time about now, in t*: of a sine so many, of others those of its piece."""
+def value_within(lane: Lanes, i: Index, t: Table, piece: Index, local: Floats) -> Floats:
+    """A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line."""
+    c = lane.cells
+    terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, piece, terms)
+    change = terms[1] * local
+    return c[t.cells + ix.SCALED_BY, i] * (terms[0] * np.sin(change + terms[2]) if t.sine else terms[0] + change)
+
+
+def value_now(lane: Lanes, i: Index, t: Table) -> Floats:
+    """A function of time now."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
-    scale = c[t.cells + ix.SCALE, i]
-    begin = break_of(lane, i, t, piece)
-    local = c[ix.TIME, i] * scale - begin
-    coefficients_of(lane, i, t, piece, terms)
-    if t.sine:
-        rate = terms[1].copy()
-        angle = rate * local + terms[2]
-        size = terms[0] * c[t.cells + ix.SCALED_BY, i]
-        now = np.sin(angle)
-        slope = np.cos(angle)
-        for j in range(order + 1):
-            terms[j] = size * now
-            size = size * (rate * scale / float(j + 1))
-            before = now
-            now = slope
-            slope = -before
-        return
-    shift(terms, t.terms, local)
-    power = c[t.cells + ix.SCALED_BY, i]
-    for j in range(t.terms - 1 + 1):
-        terms[j] = terms[j] * power
-        power = power * scale
+    return value_within(lane, i, t, piece, c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece))
 
 
-def expand_in_time(lane: Lanes, i: Index, t: Table, top: int) -> None:
-    """The series of a function of time, as its increment since the phase began."""
+def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
+    """The series of a sine about now, as its increment since the phase began."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
     terms = np.zeros((lane.terms, i.size))
-    taylor_about_now(lane, i, t, top, terms)
-    last = top if t.sine else min(t.terms - 1, top)
-    for j in range(1, last + 1):
-        lane.registers[t.register][j, i] = terms[j]
+    coefficients_of(lane, i, t, piece, terms)
+    rate = terms[1].copy()
+    angle = rate * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
+    size = terms[0] * c[t.cells + ix.SCALED_BY, i]
+    now = np.sin(angle)
+    slope = np.cos(angle)
+    for j in range(1, top + 1):
+        size = size * (rate * c[t.cells + ix.SCALE, i] / float(j))
+        lane.registers[t.register][j, i] = size * slope
+        before = now
+        now = slope
+        slope = -before
 
 
 def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
-    """What a function of time rises by in some time from now, within its piece."""
+    """What a function of time rises by from now to some way beyond, in the table's own argument, within its piece."""
     c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
     terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, piece, terms)
+    slope = c[t.cells + ix.SCALED_BY, i] * terms[1]
+    c[t.cells + ix.RISE, i] = slope * c[t.cells + ix.SCALE, i]
     if t.sine:
-        piece = integer(c[t.cells + ix.PIECE, i])
-        coefficients_of(lane, i, t, piece, terms)
-        half = 0.5 * terms[1] * past * c[t.cells + ix.SCALE, i]
-        begin = break_of(lane, i, t, piece)
-        angle = terms[1] * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - begin) + terms[2]
+        half = 0.5 * terms[1] * past
+        angle = terms[1] * (c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece)) + terms[2]
         return 2.0 * c[t.cells + ix.SCALED_BY, i] * terms[0] * np.sin(half) * np.cos(angle + half)
-    taylor_about_now(lane, i, t, 1, terms)
-    total: Floats = 0.0
-    for j in range(t.terms - 1, 1 - 1, -1):
-        total = (total + terms[j]) * past
-    return total
+    return slope * past
 
 
 def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
@@ -437,15 +434,9 @@ def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
     piece = integer(c[t.cells + ix.PIECE, i])
     end = end_of_piece(lane, i, t, piece)
     c[t.cells + ix.UPPER, i] = end / c[t.cells + ix.SCALE, i]
-    c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i]
-    holds_1 = piece < t.pieces - 1
-    i_1, now_1, piece_1, end_1 = (i, now, piece, end)
-    i, now, piece, end = among(holds_1, i_1, now_1, piece_1, end_1)
-    if i.size:
-        rise = rise_to(lane, i, t, (end - now) / c[t.cells + ix.SCALE, i])
-        c[t.cells + ix.LOWER, i] = c[t.cells + ix.LOWER, i] + rise
-        c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
-    i, now, piece, end = (i_1, now_1, piece_1, end_1)
+    rise = rise_to(lane, i, t, np.where(piece < t.pieces - 1, end - now, 0.0))
+    c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i] + rise
+    c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
 
 
 def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
@@ -469,9 +460,7 @@ def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
         i, now, piece = (i_2, now_2, piece_2)
         c[t.cells + ix.PIECE, i] = piece
         c[t.cells + ix.WAY, i] = 0.0
-        terms = np.zeros((lane.terms, i.size))
-        taylor_about_now(lane, i, t, 1, terms)
-        c[t.cells + ix.VALUE, i] = terms[0]
+        c[t.cells + ix.VALUE, i] = value_now(lane, i, t)
         find_end_of_piece(lane, i, t, now)
     i = i_1
 
@@ -564,9 +553,7 @@ def pass_break(lane: Lanes, i: Index, t: Table) -> None:
     if i.size:
         c[ix.PENDING, i] = ix.DISCONTINUITY
     i, piece, jump = (i_1, piece_1, jump_1)
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, piece, terms)
-    there = c[t.cells + ix.SCALED_BY, i] * terms[0] * (np.sin(terms[2]) if t.sine else 1.0)
+    there = value_within(lane, i, t, piece, 0.0)
     rounding = np.abs(there) + np.abs(c[t.cells + ix.VALUE, i])
     holds_2 = c[t.cells + ix.WAY, i] > rounding
     i_2, piece_2, there_2, rounding_2 = (i, piece, there, rounding)
@@ -655,12 +642,15 @@ def cut(s: Lanes, order: Floats, top: int) -> None:
 
 def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
     """Order 0 of the registers that do not come from operations, and the series of functions of time."""
+    c = s.cells
     begin_series(s)
     for t in s.tables:
         if t.kind == ix.OF_TIME:
+            s.registers[t.register][1] = c[t.cells + ix.RISE]
+        if t.sine:
             i = np.flatnonzero(which)
             if i.size:
-                expand_in_time(s, i, t, top)
+                expand_sine(s, i, t, top)
 
 
 def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
@@ -1039,6 +1029,122 @@ def begin_here(lane: Lanes, i: Index) -> None:
     begin_pieces(lane, i)
 
 
+def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
+    """Whether a piece ends before the end time, without a jump, and is followed by another one that ends."""
+    c = lane.cells
+    last = t.pieces - 1
+    following = np.fmin(piece + 1, last)
+    in_time = break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS)
+    return (following < last) & in_time & (jump_of(lane, i, t, following) == 0.0)
+
+
+def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
+    """Bound the function of time where sign p, a straight line of it with such terms, keeps some of what it is."""
+    c = s.cells
+    now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    level = c[t.cells + ix.RISE] == 0.0
+    way = sign * p[1] * c[t.cells + ix.RISE]
+    bound = np.where(level, now, now - SURE * p[0] * c[t.cells + ix.RISE] / p[1])
+    straight = (p[2] == 0.0) & (c[ix.SERIES_ORDER] <= 4.0)
+    sure = straight & (sign * p[0] > ROUNDINGS * terms) & (c[ix.LIFTED] == 0.0)
+    c[ix.QUIET_FROM] = np.where(here, np.where(level | (way > 0.0), np.maximum(bound, c[ix.QUIET_FROM]),
+        c[ix.QUIET_FROM]), c[ix.QUIET_FROM])
+    c[ix.QUIET_TO] = np.where(here, np.where(level | (way < 0.0), np.minimum(bound, c[ix.QUIET_TO]), c[ix.QUIET_TO]),
+        c[ix.QUIET_TO])
+    c[ix.QUIET_TO] = np.where(here, np.where(sure, c[ix.QUIET_TO], -INFINITY), c[ix.QUIET_TO])
+
+
+def look_for_quiet(s: Lanes, here: Mask) -> None:
+    """Between which values of one function of time the mass certainly rests on, the way it faces."""
+    c = s.cells
+    terms_of_normal = EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
+    for t in s.tables:
+        if s.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+            keep_quiet(s, here, t, s.registers[s.roles.net], -1.0, c[s.roles.drive_scale])
+            if s.roles.normal >= 0:
+                keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
+
+
+def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
+    """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
+    c = lane.cells
+    last = t.pieces - 1
+    terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, np.fmin(piece + 1, last), terms)
+    value = c[t.cells + ix.SCALED_BY, i] * terms[0]
+    return (c[ix.QUIET_FROM, i] <= value) & (value <= c[ix.QUIET_TO, i]) & passes_quietly(lane, i, t, piece)
+
+
+def wait(lane: Lanes, i: Index, t: Table) -> None:
+    """Pass the pieces through which the mass certainly rests, up to where the last of them ends."""
+    c = lane.cells
+    piece = integer(c[t.cells + ix.PIECE, i])
+    i_1, piece_1 = (i, piece.copy())
+    place_1 = np.arange(i.size)
+    while True:
+        i, piece, place_1 = among(rests_on(lane, i, t, piece), i, piece, place_1)
+        if not i.size:
+            break
+        piece = piece + 1
+        piece_1[place_1] = piece
+    i, piece = (i_1, piece_1)
+    holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
+    i_2, piece_2 = (i, piece)
+    i, piece = among(holds_2, i_2, piece_2)
+    if i.size:
+        now = break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
+        if lane.samples:
+            read_samples(lane, i, c[ix.TIME, i], now, 0, 0)
+        c[ix.TIME, i] = now
+        c[t.cells + ix.PIECE, i] = piece - 1
+        c[t.cells + ix.WAY, i] = INFINITY
+    i, piece = (i_2, piece_2)
+
+
+def glides_on(lane: Lanes, i: Index, t: Table, slope: Floats, grip: Floats) -> Mask:
+    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it."""
+    c = lane.cells
+    length = c[t.cells + ix.UPPER, i] - c[ix.TIME, i]
+    net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
+    after = c[lane.roles.drive, i] + slope * c[t.cells + ix.LOWER, i]
+    slowest = c[ix.OMEGA, i] + length * np.fmin(np.fmin(net, after), 0.0)
+    presses = c[lane.roles.normal0, i] + np.fmin(grip * c[t.cells + ix.INC, i], grip * c[t.cells + ix.LOWER, i])
+    peaks = (net >= 0.0) & (after < 0.0) & (c[ix.OMEGA, i] + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
+    moves = (slowest > (1.0 - SURE) * c[ix.OMEGA, i]) & (presses > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
+    return moves & np.logical_not(peaks) & passes_quietly(lane, i, t, integer(c[t.cells + ix.PIECE, i]))
+
+
+def glide(lane: Lanes, i: Index, t: Table) -> None:
+    """Pass the pieces through which the net moment is a straight line of time, and nothing happens."""
+    c = lane.cells
+    rise = lane.registers[t.register][1, i]
+    holds_1 = (c[ix.PENDING, i] == ix.READY) & (rise != 0.0) & (lane.registers[lane.roles.net][2,
+        i] == 0.0) & (c[ix.LIFTED, i] == 0.0)
+    i_1, rise_1 = (i, rise)
+    i, rise = among(holds_1, i_1, rise_1)
+    if i.size:
+        slope = lane.registers[lane.roles.net][1, i] / rise
+        grip = 0.0 * slope
+        if lane.roles.normal >= 0:
+            grip = lane.registers[lane.roles.normal][1, i] / rise
+        i_2, slope_2, grip_2 = (i, slope, grip)
+        place_2 = np.arange(i.size)
+        while True:
+            i, slope, grip, place_2 = among(glides_on(lane, i, t, slope, grip), i, slope, grip, place_2)
+            if not i.size:
+                break
+            length = c[t.cells + ix.UPPER, i] - c[ix.TIME, i]
+            net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
+            after = c[lane.roles.drive, i] + slope * c[t.cells + ix.LOWER, i]
+            c[ix.X, i] = c[ix.X, i] + length * (c[ix.OMEGA, i] + length * (2.0 * net + after) / 6.0)
+            c[ix.OMEGA, i] = c[ix.OMEGA, i] + length * (net + after) / 2.0
+            c[ix.TIME, i] = c[t.cells + ix.UPPER, i]
+            pass_break(lane, i, t)
+        i, slope, grip = (i_2, slope_2, grip_2)
+        update_peak(lane, i, c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i])
+    i, rise = (i_1, rise_1)
+
+
 def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
     """Another phase begins in motion: the lane enters another piece of a table, is lifted or lands."""
     c = lane.cells
@@ -1127,6 +1233,9 @@ def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
     if not i.size:
         return
     pass_breaks(lane, i)
+    for t in lane.tables:
+        if lane.autonomous == 2 and lane.timed == 1 and (not lane.samples) and (t.terms == 2):
+            glide(lane, i, t)
 
 
 def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:
@@ -1383,6 +1492,7 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
     c[ix.START_DIRECTION] = np.where(here, np.where(sooner, c[ix.DIRECTION], c[ix.START_DIRECTION]),
         c[ix.START_DIRECTION])
     c[ix.SUDDEN] = np.where(here, np.where(sooner, np.where(jumps, 1.0, 0.0), c[ix.SUDDEN]), c[ix.SUDDEN])
+    look_for_quiet(s, here)
     if s.roles.normal >= 0:
         look_for_lift_off(s, here, top)
 
@@ -1447,6 +1557,9 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     i_5, breaks_5 = (i, breaks)
     i, breaks = among(holds_5, i_5, breaks_5)
     if i.size:
+        for t in lane.tables:
+            if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+                wait(lane, i, t)
         pass_breaks(lane, i)
     i, breaks = (i_5, breaks_5)
 
@@ -1461,6 +1574,8 @@ def rest_on(s: Lanes, here: Mask) -> None:
     c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
     c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
     c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
+    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
+    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
     look_ahead(s, here, room)
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):

@@ -4,6 +4,7 @@ import gc
 import json
 import shlex
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from slipcircle.__main__ import main
 # What takes longest goes first, so that no worker is left alone with it; and what shares its intermediate results, the
 # derivation, the judgement of the paper and the notebooks on both, follows in the same process.
 LONGEST = (
+    "test_what_is_added",
     "test_mypy",
     "test_generated_is_up_to_date",
     "test_verify",
@@ -23,7 +25,6 @@ LONGEST = (
     "test_ctrl_c",
     "test_it_builds",
     "test_jax",
-    "test_added",
 )
 
 
@@ -32,6 +33,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), len(LONGEST))
 
     items.sort(key=place)
+    if {item.path for item in items} >= {*Path(__file__).parent.glob("test_*.py")}:  # all tests: each name is one's
+        assert {place(item) for item in items} >= {*range(len(LONGEST))}, LONGEST
 
 
 def pytest_configure() -> None:

@@ -122,10 +122,6 @@ def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
         level, (warning,) = served(tmp_path)
         assert level == "numpy"
         assert "cannot be loaded" in warning
-    binary.write_bytes(b"no binary")
-    level, (warning,) = served(tmp_path)
-    assert level == "numpy"
-    assert "cannot be loaded" in warning
 
 
 UNSAFE = {
@@ -200,9 +196,8 @@ def test_kernels_and_integrator_use_what_the_processor_has() -> None:
 @pytest.mark.parametrize("name", matrix.PROCESSORS)
 def test_every_processor_shows_the_same_digits(name: str) -> None:
     """A sample of what `python -m tests.campaigns.matrix` runs with NumPy's wide loops off, or ours."""
-    notebook = "tests/test_notebooks.py::test_outputs_are_those_of_a_fresh_run[6_from_a_slope_to_a_slide]"
     examples = ["tests/test_readme.py::test_python", "tests/test_readme.py::test_the_earthquake_of_the_readme"]
-    tests = [notebook, *examples, *(f"tests/test_golden.py::test_numbers_are_those_kept[{name}]" for name in SHIPPED)]
+    tests = [*examples, *(f"tests/test_golden.py::test_numbers_are_those_kept[{name}]" for name in SHIPPED)]
     passed, line = matrix.tested(ROOT, sys.executable, matrix.PROCESSORS[name], tests)
     assert passed, line
 

@@ -70,6 +70,20 @@ def test_derivatives_by_the_end_time_are_the_rates_there() -> None:
         assert abs(found.derivative(output, "end_time") - expected) <= error <= 1e-9 * max(expected, 1.0)
 
 
+def test_a_kink_has_two_slopes() -> None:
+    """Newmark's block speeds up evenly to the end of its pulse, and is not faster if it is followed longer."""
+    scene: Scene[Any] = load("newmark-pulse")
+    whole = solve(scene)
+    start, end = scene.called["shaking"]["horizontal"].kinks.tolist()
+    found = solve(replace(scene, end_time=end)).sensitivity()
+    place = list(found.outputs).index("peak_velocity"), list(found.parameters).index("end_time")
+    slopes, acceleration = found.slopes[place], float(whole.peak.velocity) / (end - start)
+    assert found.kinds[place] == "kink"
+    assert np.all(np.abs(slopes - [acceleration, 0.0]) <= found.slope_errors[place])
+    assert np.all(found.slope_errors[place] <= 1e-9 * acceleration)
+    assert found.values[place] == slopes.mean()
+
+
 def check_motion(
     scene: golden.Data, which: Sequence[str] | slice, digits: int, cap: float = 1e-7, unknown: Sequence[str] = ()
 ) -> None:

@@ -109,7 +109,8 @@ NEEDED = [
 @pytest.mark.parametrize(("package", "extra", "words"), NEEDED, ids=[words[:20] for *_, words in NEEDED])
 def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp_path: Path) -> None:
     """What needs it, and the command; nothing is computed before, and no file is written."""
-    alone(tmp_path, RECORD)
+    if "q.csv" in words:
+        alone(tmp_path, RECORD)
     done = alone(tmp_path, words, package)
     assert done.returncode == 1
     *_, last = done.stderr.splitlines()

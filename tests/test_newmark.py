@@ -7,17 +7,12 @@ the yield N = k_y: so what is published for the block tests the rotational solve
 import math
 from typing import Any
 
-import mpmath as mp
 import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.tables import Pulse, Series
-from tests.support.blocks import exactly
-
-GRAVITY = 9.81
-ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
-MU = math.tan(math.radians(20.0))
+from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, series
 
 
 def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC, **more: Any) -> Motion:
@@ -25,18 +20,6 @@ def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC
     given = {"horizontal": horizontal} | ({} if vertical is None else {"vertical": vertical})
     two_way = {"two_way": more.pop("two_way")} if "two_way" in more else {}
     return solve(Scene(arc, mu, {"shaking": given | two_way}, **more))
-
-
-def factor(arc: Arc = ARC, mu: float = MU) -> tuple[float, float]:
-    """Gamma and k_y by their definitions (design of (3.11)), from the amplitudes of the weights."""
-    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
-    psi = abs(float(arc.dip))
-    gamma = weight * math.cos(psi) + mu * radial * math.sin(psi)
-    return gamma, (mu * radial * math.cos(psi) - weight * math.sin(psi)) / gamma
-
-
-def series(time: Any, values: Any) -> Series:
-    return Series(np.asarray(time, dtype=float), np.asarray(values, dtype=float), held=False)
 
 
 # --- Newmark's block, published ------------------------------------------------------------------------------------
@@ -75,15 +58,6 @@ def earthquake(samples: int = 1500, step: float = 0.01, seed: int = 7) -> Series
     shape = (t / 3.0) * np.exp(1 - t / 3.0)
     values = noise * shape
     return series(t, 0.35 * values / np.abs(values).max())
-
-
-def of_block(record: Series, mu: float = MU) -> tuple[Any, Any, float]:
-    """Displacements and speeds of the block at the samples, and the time of its last stop."""
-    gamma, n = factor(mu=mu)
-    with mp.workdps(30):
-        unit = mp.mpf(gamma) * GRAVITY
-        xs, vs, stop = exactly(record.time, [unit * (mp.mpf(k) - n) for k in record.values.tolist()], -unit * n)
-    return np.array(xs, dtype=float), np.array(vs, dtype=float), float(stop)
 
 
 def test_earthquake_against_an_exact_double_integral() -> None:

@@ -1,6 +1,7 @@
 """Wheels: what `python -m derive.wheels` makes for others, and the pure one, which needs nothing but NumPy."""
 
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -13,6 +14,7 @@ from packaging.tags import parse_tag
 
 from derive import wheels
 from slipcircle import load, solve
+from tests.support.outputs import blocks
 
 ROOT = Path(__file__).parents[1]
 
@@ -53,22 +55,26 @@ for name in sys.argv[2:]:
 ensemble = Scene(Arc(1492.6, 3.756, 4.833, 20e3), numpy.linspace(0.16, 0.2, 5), ["rotation", "centripetal"])
 print(*(float(x).hex() for x in solve(ensemble).run_out))
 """
+README = "\n".join(blocks((ROOT / "README.md").read_text("utf-8"), "python"))
 
 
 def test_the_pure_wheel_needs_no_thread_process_or_file_to_write(pure: Path) -> None:
-    """As in a browser: it solves the slide of Vaiont, a section and an ensemble."""
+    """As in a browser: it solves the slide of Vaiont, a section and an ensemble, and the README's examples are true."""
     names = ["vaiont", "real-slope"]
     environ = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "SLIPCIRCLE"))}
     environ |= {"HOME": "/nowhere", "PATH": "/nowhere", "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-P", "-c", BROWSER, str(pure), *names]
+    command = [sys.executable, "-P", "-c", BROWSER + README, str(pure), *names]
     done = subprocess.run(command, env=environ, cwd=pure, capture_output=True, text=True, check=False)
     assert not done.returncode, done.stderr
-    *single, several = done.stdout.splitlines()
+    *single, several = done.stdout.splitlines()[: len(names) + 1]
     for name, value in zip(names, single, strict=True):
         assert float.fromhex(value) == pytest.approx(float(solve(load(name)).run_out), rel=1e-12)
     run_outs = [float.fromhex(value) for value in several.split()]
     assert run_outs == sorted(run_outs, reverse=True)  # with more friction it stops sooner
     assert 0 < run_outs[-1] < run_outs[0]
+    shown = re.findall(r"^# (.*)", README, re.MULTILINE)
+    told = done.stdout.splitlines()[len(names) + 1 :]
+    assert [line.partition("error")[0] for line in told] == [line.partition("error")[0] for line in shown]
 
 
 def test_metadata_of_a_wheel(pure: Path) -> None:
@@ -80,6 +86,9 @@ def test_metadata_of_a_wheel(pure: Path) -> None:
     assert {"scenes", "plot", "derive", "dask"} <= set(found.get_all("Provides-Extra", []))
     assert (folder / "licenses" / "LICENSE").is_file()
     assert found["Keywords"]
+    assert "Programming Language :: Python :: 3.11" in found.get_all("Classifier", [])
+    for package in ("derive", "generated", "slipcircle"):
+        assert (pure / package / "py.typed").is_file()
     assert "\n# slipcircle\n" in (folder / "METADATA").read_text("utf-8")  # the README
 
 

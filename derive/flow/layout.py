@@ -47,6 +47,7 @@ TABLE = {
     "SCALE": "its argument over that of the program",
     "SCALED_BY": "what its values are multiplied by",
     "WAY": "of a function of time, the rounding of its increment, over an eps: what it went up and down",
+    "RISE": "of a straight line of time, its rate",
     "Q1": "first of its coefficients beyond the value",
 }
 STATUS = {
@@ -92,6 +93,8 @@ WORKING = {
     "START_AHEAD": "time until slip begins",
     "START_DIRECTION": "of that slip",
     "LIFT_AHEAD": "time until contact is lost or regained",
+    "QUIET_FROM": "the least value of the function of time at which it certainly rests on",
+    "QUIET_TO": "the greatest",
 }
 PENDING = {
     "READY": "nothing",

@@ -43,7 +43,7 @@ _OF_LANES = {
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
     **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
     **{f"has.{x}": ("HAS", "N") for x in layout.ROLES},
-    **dict.fromkeys(("samples", "timed", "sloped", "autonomous", "highest"), ("SHARED", "N")),
+    **dict.fromkeys(("samples", "timed", "autonomous", "highest"), ("SHARED", "N")),
 }
 _OF_TABLE = {
     **{x.lower(): ("PART", "V") for x in layout.TABLE if x != "Q1"},

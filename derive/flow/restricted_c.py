@@ -110,6 +110,9 @@ class C(Writer):
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
         yield from self.block(f"EACH(lane, bits({mask}))", body)
 
+    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+        yield from self.block(self.say("while", bare(test.text)), s.body)
+
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
         yield from self.block(self.say("if", bare(test.text)), s.body)
 
@@ -120,7 +123,7 @@ class C(Writer):
         first = {"LANES": ["Batch *b"], "LANE": ["Batch *b, unsigned lane"], "": []}[f.of]
         others = {x: TYPES[kind] for x, kind in f.parameters.items() if kind in TYPES}
         rest = [f"{kind} {x}".replace("* ", "*") for x, kind in others.items()]
-        inline = "static" if f.of == "LANE" or self.all.iterates(f.name) else "INLINE"
+        inline = "static" if (f.of == "LANE" and f.returns == "NONE") or self.all.iterates(f.name) else "INLINE"
         words = textwrap.wrap(" ".join(f.words.split()), 112)
         yield "/* " + "\n * ".join(words) + " */"
         yield f"{inline} {TYPES[f.returns]} {f.name}({', '.join([*first, *rest])})"

@@ -139,6 +139,26 @@ class NumPy(Writer):
         else:
             yield f"{known} = {kept}"
 
+    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+        self.ifs += 1
+        mark = self.ifs
+        names = self._known_after(s)
+        changed = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
+        kept = [f"{x}_{mark}" for x in names]
+        known = ", ".join([*names, f"place_{mark}"])
+        yield f"{', '.join(kept)} = {', '.join(f'{x}.copy()' if x in changed else x for x in names)}"
+        yield f"place_{mark} = np.arange(i.size)"
+        body = self.block("while True", s.body)
+        yield next(body)
+        yield f"    {known} = among({test.text}, {known})"
+        yield "    if not i.size:"
+        yield "        break"
+        yield from body
+        for name in names:
+            if name in changed:
+                yield f"    {name}_{mark}[place_{mark}] = {name}"
+        yield f"{', '.join(names)} = {', '.join(kept)}"
+
     def _known_after(self, s: ast.stmt) -> list[str]:
         """The index, and what is known of its lanes and used from a statement on."""
         used = set()

@@ -201,7 +201,7 @@ class Writer:
                     self.kinds[name] = "T" if what == "tables" else "Q"
                     yield from self.block(self.say(what, name), s.body)
                 case ast.While(test=test):
-                    yield from self.block(self.say("while", bare(self.value(test).text)), s.body)
+                    yield from self._while(self.value(test), s)
                 case ast.If(orelse=[]):
                     yield from self._if(s)
                 case ast.Return(value=None):
@@ -276,6 +276,13 @@ class Writer:
             return
         yield from self._by_lane(test, s)
 
+    def _while(self, test: Value, s: ast.While) -> Iterator[str]:
+        """The lines of a loop: what lanes decide apart goes on in those in which it holds."""
+        if test.kind == "B":
+            yield from self.while_of_lane(test, s)
+            return
+        yield from self.block(self.say("while", bare(test.text)), s.body)
+
     def _by_lane(self, test: Value, s: ast.If) -> Iterator[str]:
         """An ``if`` that lanes decide apart."""
         outside = set(self.kinds)
@@ -304,6 +311,10 @@ class Writer:
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
         """The lines of a block for each lane in which a mask holds."""
+        raise NotImplementedError
+
+    def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+        """Those of a loop on a truth value of one lane."""
         raise NotImplementedError
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:

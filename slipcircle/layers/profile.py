@@ -38,6 +38,7 @@ def _integrating() -> Floats:
 
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
+_TO_ENDS = _TO_CHEBYSHEV[[0, 1, -2, -1]]
 _INTEGRAL = _integrating()
 
 
@@ -49,9 +50,9 @@ class Profile(NamedTuple):
     edges : ndarray
         Directions at which pieces begin, and the right end, (pieces + 1, circles).
     before : ndarray
-        The integrals up to there, (pieces + 1, integrals, surfaces, circles).
+        The integrals up to there, (pieces + 1, circles, surfaces, integrals).
     series : ndarray
-        Chebyshev coefficients of the integral within each piece, (pieces, terms, integrals, surfaces, circles).
+        Chebyshev coefficients of the integral within each piece, (pieces, circles, surfaces, integrals, terms).
     """
 
     edges: Floats
@@ -75,11 +76,9 @@ class Profile(NamedTuple):
         place = 2.0 * share - 1.0
 
         # The coefficients of each direction are gathered, contiguous, in blocks that a processor's cache holds.
-        pieces, terms, integrals, surfaces, circles = series.shape
-        by_piece_and_circle = series.transpose(0, 4, 2, 3, 1)
-        rows = by_piece_and_circle.reshape(pieces * circles, -1, terms)
-        before = self.before[:pieces].transpose(0, 3, 1, 2)
-        up_to_piece = before.reshape(pieces * circles, -1)
+        pieces, circles, surfaces, integrals, terms = series.shape
+        rows = series.reshape(pieces * circles, -1, terms)
+        up_to_piece = self.before[:pieces].reshape(pieces * circles, -1)
         row = piece * circles + circle
         row = row.ravel()
         place = place.ravel()
@@ -87,28 +86,28 @@ class Profile(NamedTuple):
         for begin in range(0, row.size, _BLOCK):
             block = slice(begin, begin + _BLOCK)
             polynomials = _chebyshev(place[block], terms)
-            total[block] += np.einsum("nit,nt->ni", rows[row[block]], polynomials)
-        by_direction = total.reshape(*inside.shape, integrals, surfaces)
-        return np.moveaxis(by_direction, (2, 3), (0, 1))
+            of_pieces = rows.take(row[block], axis=0)
+            total[block] += np.einsum("nit,nt->ni", of_pieces, polynomials)
+        by_direction = total.reshape(*inside.shape, surfaces, integrals)
+        return by_direction.transpose(3, 2, 0, 1)
 
     @property
     def whole(self) -> Floats:
         """The integrals over the whole arcs, (integrals, surfaces, circles)."""
-        whole: Floats = self.before[-1]
+        whole: Floats = self.before[-1].T
         return whole
 
     def of(self, rows: Sequence[int]) -> "Profile":
         """Some of the integrals."""
-        before = self.before[:, rows]
-        series = self.series[:, :, rows]
+        before = self.before[..., rows]
+        series = self.series[..., rows, :]
         return Profile(self.edges, before, series)
 
     def combined(self, steps: Floats) -> "Profile":
         """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
-        before = np.einsum("kisc,sc->kic", self.before, steps)
-        series = np.einsum("ktisc,sc->ktic", self.series, steps)
-        one_surface = np.expand_dims(before, -2)
-        return Profile(self.edges, one_surface, np.expand_dims(series, -2))
+        before = np.einsum("kcsi,sc->kci", self.before, steps)
+        series = np.einsum("kcsit,sc->kcit", self.series, steps)
+        return Profile(self.edges, before[:, :, None], series[:, :, None])
 
 
 def _chebyshev(place: Floats, terms: int) -> Floats:
@@ -141,7 +140,7 @@ def profile_of(strips: Strips) -> Profile:
     right_end = pieces[-1].last
     edges = np.stack([*firsts, right_end])
     series = np.stack([piece.series for piece in pieces])
-    each = series.sum(axis=1)  # at the right end every Chebyshev polynomial is 1
+    each = series.sum(axis=-1)  # at the right end every Chebyshev polynomial is 1
     nothing = np.zeros_like(each[:1])
     up_to_ends = np.cumsum(each, axis=0)
     before = np.concatenate([nothing, up_to_ends])
@@ -177,7 +176,7 @@ def _converged(strips: Strips) -> list[_Piece]:
 
         smooth_values = values[..., smooth, :]
         series = np.tensordot(_INTEGRAL, smooth_values, (1, 2))
-        by_piece = series.transpose(3, 0, 1, 2, 4)
+        by_piece = series.transpose(3, 4, 2, 1, 0)
         done += map(_Piece, first[smooth], last[smooth], by_piece)
         left = first[rough]
         right = last[rough]
@@ -191,11 +190,11 @@ def _converged(strips: Strips) -> list[_Piece]:
 def _sizes(values: Floats) -> tuple[float, Floats]:
     """Sizes of the Chebyshev coefficients of values at nodes: the greatest one, and those of the tails.
 
-    A tail is the last two terms of a piece in a circle, (pieces, circles).
+    The greatest is one of the first two; a tail is the last two terms of a piece in a circle, (pieces, circles).
     """
-    coefficients = np.tensordot(_TO_CHEBYSHEV, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
+    coefficients = np.tensordot(_TO_ENDS, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
     size = np.abs(coefficients)
-    greatest = size.max(initial=0.0)
+    greatest = size[:2].max(initial=0.0)
     last_terms = size[-2:]
     return float(greatest), last_terms.max(axis=(0, 1, 2))
 

@@ -81,7 +81,7 @@ class StretchIntegrals:
         return bool(self.section.strength == "base")
 
     def _joints_met(self, rotation: Floats) -> Floats:
-        """Where the mass meets the joints, and its exit, after rotations (M, circles), (J + 1, M, circles).
+        """Where the mass meets the joints after rotations (M, circles), (J, M, circles).
 
         In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
         """
@@ -89,8 +89,7 @@ class StretchIntegrals:
         moved = rotation if self._base_stays else np.zeros_like(rotation)
         in_mass = [joint - moved for joint in self._joints]
         met = [np.clip(joint, first, last) for joint in in_mass]
-        exit_ = np.broadcast_to(last, rotation.shape)
-        return np.stack([*met, exit_])
+        return np.array(met).reshape(-1, *rotation.shape)
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
@@ -124,10 +123,12 @@ class StretchIntegrals:
         whole = profile.whole[:, :, None]
         from_right = whole - from_left
         from_entry = np.where(facing > 0.0, from_left, from_right)
-        from_entry[1] *= facing
-        integrals, surfaces, _, _ = from_entry.shape
+        integrals, surfaces, *_ = from_entry.shape
         by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
-        return np.moveaxis(by_joint, 1, 2)
+        up_to_exit = np.broadcast_to(whole[:, :, None], (integrals, surfaces, 1, *rotation.shape))
+        every = np.concatenate([by_joint, up_to_exit], axis=2)
+        every[1] *= facing
+        return np.moveaxis(every, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
         """Parts by their names, of what presses all at once."""

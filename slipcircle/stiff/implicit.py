@@ -230,10 +230,8 @@ class _Implicit(walk.Lanes):
         every = np.arange(times.size)
         for table in there.tables:
             if table.kind == ix.OF_TIME:
-                terms = np.zeros((there.terms, times.size))
-                walk.taylor_about_now(there, every, table, 0, terms)
                 value_before = cells[table.cells + ix.VALUE]  # where the phase began
-                cells[table.cells + ix.INC] = terms[0] - value_before
+                cells[table.cells + ix.INC] = walk.value_now(there, every, table) - value_before
         return cells
 
     def _registers_in(self, cells: Floats) -> Floats:

@@ -1,11 +1,17 @@
 """Newmark's sliding block, integrated exactly, and records that shake it."""
 
+import math
 from typing import Any
 
 import mpmath as mp
 import numpy as np
 
+from slipcircle import Arc
 from slipcircle.tables import Series
+
+GRAVITY = 9.81
+ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
+MU = math.tan(math.radians(20.0))
 
 
 def quake(seed: int, samples: int = 500, step: float = 0.01) -> Series:
@@ -52,3 +58,24 @@ def exactly(time: Any, rates: Any, tail: float) -> tuple[list[Any], list[Any], A
     if v > 0:
         follow(mp.mpf(tail), mp.mpf(tail), 2 * v / -mp.mpf(tail), knots[-1])
     return [*xs, x], vs, stop
+
+
+def factor(arc: Arc = ARC, mu: float = MU) -> tuple[float, float]:
+    """Gamma and k_y by their definitions (design of (3.11)), from the amplitudes of the weights."""
+    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+    psi = abs(float(arc.dip))
+    gamma = weight * math.cos(psi) + mu * radial * math.sin(psi)
+    return gamma, (mu * radial * math.cos(psi) - weight * math.sin(psi)) / gamma
+
+
+def series(time: Any, values: Any) -> Series:
+    return Series(np.asarray(time, dtype=float), np.asarray(values, dtype=float), held=False)
+
+
+def of_block(record: Series, mu: float = MU) -> tuple[Any, Any, float]:
+    """Displacements and speeds of the block at the samples, and the time of its last stop."""
+    gamma, n = factor(mu=mu)
+    with mp.workdps(30):
+        unit = mp.mpf(gamma) * GRAVITY
+        xs, vs, stop = exactly(record.time, [unit * (mp.mpf(k) - n) for k in record.values.tolist()], -unit * n)
+    return np.array(xs, dtype=float), np.array(vs, dtype=float), float(stop)

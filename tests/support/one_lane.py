@@ -13,15 +13,14 @@ from typing import Any
 import mpmath
 from sympy import Expr, Indexed, Sum
 
+from derive.flow import layout
 from derive.flow.recurrences import OPERATIONS
 from derive.flow.walk import phases, rest
 from generated import layout as ix
 from tests.support.lanes import Problem
 
 PLACES = {name.lower(): k for k, name in enumerate(ix.CELLS)}
-PLACES |= {name.lower(): getattr(ix, name) for name in (
-    "PENDING", "FACED", "SUDDEN", "RATE_BEFORE", "DRIVE_BEFORE", "SCALE_BEFORE", "SERIES_ORDER", "LARGEST_X",
-    "LARGEST_OMEGA", "STEP", "EVENT", "STRETCH", "START_AHEAD", "START_DIRECTION", "LIFT_AHEAD")}  # fmt: skip
+PLACES |= {name.lower(): getattr(ix, name) for name in layout.WORKING}
 PARTS = {name.lower(): k for k, name in enumerate(ix.TABLE)}
 
 

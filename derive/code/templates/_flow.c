@@ -20,7 +20,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 16 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -36,8 +36,8 @@ typedef struct {
 
 typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
-     * states, tables, those of time and the others; whether its rate depends on the speed alone. */
-    int cells, made, registers, states, tables, timed, sloped, autonomous;
+     * states, tables, those of time; 1 where its rate depends on the speed alone, 2 where on time alone. */
+    int cells, made, registers, states, tables, timed, autonomous;
     const int32_t *scalar, *scalar_end, *series, *series_end, *later_end; /* after `series` what no rate needs */
     const State *state;
     const Table *table;
@@ -93,7 +93,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
     job->state = (const State *)job->later_end;
     job->autonomous = p[8];
     job->table = (const Table *)(job->state + job->states);
-    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2, job->sloped += job->table[t].kind != 2;
+    for (int t = 0; t < job->tables; t++) job->timed += job->table[t].kind == 2;
 #ifdef __wasm__
     job->straight = -1; /* a page shall be small */
 #else

@@ -18,6 +18,7 @@ step       a moving lane goes along its series to the first event, and what foll
            lift-off and landing, edges of tables, the end time
 rest       a resting lane waits for the next break of what changes with time, or for the root of its net moment
 phases     stick or slip at a standstill; the numbers of the phase that begins; greatest speed and rotation
+records    samples that a resting or gliding mass passes without series
 tables     the piece of each table in which a lane is
 series     the series of a step, and their radius of convergence
 roots      polynomials of many lanes: values and roots
@@ -29,4 +30,4 @@ on a mask runs its body for each lane in which it holds. Where a function of lan
 a cell is assigned there.
 """
 
-TEXT = ("roots", "tables", "series", "phases", "step", "rest")  # modules, each uses the ones before
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "rest")  # modules, each uses the ones before

@@ -20,6 +20,7 @@ from derive.flow.walk.one_lane import (
     where,
 )
 from derive.flow.walk.phases import begin_phases, face, note_lift_off, stay
+from derive.flow.walk.records import look_for_quiet, wait
 from derive.flow.walk.roots import first_root, increment, margin_of, may_cross
 from derive.flow.walk.series import expand, radius_of_convergence
 from derive.flow.walk.step import make_step
@@ -67,6 +68,7 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
     s.start_ahead = where(sooner, at, s.start_ahead)
     s.start_direction = where(sooner, s.direction, s.start_direction)
     s.sudden = where(sooner, where(jumps, 1.0, 0.0), s.sudden)
+    look_for_quiet(s, here)
     if s.has.normal:
         look_for_lift_off(s, here, top)
 
@@ -106,6 +108,9 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
             note_lift_off(lane)
         return
     if breaks:
+        for t in lane.tables:
+            if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+                wait(lane, t)
         pass_breaks(lane)
 
 
@@ -118,6 +123,8 @@ def rest_on(s: Lanes, here: M) -> None:
     s.start_direction = 0.0
     s.sudden = 0.0
     s.lift_ahead = INFINITY
+    s.quiet_from = -INFINITY
+    s.quiet_to = INFINITY
     look_ahead(s, here, room)
     both = here and s.one_way == 0.0
     if any_lane(both):

@@ -23,7 +23,7 @@ from derive.flow.walk.one_lane import (
     up,
     where,
 )
-from derive.flow.walk.tables import expand_in_time
+from derive.flow.walk.tables import expand_sine
 
 NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early
 LARGEST = 1000.0 * 2.0**40  # log2 of a radius, as `log2_of` has it
@@ -73,8 +73,10 @@ def begin_expansion(s: Lanes, which: M, top: N) -> None:
     """Order 0 of the registers that do not come from operations, and the series of functions of time."""
     begin_series(s)
     for t in s.tables:
-        if t.kind == Kind.TIME and which:
-            expand_in_time(s, t, top)
+        if t.kind == Kind.TIME:
+            t.series[1] = t.rise
+        if t.sine and which:
+            expand_sine(s, t, top)
 
 
 def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:

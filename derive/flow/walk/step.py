@@ -29,6 +29,7 @@ from derive.flow.walk.one_lane import (
     where,
 )
 from derive.flow.walk.phases import advance_origin, face, note_lift_off, update_reach
+from derive.flow.walk.records import glide
 from derive.flow.walk.roots import falling_root, first_root, increment, margin_of, may_cross, value, value_and_slope
 from derive.flow.walk.series import expand, radius_of_convergence
 from derive.flow.walk.tables import next_break, pass_breaks
@@ -102,6 +103,9 @@ def on_limit(lane: Lane, rate: float) -> None:
         end_motion(lane, rate, Status.ENDED)
         return
     pass_breaks(lane)
+    for t in lane.tables:
+        if lane.autonomous == 2 and lane.timed == 1 and not lane.samples and t.terms == 2:
+            glide(lane, t)
 
 
 def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:

@@ -40,57 +40,50 @@ def shift(terms: A, count: N, by: float) -> None:
             terms[j] = terms[j] + by * terms[j + 1]
 
 
-def taylor_about_now(lane: Lane, t: T, order: N, terms: A) -> None:
-    """Taylor coefficients of a function of time about now, in t*: of a sine so many, of others those of its piece."""
-    piece = integer(t.piece)
-    scale = t.scale
-    begin = break_of(lane, t, piece)
-    local = lane.time * scale - begin
-    coefficients_of(lane, t, piece, terms)
-    if t.sine:
-        rate = terms[1]
-        angle = rate * local + terms[2]
-        size = terms[0] * t.scaled_by
-        now = sin(angle)
-        slope = cos(angle)
-        for j in up(0, order):
-            terms[j] = size * now
-            size = size * (rate * scale / number(j + 1))
-            before = now
-            now = slope
-            slope = -before
-        return
-    shift(terms, t.terms, local)
-    power = t.scaled_by
-    for j in up(0, t.terms - 1):
-        terms[j] = terms[j] * power
-        power = power * scale
-
-
-def expand_in_time(lane: Lane, t: T, top: N) -> None:
-    """The series of a function of time, as its increment since the phase began."""
+def value_within(lane: Lane, t: T, piece: int, local: float) -> float:
+    """A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line."""
     terms = numbers()
-    taylor_about_now(lane, t, top, terms)
-    last: N = top if t.sine else minimum(t.terms - 1, top)
-    for j in up(1, last):
-        t.series[j] = terms[j]
+    coefficients_of(lane, t, piece, terms)
+    change = terms[1] * local
+    return t.scaled_by * (terms[0] * sin(change + terms[2]) if t.sine else terms[0] + change)
+
+
+def value_now(lane: Lane, t: T) -> float:
+    """A function of time now."""
+    piece = integer(t.piece)
+    return value_within(lane, t, piece, lane.time * t.scale - break_of(lane, t, piece))
+
+
+def expand_sine(lane: Lane, t: T, top: N) -> None:
+    """The series of a sine about now, as its increment since the phase began."""
+    piece = integer(t.piece)
+    terms = numbers()
+    coefficients_of(lane, t, piece, terms)
+    rate = terms[1]
+    angle = rate * (lane.time * t.scale - break_of(lane, t, piece)) + terms[2]
+    size = terms[0] * t.scaled_by
+    now = sin(angle)
+    slope = cos(angle)
+    for j in up(1, top):
+        size = size * (rate * t.scale / number(j))
+        t.series[j] = size * slope
+        before = now
+        now = slope
+        slope = -before
 
 
 def rise_to(lane: Lane, t: T, past: float) -> float:
-    """What a function of time rises by in some time from now, within its piece."""
+    """What a function of time rises by from now to some way beyond, in the table's own argument, within its piece."""
+    piece = integer(t.piece)
     terms = numbers()
+    coefficients_of(lane, t, piece, terms)
+    slope = t.scaled_by * terms[1]
+    t.rise = slope * t.scale
     if t.sine:  # A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2)
-        piece = integer(t.piece)
-        coefficients_of(lane, t, piece, terms)
-        half = 0.5 * terms[1] * past * t.scale
-        begin = break_of(lane, t, piece)
-        angle = terms[1] * (lane.time * t.scale - begin) + terms[2]
+        half = 0.5 * terms[1] * past
+        angle = terms[1] * (lane.time * t.scale - break_of(lane, t, piece)) + terms[2]
         return 2.0 * t.scaled_by * terms[0] * sin(half) * cos(angle + half)
-    taylor_about_now(lane, t, 1, terms)
-    total: float = 0.0
-    for j in down(t.terms - 1, 1):
-        total = (total + terms[j]) * past
-    return total
+    return slope * past
 
 
 def end_of_piece(lane: Lane, t: T, piece: int) -> float:
@@ -104,11 +97,9 @@ def find_end_of_piece(lane: Lane, t: T, now: float) -> None:
     piece = integer(t.piece)
     end = end_of_piece(lane, t, piece)
     t.upper = end / t.scale
-    t.lower = t.inc
-    if piece < t.pieces - 1:
-        rise = rise_to(lane, t, (end - now) / t.scale)
-        t.lower = t.lower + rise
-        t.way = t.way + abs(rise)
+    rise = rise_to(lane, t, where(piece < t.pieces - 1, end - now, 0.0))
+    t.lower = t.inc + rise
+    t.way = t.way + abs(rise)
 
 
 def begin_in_time(lane: Lane, t: T) -> None:
@@ -128,9 +119,7 @@ def begin_in_time(lane: Lane, t: T) -> None:
             lane.scale_before = INFINITY
         t.piece = number(piece)
         t.way = 0.0
-        terms = numbers()
-        taylor_about_now(lane, t, 1, terms)
-        t.value = terms[0]
+        t.value = value_now(lane, t)
         find_end_of_piece(lane, t, now)
 
 
@@ -215,9 +204,7 @@ def pass_break(lane: Lane, t: T) -> None:
     t.way = t.way + abs(jump)
     if jump != 0.0:
         lane.pending = Pending.DISCONTINUITY
-    terms = numbers()
-    coefficients_of(lane, t, piece, terms)
-    there = t.scaled_by * terms[0] * (sin(terms[2]) if t.sine else 1.0)
+    there = value_within(lane, t, piece, 0.0)
     rounding = abs(there) + abs(t.value)
     if t.way > rounding:
         t.inc = there - t.value

@@ -54,7 +54,7 @@ class Program:
     states: tuple[tuple[int, int, int], ...]
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
-    autonomous: bool  # whether d(omega)/dt depends on omega alone between breaks in time
+    autonomous: int  # between breaks in time d(omega)/dt depends on nothing but time: 2; or but omega: 1; otherwise 0
     constants: Mapping[str, float]
 
     @cached_property
@@ -123,6 +123,7 @@ class _Encoder:
         for operation, _ in self._linked.series:
             taken.update(operation.registers)
         states = self._definitions.states
+        still = "omega" not in taken and all(table.kind == "time" for table in self._definitions.tables)
         return Program(
             cells=tuple(self._cells),
             given=len(self._given),
@@ -134,7 +135,7 @@ class _Encoder:
             ),
             tables=tuple(map(self._table, self._definitions.tables)),
             roles=self._roles(asked),
-            autonomous=len(states) == 2 and "x" not in taken,
+            autonomous=(len(states) == 2 and "x" not in taken) * (1 + still),
             constants={name: float(name[1:]) for name in self._constants},
         )
 

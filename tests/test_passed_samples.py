@@ -1,0 +1,145 @@
+"""Samples that are passed without series, beside the exact block, roots by hand, and the same motions by series.
+
+By series goes what has a second function of time: vertical shaking of zero.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from slipcircle import Motion, Scene, solve
+from slipcircle.tables import Series
+from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, quake, series
+from tests.support.lanes import BACKENDS, backend
+
+STILL = Series(np.array([0.0, 1000.0]), np.zeros(2))
+
+
+def shaken(horizontal: Series, vertical: Series | None = None, mu: Any = MU, **more: Any) -> Motion:
+    given: dict[str, Any] = {"horizontal": horizontal, **more}
+    if vertical is not None:
+        given["vertical"] = vertical
+    return solve(Scene(ARC, mu, {"shaking": given}))
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_a_suite_is_that_of_the_exact_block(name: str) -> None:
+    """Records at scales in one ensemble: displacements, greatest speeds, last stops, and how often it slides."""
+    record = quake(11, 700)
+    scales = np.array([0.2, 0.35, 0.5, 0.8, 1.0, 1.7, 2.6])
+    with backend(name):
+        motion = shaken(record, scale=scales)
+        by_series = shaken(record, STILL, scale=scales)
+    for k, scale in enumerate(scales):
+        places, speeds, stop = of_block(replace(record, values=scale * record.values))
+        assert motion.run_out[k] == pytest.approx(places[-1], rel=1e-13)
+        assert motion.duration[k] == pytest.approx(stop, rel=1e-13)
+        assert motion.peak.velocity[k] >= speeds.max() * (1 - 1e-13)
+    assert motion.slips.tolist() == by_series.slips.tolist()
+    assert motion.reach.displacement == pytest.approx(by_series.reach.displacement, rel=1e-13)
+    assert motion.peak.velocity == pytest.approx(by_series.peak.velocity, rel=1e-13)
+    assert motion.peak.time == pytest.approx(by_series.peak.time, rel=1e-7)  # where the speed is level
+
+
+@pytest.mark.parametrize("ulps", [-1000, -1, 0, 1, 1000])
+@pytest.mark.parametrize("place", [40, 41, 78])
+def test_a_sample_at_the_yield_coefficient(ulps: int, place: int) -> None:
+    """Among quiet ones, the last but one and one of two: whatever rounding decides, what moves is nothing."""
+    gamma, n = factor()
+    values = 0.5 * n * np.sin(1.7 * np.arange(80.0))
+    values[place] = n * (1.0 + ulps * 2.0**-53)
+    alone = shaken(series(0.02 * np.arange(80.0), values))
+    assert abs(alone.run_out) < 1e-12 * gamma * GRAVITY
+    assert alone.moves == (ulps > 0) or abs(ulps) < 100
+    values[45] = 2.0 * n
+    record = series(0.02 * np.arange(80.0), values)
+    places, _, _ = of_block(record)
+    assert shaken(record).run_out == pytest.approx(places[-1], rel=1e-12)
+
+
+@pytest.mark.parametrize("last", [1.0, 2.0])
+@pytest.mark.parametrize("name", BACKENDS)
+def test_the_last_samples_count(last: float, name: str) -> None:
+    """Nothing happens before the last sample, at which the record ends above the yield coefficient, or is cut off."""
+    _, n = factor()
+    time = 0.02 * np.arange(200.0)
+    record = series(time, np.where(time < time[-1], 0.3 * n, last * 1.5 * n))
+    with backend(name):
+        motion = shaken(record)
+    places, _, stop = of_block(record)
+    assert motion.run_out == pytest.approx(places[-1], rel=1e-13)
+    assert motion.duration == pytest.approx(stop, rel=1e-13)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("two_way", [False, True])
+def test_polarities(sign: float, two_way: bool) -> None:
+    """Shaken up-slope it starts only if it may, and then as by series."""
+    _, n = factor()
+    record = quake(5, 400)
+    record = replace(record, values=np.where(record.values > 0.9 * n, 0.9 * n, 9.0 * record.values) * sign)
+    motion, by_series = (shaken(record, v, two_way=two_way) for v in (None, STILL))
+    assert by_series.slips == motion.slips > (0 if two_way or sign < 0 else -1)
+    assert motion.run_out == pytest.approx(by_series.run_out, rel=1e-12)
+    assert motion.duration == pytest.approx(by_series.duration, rel=1e-12)
+    assert (motion.run_out < 0.0) == (two_way and sign > 0.0)
+
+
+@pytest.mark.parametrize("k", [0.0, 0.03])
+def test_friction_that_falls_with_time_starts_it(k: float) -> None:
+    """In 500 pieces, alone and under a record: at W (sin + k cos)/(R (cos - k sin))."""
+    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
+    psi = abs(float(ARC.dip))
+    time = np.linspace(0.0, 10.0, 501)
+    shaking = k * np.sin(11.0 * time)
+    limit = weight * math.sin(psi) / (radial * math.cos(psi))
+    falls = limit * (1.5 - 0.06 * time + 0.01 * np.sin(7.0 * time))
+
+    def lacking(t: float) -> float:
+        now = float(np.interp(t, time, shaking))
+        needed = weight * (math.sin(psi) + now * math.cos(psi)) / (radial * (math.cos(psi) - now * math.sin(psi)))
+        return float(np.interp(t, time, falls)) - needed
+
+    first = next(j for j in range(500) if lacking(time[j + 1]) < 0.0)
+    start = brentq(lacking, time[first], time[first + 1], xtol=1e-15, rtol=1e-15)
+    law = {"law": "prescribed", "time": time, "coefficient": falls}
+    effects = {"shaking": {"horizontal": series(time, shaking)}} if k else {}
+    motion = solve(Scene(ARC, law, effects, end_time=10.0))
+    assert motion.phases[0].start == pytest.approx(start, rel=1e-12)
+
+
+@pytest.mark.parametrize("grows", [0.1, 0.3])
+def test_water_that_lifts_what_cohesion_holds(grows: float) -> None:
+    """In 400 pieces: contact is lost where the straight line of the pressure reaches the mean normal stress."""
+    normal = float(solve(Scene(ARC, 1.0)).effective_stress_at(0.0))
+    time = np.linspace(0.0, 8.0, 401)
+    share = 0.5 + grows * time + 0.05 * np.sin(9.0 * time)
+    water = {"time": time, "pressure": normal * share}
+    motion = solve(Scene(ARC, MU, {"cohesion": {"cohesion": 1e9}, "pore_pressure": water}))
+    k = int(np.argmax(share > 1.0))
+    lifts = time[k - 1] + 0.02 * (1.0 - share[k - 1]) / (share[k] - share[k - 1])
+    assert motion.lift_off == pytest.approx((lifts,), rel=1e-12)
+    assert motion.slips == 0
+
+
+def test_it_rests_at_its_end_time_between_samples() -> None:
+    """And within a piece that would start it only later."""
+    _, n = factor()
+    time = 0.02 * np.arange(200.0)
+    record = series(time, np.where(time < 3.0, 0.3 * n, 5.0 * n))
+    motion = solve(Scene(ARC, MU, {"shaking": {"horizontal": record}}, end_time=2.9829))
+    assert (motion.run_out, motion.slips) == (0.0, 0)
+    assert solve(Scene(ARC, MU, {"shaking": {"horizontal": record}}, end_time=2.9831)).slips == 1
+
+
+def test_states_on_the_way_are_read_where_samples_are_passed() -> None:
+    record = quake(3, 300)
+    motion = shaken(record)
+    places, speeds, _ = of_block(record)
+    read = motion.at(record.time)
+    assert np.abs(read.displacement - places[:-1]).max() < 1e-13 * places[-1]
+    assert np.abs(read.velocity - speeds).max() < 1e-13 * speeds.max()
