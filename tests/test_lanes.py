@@ -137,7 +137,7 @@ def test_lanes_of_circles_and_of_strengths_broadcast() -> None:
 
 def test_statics_of_many_lanes_are_those_of_each() -> None:
     """They are computed block by block: the lanes where one ends and the next begins."""
-    friction = np.linspace(0.1, 0.5, 2 * BLOCK + 3)
+    friction: Any = np.linspace(0.1, 0.5, 2 * BLOCK + 3)
     vaiont = load_scene("vaiont")
     many = solve(replace(vaiont, friction=friction), 1e-3)
     for lane in (0, BLOCK - 1, BLOCK, 2 * BLOCK, 2 * BLOCK + 2):
