@@ -45,14 +45,13 @@ class NoBinaryError(Exception):
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
     """Compile the C source of a module beside it, unless its binary is up to date."""
     source = folder / f"{name}.c"
-    binary = folder / f"{name}{SUFFIX}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
-    digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
-    candidates = (folder / f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES)
-    imported = next((path for path in candidates if path.is_file()), binary)  # of a wheel, maybe
-    if imported.is_file() and digest.encode() in imported.read_bytes():
+    imported = imported_binary(folder, name)
+    if imported.is_file() and (not source.is_file() or is_made_of(imported, source.read_text("utf-8"))):
         return imported
+    if not source.is_file():
+        raise NoBinaryError(f"{source.name} is missing: `python -m derive` writes it")
     compiler = c_compiler()
     if not _is_clang(compiler):
         flags = (*flags, *GCC_FLAGS)
@@ -61,11 +60,23 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     except ImportError as error:
         raise NoBinaryError(f"no NumPy to compile with ({error})") from None
     includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
+    binary = folder / f"{name}{SUFFIX}"
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
         target = Path(made) / binary.name
         make(source, target, [*compiler, *flags, *includes], parts(name, platform.machine()), SHARED)
         os.replace(target, binary)
     return binary
+
+
+def imported_binary(folder: Path, name: str) -> Path:
+    """The binary that an import takes, of this machine or of a wheel; where there is none, the one to make."""
+    candidates = (folder / f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES)
+    return next((path for path in candidates if path.is_file()), folder / f"{name}{SUFFIX}")
+
+
+def is_made_of(binary: Path, source: str) -> bool:
+    """Whether a binary is of this C text: it carries the digest in the text's header."""
+    return source.split('"', 2)[1].encode() in binary.read_bytes()
 
 
 def parts(name: str, machine: str) -> Parts:

@@ -14,7 +14,8 @@ class KernelsHook(BuildHookInterface[Any]):
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Compile, and mark the wheel as one for this platform.
 
-        ``SLIPCIRCLE_BINARIES`` is a folder of binaries that are there already, by the name of their platform.
+        ``SLIPCIRCLE_BINARIES`` is a folder of binaries that are there already, by the name of their platform: they
+        stand in place of their C text, which `python -m derive` writes again.
         """
         made = os.environ.get("SLIPCIRCLE_BINARIES")
         binaries = sorted(Path(made).iterdir()) if made else self._compiled()
@@ -24,6 +25,7 @@ class KernelsHook(BuildHookInterface[Any]):
         build_data["pure_python"], build_data["infer_tag"] = False, not made
         if made:
             build_data["tag"] = f"cp311-abi3-{Path(made).name}"
+            self.build_config.target_config["exclude"].append("generated/*.c")
 
     def _compiled(self) -> list[Path]:
         """Binaries of this Python on this machine, as far as they can be had."""

@@ -35,7 +35,7 @@ ZIG = (sys.executable, "-m", "ziglang")
 ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops",), "_flow": ()}
 # The library that Zig adds to a binary for Windows has 30 kB, of which two functions are needed; Windows has the other.
 WINDOWS = ("-nostdlib", "-lc", str(HERE / "stack.s"))
-WINDOWS_NAMES = "-D__isnan=_isnan"
+WINDOWS_NAMES = ("-D__isnan=_isnan", "-fno-builtin-cos")  # or a sine beside a cosine becomes `sincos`, which it lacks
 STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
 # NumPy's sizes are those of this machine: of what our source uses only these differ elsewhere.
 SIZES = """
@@ -89,7 +89,7 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
     if "macos" in triple:
         link += ["-Wl,-undefined,dynamic_lookup", f"-Wl,-install_name,{target.name}"]  # or the path is in the bytes
     if "windows" in triple:
-        compiler.append(WINDOWS_NAMES)
+        compiler += WINDOWS_NAMES
         link += [f"-L{headers}", "-lpython3", "-Os", *WINDOWS]  # -Os is for what Zig adds from its libraries
     make(FOLDER / f"{name}.c", target, compiler, parts(name, triple.partition("-")[0]), link)
     return target

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "51eb9aa378739683a1bd1d0810d550cdd5d0c89ff154430b158c37067e789705"
+#define DIGEST "e55561e95743b2943c9242fecc0e85bb8a8c2514bf70e6df6ee80af0f77b1df6"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -657,7 +657,9 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 }
 /* --- what the text asks of a program, of tables and of records --- */
 
-#ifndef __wasm__
+/* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
+#if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
+#define HAS_STRAIGHT
 #define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
@@ -931,7 +933,7 @@ INLINE void operate(const Batch *b, int n)
 {
     const Job *const job = b->job;
     const double per = b->inverse[n];
-#ifndef __wasm__
+#ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
         straight[job->straight].order(job->series, b->r, b->c, n, per);
         return;
@@ -944,7 +946,7 @@ INLINE void operate(const Batch *b, int n)
 INLINE void operate_later(const Batch *b, int n)
 {
     const Job *const job = b->job;
-#ifndef __wasm__
+#ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
         straight[job->straight].later(job->series, b->r, b->c, n, b->inverse);
         return;
@@ -1961,7 +1963,7 @@ INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
 }
 
 /* Pass the pieces through which the mass certainly rests, up to where the last of them ends. */
-static void wait(Batch *b, unsigned lane, int t)
+static void rest_through(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
@@ -2445,7 +2447,7 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     if (breaks) {
         for (int t = 0; t < job->tables; t++) {
             if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
-                wait(b, lane, t);
+                rest_through(b, lane, t);
             }
         }
         pass_breaks(b, lane);

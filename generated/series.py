@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a7ab173752d574ef3d7f106f511432f4b6d37463e4b1546bfc5ecab1377ea47f
+# sha256 of the text below: 0f0eb09ef0dc206a8897898cfee18ad2fd3dda36e8457f1f8a21d6a422b1752e
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "51eb9aa378739683a1bd1d0810d550cdd5d0c89ff154430b158c37067e789705"  # of the compiled integrator's source
+DIGEST = "e55561e95743b2943c9242fecc0e85bb8a8c2514bf70e6df6ee80af0f77b1df6"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4e462d331074ba6f93170aa1868b8721ec5ed3d7af524777a2af257f1e86cfe1
+# sha256 of the text below: 01a151b0403551550ddcb4aa96aa28623039a70ab741c293486141ea1af2750b
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1075,7 +1075,7 @@ def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
     return (c[ix.QUIET_FROM, i] <= value) & (value <= c[ix.QUIET_TO, i]) & passes_quietly(lane, i, t, piece)
 
 
-def wait(lane: Lanes, i: Index, t: Table) -> None:
+def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     """Pass the pieces through which the mass certainly rests, up to where the last of them ends."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
@@ -1559,7 +1559,7 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     if i.size:
         for t in lane.tables:
             if lane.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
-                wait(lane, i, t)
+                rest_through(lane, i, t)
         pass_breaks(lane, i)
     i, breaks = (i_5, breaks_5)
 

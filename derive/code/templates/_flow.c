@@ -436,7 +436,9 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 }
 /* --- what the text asks of a program, of tables and of records --- */
 
-#ifndef __wasm__
+/* Pages shall be small, and wheels: x86 processors without AVX2 are old, and interpret all programs. */
+#if !defined(__wasm__) && (WIDE > 128 || !defined(__x86_64__))
+#define HAS_STRAIGHT
 #define STRAIGHT(at, ...) operation((const int32_t[]){__VA_ARGS__}, own + at, r, c, n, by_n)
 /* One order of what rates need, and all orders of the others; order 0 apart, so that no operation asks which it is. */
 #define EACH_ORDER(k) \
@@ -458,7 +460,7 @@ INLINE void operate(const Batch *b, int n)
 {
     const Job *const job = b->job;
     const double per = b->inverse[n];
-#ifndef __wasm__
+#ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
         straight[job->straight].order(job->series, b->r, b->c, n, per);
         return;
@@ -471,7 +473,7 @@ INLINE void operate(const Batch *b, int n)
 INLINE void operate_later(const Batch *b, int n)
 {
     const Job *const job = b->job;
-#ifndef __wasm__
+#ifdef HAS_STRAIGHT
     if (job->straight >= 0) {
         straight[job->straight].later(job->series, b->r, b->c, n, b->inverse);
         return;

@@ -77,7 +77,7 @@ def rests_on(lane: Lane, t: T, piece: int) -> bool:
     return lane.quiet_from <= value and value <= lane.quiet_to and passes_quietly(lane, t, piece)
 
 
-def wait(lane: Lane, t: T) -> None:
+def rest_through(lane: Lane, t: T) -> None:
     """Pass the pieces through which the mass certainly rests, up to where the last of them ends."""
     piece = integer(t.piece)
     while rests_on(lane, t, piece):

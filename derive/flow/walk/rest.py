@@ -20,7 +20,7 @@ from derive.flow.walk.one_lane import (
     where,
 )
 from derive.flow.walk.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.walk.records import look_for_quiet, wait
+from derive.flow.walk.records import look_for_quiet, rest_through
 from derive.flow.walk.roots import first_root, increment, margin_of, may_cross
 from derive.flow.walk.series import expand, radius_of_convergence
 from derive.flow.walk.step import make_step
@@ -110,7 +110,7 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
     if breaks:
         for t in lane.tables:
             if lane.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
-                wait(lane, t)
+                rest_through(lane, t)
         pass_breaks(lane)
 
 
