@@ -79,6 +79,13 @@ def is_made_of(binary: Path, source: str) -> bool:
     return source.split('"', 2)[1].encode() in binary.read_bytes()
 
 
+def has_binary_alone(name: str, source: str, folder: Path = FOLDER) -> bool:
+    """Whether a C text is missing where its binary is, as in a wheel."""
+    binary = imported_binary(folder, name.removesuffix(".c"))
+    missing = name.endswith(".c") and not (folder / name).is_file()
+    return missing and binary.is_file() and is_made_of(binary, source)
+
+
 def parts(name: str, machine: str) -> Parts:
     """Flags of every object of a module: the integrator has one for each kind of processor of a machine."""
     if name == "_kernels":

@@ -202,6 +202,24 @@ def test_every_processor_shows_the_same_digits(name: str) -> None:
     assert passed, line
 
 
+@needs_compiler
+def test_a_binary_stands_for_its_source(tmp_path: Path) -> None:
+    """As in a wheel of a platform: nothing is compiled, and only this text counts as present."""
+    folder = small(tmp_path / "generated")
+    binary = build.build(folder)
+    source = folder / "_kernels.c"
+    text = source.read_text("utf-8")
+    assert not build.has_binary_alone(source.name, text, folder)
+    source.unlink()
+    assert build.build(folder) == binary
+    assert build.has_binary_alone(source.name, text, folder)
+    assert not build.has_binary_alone(source.name, text.replace('DIGEST "', 'DIGEST "0'), folder)
+    assert not build.has_binary_alone("tiers.py", text, folder)
+    binary.unlink()
+    with pytest.raises(build.NoBinaryError, match=r"_kernels\.c is missing: `python -m derive` writes it"):
+        build.build(folder)
+
+
 def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:
     """Of a copy with one kernel and no walk; with one, `test_house` builds it."""
     checkout, nothing = tmp_path / "checkout", tmp_path / "nothing"

@@ -19,15 +19,21 @@ from tests.support.outputs import blocks
 ROOT = Path(__file__).parents[1]
 
 
+def wheel_with(binaries: Path) -> Path:
+    """The wheel of the platform of this name, beside the folder."""
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(binaries.parent)]
+    environ = os.environ | {"SLIPCIRCLE_BINARIES": str(binaries)}
+    subprocess.run(command, cwd=ROOT, env=environ, capture_output=True, check=True)
+    (wheel,) = binaries.parent.glob(f"*-{binaries.name}.whl")
+    return wheel
+
+
 @pytest.fixture(scope="module")
 def pure(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The pure wheel, unpacked."""
     folder = tmp_path_factory.mktemp("pure")
     (folder / "any").mkdir()
-    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
-    environ = os.environ | {"SLIPCIRCLE_BINARIES": str(folder / "any")}
-    subprocess.run(command, cwd=ROOT, env=environ, capture_output=True, check=True)
-    (wheel,) = folder.glob("*-py3-none-any.whl")
+    wheel = wheel_with(folder / "any")
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder / "installed")
     return folder / "installed"
@@ -75,6 +81,17 @@ def test_the_pure_wheel_needs_no_thread_process_or_file_to_write(pure: Path) -> 
     shown = re.findall(r"^# (.*)", README, re.MULTILINE)
     told = done.stdout.splitlines()[len(names) + 1 :]
     assert [line.partition("error")[0] for line in told] == [line.partition("error")[0] for line in shown]
+
+
+def test_a_wheel_of_a_platform_has_binaries_in_place_of_their_source(pure: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "win_amd64"
+    folder.mkdir()
+    (folder / "_kernels.pyd").write_bytes(b"")
+    with zipfile.ZipFile(wheel_with(folder)) as archive:
+        held = {name for name in archive.namelist() if name.startswith("generated/")}
+    without = {path.relative_to(pure).as_posix() for path in pure.glob("generated/**/*") if path.is_file()}
+    assert held - without == {"generated/_kernels.pyd"}
+    assert without - held == {"generated/_flow.c", "generated/_kernels.c"}
 
 
 def test_metadata_of_a_wheel(pure: Path) -> None:

@@ -15,7 +15,6 @@ from sympy import Expr, __version__, degree
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
-from derive.build import imported_binary, is_made_of
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
 from derive.check.records import Record, unit
@@ -203,12 +202,6 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
     return changed
 
 
-def _is_compiled(name: str, text: str, folder: Path) -> bool:
-    """Whether a C text is there as its binary alone, as in a wheel."""
-    binary = imported_binary(folder, name.removesuffix(".c"))
-    return name.endswith(".c") and binary.is_file() and is_made_of(binary, text)
-
-
 def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
     """A unified diff from the folder's files to these; empty when they agree in contents and set of files."""
     present_texts = present(folder) if folder.is_dir() else {}
@@ -216,7 +209,7 @@ def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
     for name in sorted(texts.keys() | present_texts.keys()):
         old = present_texts.get(name)
         new = texts.get(name)
-        if old == new or (old is None and new is not None and _is_compiled(name, new, folder)):
+        if old == new:
             continue
         source = "/dev/null" if old is None else f"generated/{name}"
         target = "/dev/null" if new is None else f"derived/{name}"
