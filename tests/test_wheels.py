@@ -1,18 +1,22 @@
 """Wheels: what `python -m derive.wheels` makes for others, and the pure one, which needs nothing but NumPy."""
 
+import json
 import os
 import re
 import subprocess
 import sys
+import venv
 import zipfile
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
+import numpy as np
 import pytest
 from packaging.tags import parse_tag
 
 from derive import wheels
+from generated import polar_moment
 from slipcircle import load, solve
 from tests.support.outputs import blocks
 
@@ -29,14 +33,44 @@ def wheel_with(binaries: Path) -> Path:
 
 
 @pytest.fixture(scope="module")
-def pure(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The pure wheel."""
+    folder = tmp_path_factory.mktemp("pure") / "any"
+    folder.mkdir()
+    return wheel_with(folder)
+
+
+@pytest.fixture(scope="module")
+def pure(wheel: Path) -> Path:
     """The pure wheel, unpacked."""
-    folder = tmp_path_factory.mktemp("pure")
-    (folder / "any").mkdir()
-    wheel = wheel_with(folder / "any")
+    folder = wheel.parent / "installed"
     with zipfile.ZipFile(wheel) as archive:
-        archive.extractall(folder / "installed")
-    return folder / "installed"
+        archive.extractall(folder)
+    return folder
+
+
+@pytest.mark.skipif(not find_spec("pip"), reason="this environment has no pip")
+def test_pip_installs_it_in_a_new_environment(wheel: Path, tmp_path: Path) -> None:
+    """With this pip and NumPy, without a clone, a compiler or a home: the command runs, and a kernel is imported."""
+    venv.create(tmp_path / "new")
+    scripts = tmp_path / "new" / "bin"
+    (packages,) = (tmp_path / "new" / "lib").glob("python*/site-packages")
+    for name in ("pip", "numpy", "numpy.libs"):
+        (packages / name).symlink_to(Path(np.__file__).parents[1] / name)
+    environ = {"HOME": "/nowhere", "PATH": "/nowhere"}
+
+    def printed(*command: object) -> str:
+        words = [str(word) for word in command]
+        done = subprocess.run(words, env=environ, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert not done.returncode, done.stderr
+        return done.stdout
+
+    pip = ("-m", "pip", "install", "-q", "--no-index", "--no-deps", "--no-compile", "--disable-pip-version-check")
+    printed(scripts / "python", *pip, wheel)
+    (said,) = json.loads(printed(scripts / "slipcircle", "run", "vaiont", "--json"))
+    assert said["run_out"] == pytest.approx(float(solve(load("vaiont")).run_out), rel=1e-12)
+    code = "from generated import polar_moment; print(polar_moment(0.5))"
+    assert float(printed(scripts / "python", "-c", code)) == pytest.approx(polar_moment(0.5), rel=1e-15)
 
 
 # What a browser's Python has none of: an attempt is an error. NumPy itself may do as it likes while it is imported.
