@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e55561e95743b2943c9242fecc0e85bb8a8c2514bf70e6df6ee80af0f77b1df6"
+#define DIGEST "5f839d2d8637e0e60d8a009ca82ff7af76784b8526118a6235603a8418e3030d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -63,20 +63,19 @@ enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S
 #ifndef __wasm__
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
  * are operations that rates need. */
-enum { CELL = -2 };
 static const struct { int rates, length; const int32_t *operations; } patterns[] = {
-    {21, 39, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, SQR, 210, 42, LIN, 252, -2, 3, -2, 126, -2, 168, -2, 210, LIN, 294, -2, 3, -2, 126, -2, 168, -2, 210, LIN, 336, -2, 2, -2, 126, -2, 168}},
-    {43, 75, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, POWERS, 210, 252, 294, 336, 378, 420, 0, SQR, 462, 42, LIN, 504, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 546, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 588, -2, 2, -2, 126, -2, 168}},
-    {38, 62, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, SQR, 336, 42, LIN, 378, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, LIN, 420, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, LIN, 462, -2, 2, -2, 126, -2, 168}},
-    {55, 85, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, RAMP, 336, -2, MUL, 378, 336, 126, MUL, 420, 336, 168, SQR, 462, 42, LIN, 504, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 546, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462, LIN, 588, -2, 2, -2, 126, -2, 168}},
-    {59, 73, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 0, TIM, 252, 210, EXP, 294, 336, 252, 210, LIN, 378, -2, 1, -2, 336, SQR, 420, 42, LIN, 462, -2, 3, -2, 126, -2, 168, -2, 420, MUL, 504, 378, 462, LIN, 546, -2, 5, -2, 126, -2, 168, -2, 378, -2, 462, -2, 504, LIN, 588, -2, 1, -2, 462, LIN, 630, -2, 2, -2, 126, -2, 168}},
-    {81, 95, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 0, TIM, 252, 210, EXP, 294, 336, 252, 210, LIN, 378, -2, 1, -2, 336, POWERS, 420, 462, 504, 546, 588, 630, 0, SQR, 672, 42, LIN, 714, -2, 10, -2, 0, -2, 126, -2, 168, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630, -2, 672, MUL, 756, 378, 714, LIN, 798, -2, 5, -2, 126, -2, 168, -2, 378, -2, 714, -2, 756, LIN, 840, -2, 1, -2, 714, LIN, 882, -2, 2, -2, 126, -2, 168}},
-    {82, 96, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, LIN, 336, -2, 1, -2, 0, TIM, 378, 336, EXP, 420, 462, 378, 336, LIN, 504, -2, 1, -2, 462, SQR, 546, 42, LIN, 588, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 546, MUL, 630, 504, 588, LIN, 672, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504, -2, 588, -2, 630, LIN, 714, -2, 1, -2, 588, LIN, 756, -2, 2, -2, 126, -2, 168}},
-    {105, 119, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, RAMP, 336, -2, MUL, 378, 336, 126, MUL, 420, 336, 168, LIN, 462, -2, 1, -2, 0, TIM, 504, 462, EXP, 546, 588, 504, 462, LIN, 630, -2, 1, -2, 588, SQR, 672, 42, LIN, 714, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 672, MUL, 756, 630, 714, LIN, 798, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630, -2, 714, -2, 756, LIN, 840, -2, 1, -2, 714, LIN, 882, -2, 2, -2, 126, -2, 168}},
-    {55, 69, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 42, REC, 252, 294, 210, LIN, 336, -2, 1, -2, 294, SQR, 378, 42, LIN, 420, -2, 3, -2, 126, -2, 168, -2, 378, MUL, 462, 336, 420, LIN, 504, -2, 5, -2, 126, -2, 168, -2, 336, -2, 420, -2, 462, LIN, 546, -2, 1, -2, 420, LIN, 588, -2, 2, -2, 126, -2, 168}},
-    {77, 91, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, LIN, 210, -2, 1, -2, 42, REC, 252, 294, 210, LIN, 336, -2, 1, -2, 294, POWERS, 378, 420, 462, 504, 546, 588, 0, SQR, 630, 42, LIN, 672, -2, 10, -2, 0, -2, 126, -2, 168, -2, 378, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630, MUL, 714, 336, 672, LIN, 756, -2, 5, -2, 126, -2, 168, -2, 336, -2, 672, -2, 714, LIN, 798, -2, 1, -2, 672, LIN, 840, -2, 2, -2, 126, -2, 168}},
-    {78, 92, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, LIN, 336, -2, 1, -2, 42, REC, 378, 420, 336, LIN, 462, -2, 1, -2, 420, SQR, 504, 42, LIN, 546, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504, MUL, 588, 462, 546, LIN, 630, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 462, -2, 546, -2, 588, LIN, 672, -2, 1, -2, 546, LIN, 714, -2, 2, -2, 126, -2, 168}},
-    {101, 115, (const int32_t[]){TIM, 84, 0, TURN, 126, 168, 84, 0, RAMP, 210, -2, MUL, 252, 210, 126, MUL, 294, 210, 168, RAMP, 336, -2, MUL, 378, 336, 126, MUL, 420, 336, 168, LIN, 462, -2, 1, -2, 42, REC, 504, 546, 462, LIN, 588, -2, 1, -2, 546, SQR, 630, 42, LIN, 672, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630, MUL, 714, 588, 672, LIN, 756, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 588, -2, 672, -2, 714, LIN, 798, -2, 1, -2, 672, LIN, 840, -2, 2, -2, 126, -2, 168}},
+    {21, 39, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, SQR, 5 * STRIDE, 1 * STRIDE, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {43, 75, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE, SQR, 11 * STRIDE, 1 * STRIDE, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {38, 62, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, SQR, 8 * STRIDE, 1 * STRIDE, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {55, 85, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, SQR, 11 * STRIDE, 1 * STRIDE, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {59, 73, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, SQR, 10 * STRIDE, 1 * STRIDE, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {81, 95, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 6 * STRIDE, 5 * STRIDE, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {82, 96, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 9 * STRIDE, 8 * STRIDE, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE, SQR, 13 * STRIDE, 1 * STRIDE, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {105, 119, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE, TIM, 12 * STRIDE, 11 * STRIDE, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE, SQR, 16 * STRIDE, 1 * STRIDE, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {55, 69, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, SQR, 9 * STRIDE, 1 * STRIDE, LIN, 10 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE, LIN, 12 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {77, 91, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {78, 92, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE, SQR, 12 * STRIDE, 1 * STRIDE, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
+    {101, 115, (const int32_t[]){TIM, 2 * STRIDE, 0 * STRIDE, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE, RAMP, 5 * STRIDE, CELL, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE, RAMP, 8 * STRIDE, CELL, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE, SQR, 15 * STRIDE, 1 * STRIDE, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE}},
 };
 
 static int straight_of(const Job *job)
@@ -153,10 +152,10 @@ static int processor(void)
 #endif
 #define RUNS_baseline 1
 
-#define DECLARE(LEVEL) int64_t flow_integrate_##LEVEL(Job *job);
+#define DECLARE(LEVEL) int64_t flow_integrate_##LEVEL(Job *job); extern const int flow_has_straight_##LEVEL;
 LEVELS(DECLARE)
-static const struct { const char *name; int64_t (*integrate)(Job *); } levels[] = {
-#define ROW(LEVEL) {#LEVEL, flow_integrate_##LEVEL},
+static const struct { const char *name; int64_t (*integrate)(Job *); const int *has_straight; } levels[] = {
+#define ROW(LEVEL) {#LEVEL, flow_integrate_##LEVEL, &flow_has_straight_##LEVEL},
     LEVELS(ROW)
 };
 enum { KINDS = sizeof levels / sizeof *levels };
@@ -256,20 +255,22 @@ static int fill(PyObject *module)
     return failed ? -1 : 0;
 }
 
-static PyObject *straight_line(PyObject *self, PyObject *program)
+static PyObject *straight_line(PyObject *self, PyObject *args)
 {
     (void)self;
     Py_buffer code;
     Job job = {0};
-    if (PyObject_GetBuffer(program, &code, PyBUF_SIMPLE) < 0) return NULL;
-    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4);
+    int level;
+    if (!PyArg_ParseTuple(args, "y*i", &code, &level)) return NULL;
+    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && level >= 0 && level < KINDS;
     PyBuffer_Release(&code);
-    return PyLong_FromLong(fits ? job.straight : -1);
+    return PyLong_FromLong(fits && *levels[level].has_straight ? job.straight : -1);
 }
 
 static PyMethodDef methods[] = {
     {"integrate", integrate, METH_VARARGS, doc},
-    {"straight_line", straight_line, METH_O, "Which of the programs with functions of their own it is, or -1."},
+    {"straight_line", straight_line, METH_VARARGS,
+     "straight_line(program, level)\n--\n\nWhich of the programs with functions of their own it is there, or -1."},
     {NULL, NULL, 0, NULL},
 };
 static PyModuleDef_Slot slots[] = {
@@ -670,243 +671,243 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
 /* tim 0; turn 2 0; sqr 1; lin 3 4 5 | lin 3 4 5; lin 3 4 */
 INLINE void rates_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, SQR, 210, 42);
-    STRAIGHT(11, LIN, 252, -2, 3, -2, 126, -2, 168, -2, 210);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, SQR, 5 * STRIDE, 1 * STRIDE);
+    STRAIGHT(11, LIN, 6 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
 }
 INLINE void others_0(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(21, LIN, 294, -2, 3, -2, 126, -2, 168, -2, 210);
-    STRAIGHT(31, LIN, 336, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(21, LIN, 7 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE);
+    STRAIGHT(31, LIN, 8 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(0)
 /* tim 0; turn 2 0; powers 0; sqr 1; lin 0 3 4 5 6 7 8 9 10 11 | lin 0 3 4 5 6 7 8 9 10 11; lin 3 4 */
 INLINE void rates_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, POWERS, 210, 252, 294, 336, 378, 420, 0);
-    STRAIGHT(16, SQR, 462, 42);
-    STRAIGHT(19, LIN, 504, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, POWERS, 5 * STRIDE, 6 * STRIDE, 7 * STRIDE, 8 * STRIDE, 9 * STRIDE, 10 * STRIDE, 0 * STRIDE);
+    STRAIGHT(16, SQR, 11 * STRIDE, 1 * STRIDE);
+    STRAIGHT(19, LIN, 12 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_1(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(43, LIN, 546, -2, 10, -2, 0, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
-    STRAIGHT(67, LIN, 588, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(43, LIN, 13 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(67, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(1)
 /* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; sqr 1; lin 3 4 5 6 7 8 | lin 3 4 5 6 7 8; lin 3 4 */
 INLINE void rates_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, RAMP, 210, -2);
-    STRAIGHT(11, MUL, 252, 210, 126);
-    STRAIGHT(15, MUL, 294, 210, 168);
-    STRAIGHT(19, SQR, 336, 42);
-    STRAIGHT(22, LIN, 378, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
+    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    STRAIGHT(19, SQR, 8 * STRIDE, 1 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
 }
 INLINE void others_2(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(38, LIN, 420, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336);
-    STRAIGHT(54, LIN, 462, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(38, LIN, 10 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE);
+    STRAIGHT(54, LIN, 11 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(2)
 /* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; sqr 1; lin 3 4 5 6 7 8 9 10 11 | lin 3 4 5 6 7 8 9 10 11; lin 3 4 */
 INLINE void rates_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, RAMP, 210, -2);
-    STRAIGHT(11, MUL, 252, 210, 126);
-    STRAIGHT(15, MUL, 294, 210, 168);
-    STRAIGHT(19, RAMP, 336, -2);
-    STRAIGHT(22, MUL, 378, 336, 126);
-    STRAIGHT(26, MUL, 420, 336, 168);
-    STRAIGHT(30, SQR, 462, 42);
-    STRAIGHT(33, LIN, 504, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
+    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    STRAIGHT(19, RAMP, 8 * STRIDE, CELL);
+    STRAIGHT(22, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    STRAIGHT(26, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    STRAIGHT(30, SQR, 11 * STRIDE, 1 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_3(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 546, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 462);
-    STRAIGHT(77, LIN, 588, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
+    STRAIGHT(77, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(3)
 /* tim 0; turn 2 0; lin 0; tim 5; exp 6 5; lin 8; sqr 1; lin 3 4 10; mul 9 11; lin 3 4 9 11 12 | lin 11; lin 3 4 */
 INLINE void rates_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, LIN, 210, -2, 1, -2, 0);
-    STRAIGHT(14, TIM, 252, 210);
-    STRAIGHT(17, EXP, 294, 336, 252, 210);
-    STRAIGHT(22, LIN, 378, -2, 1, -2, 336);
-    STRAIGHT(28, SQR, 420, 42);
-    STRAIGHT(31, LIN, 462, -2, 3, -2, 126, -2, 168, -2, 420);
-    STRAIGHT(41, MUL, 504, 378, 462);
-    STRAIGHT(45, LIN, 546, -2, 5, -2, 126, -2, 168, -2, 378, -2, 462, -2, 504);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(14, TIM, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(17, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    STRAIGHT(28, SQR, 10 * STRIDE, 1 * STRIDE);
+    STRAIGHT(31, LIN, 11 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE);
+    STRAIGHT(41, MUL, 12 * STRIDE, 9 * STRIDE, 11 * STRIDE);
+    STRAIGHT(45, LIN, 13 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE);
 }
 INLINE void others_4(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(59, LIN, 588, -2, 1, -2, 462);
-    STRAIGHT(65, LIN, 630, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(59, LIN, 14 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    STRAIGHT(65, LIN, 15 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(4)
 /* tim 0; turn 2 0; lin 0; tim 5; exp 6 5; lin 8; powers 0; sqr 1; lin 0 3 4 10 11 12 13 14 15 16; mul 9 17; lin 3 4 9 17 18 | lin 17; lin 3 4 */
 INLINE void rates_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, LIN, 210, -2, 1, -2, 0);
-    STRAIGHT(14, TIM, 252, 210);
-    STRAIGHT(17, EXP, 294, 336, 252, 210);
-    STRAIGHT(22, LIN, 378, -2, 1, -2, 336);
-    STRAIGHT(28, POWERS, 420, 462, 504, 546, 588, 630, 0);
-    STRAIGHT(36, SQR, 672, 42);
-    STRAIGHT(39, LIN, 714, -2, 10, -2, 0, -2, 126, -2, 168, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630, -2, 672);
-    STRAIGHT(63, MUL, 756, 378, 714);
-    STRAIGHT(67, LIN, 798, -2, 5, -2, 126, -2, 168, -2, 378, -2, 714, -2, 756);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(14, TIM, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(17, EXP, 7 * STRIDE, 8 * STRIDE, 6 * STRIDE, 5 * STRIDE);
+    STRAIGHT(22, LIN, 9 * STRIDE, CELL, 1, CELL, 8 * STRIDE);
+    STRAIGHT(28, POWERS, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 15 * STRIDE, 0 * STRIDE);
+    STRAIGHT(36, SQR, 16 * STRIDE, 1 * STRIDE);
+    STRAIGHT(39, LIN, 17 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE, CELL, 16 * STRIDE);
+    STRAIGHT(63, MUL, 18 * STRIDE, 9 * STRIDE, 17 * STRIDE);
+    STRAIGHT(67, LIN, 19 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_5(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(81, LIN, 840, -2, 1, -2, 714);
-    STRAIGHT(87, LIN, 882, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(81, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
+    STRAIGHT(87, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(5)
 /* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; lin 0; tim 8; exp 9 8; lin 11; sqr 1; lin 3 4 5 6 7 13; mul 12 14; lin 3 4 5 6 7 12 14 15 | lin 14; lin 3 4 */
 INLINE void rates_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, RAMP, 210, -2);
-    STRAIGHT(11, MUL, 252, 210, 126);
-    STRAIGHT(15, MUL, 294, 210, 168);
-    STRAIGHT(19, LIN, 336, -2, 1, -2, 0);
-    STRAIGHT(25, TIM, 378, 336);
-    STRAIGHT(28, EXP, 420, 462, 378, 336);
-    STRAIGHT(33, LIN, 504, -2, 1, -2, 462);
-    STRAIGHT(39, SQR, 546, 42);
-    STRAIGHT(42, LIN, 588, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 546);
-    STRAIGHT(58, MUL, 630, 504, 588);
-    STRAIGHT(62, LIN, 672, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504, -2, 588, -2, 630);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
+    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    STRAIGHT(19, LIN, 8 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(25, TIM, 9 * STRIDE, 8 * STRIDE);
+    STRAIGHT(28, EXP, 10 * STRIDE, 11 * STRIDE, 9 * STRIDE, 8 * STRIDE);
+    STRAIGHT(33, LIN, 12 * STRIDE, CELL, 1, CELL, 11 * STRIDE);
+    STRAIGHT(39, SQR, 13 * STRIDE, 1 * STRIDE);
+    STRAIGHT(42, LIN, 14 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 13 * STRIDE);
+    STRAIGHT(58, MUL, 15 * STRIDE, 12 * STRIDE, 14 * STRIDE);
+    STRAIGHT(62, LIN, 16 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
 }
 INLINE void others_6(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(82, LIN, 714, -2, 1, -2, 588);
-    STRAIGHT(88, LIN, 756, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(82, LIN, 17 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    STRAIGHT(88, LIN, 18 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(6)
 /* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; lin 0; tim 11; exp 12 11; lin 14; sqr 1; lin 3 4 5 6 7 8 9 10 16; mul 15 17; lin 3 4 5 6 7 8 9 10 15 17 18 | lin 17; lin 3 4 */
 INLINE void rates_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, RAMP, 210, -2);
-    STRAIGHT(11, MUL, 252, 210, 126);
-    STRAIGHT(15, MUL, 294, 210, 168);
-    STRAIGHT(19, RAMP, 336, -2);
-    STRAIGHT(22, MUL, 378, 336, 126);
-    STRAIGHT(26, MUL, 420, 336, 168);
-    STRAIGHT(30, LIN, 462, -2, 1, -2, 0);
-    STRAIGHT(36, TIM, 504, 462);
-    STRAIGHT(39, EXP, 546, 588, 504, 462);
-    STRAIGHT(44, LIN, 630, -2, 1, -2, 588);
-    STRAIGHT(50, SQR, 672, 42);
-    STRAIGHT(53, LIN, 714, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 672);
-    STRAIGHT(75, MUL, 756, 630, 714);
-    STRAIGHT(79, LIN, 798, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630, -2, 714, -2, 756);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
+    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    STRAIGHT(19, RAMP, 8 * STRIDE, CELL);
+    STRAIGHT(22, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    STRAIGHT(26, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    STRAIGHT(30, LIN, 11 * STRIDE, CELL, 1, CELL, 0 * STRIDE);
+    STRAIGHT(36, TIM, 12 * STRIDE, 11 * STRIDE);
+    STRAIGHT(39, EXP, 13 * STRIDE, 14 * STRIDE, 12 * STRIDE, 11 * STRIDE);
+    STRAIGHT(44, LIN, 15 * STRIDE, CELL, 1, CELL, 14 * STRIDE);
+    STRAIGHT(50, SQR, 16 * STRIDE, 1 * STRIDE);
+    STRAIGHT(53, LIN, 17 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 16 * STRIDE);
+    STRAIGHT(75, MUL, 18 * STRIDE, 15 * STRIDE, 17 * STRIDE);
+    STRAIGHT(79, LIN, 19 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE, CELL, 17 * STRIDE, CELL, 18 * STRIDE);
 }
 INLINE void others_7(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(105, LIN, 840, -2, 1, -2, 714);
-    STRAIGHT(111, LIN, 882, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(105, LIN, 20 * STRIDE, CELL, 1, CELL, 17 * STRIDE);
+    STRAIGHT(111, LIN, 21 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(7)
 /* tim 0; turn 2 0; lin 1; rec 5; lin 7; sqr 1; lin 3 4 9; mul 8 10; lin 3 4 8 10 11 | lin 10; lin 3 4 */
 INLINE void rates_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, LIN, 210, -2, 1, -2, 42);
-    STRAIGHT(14, REC, 252, 294, 210);
-    STRAIGHT(18, LIN, 336, -2, 1, -2, 294);
-    STRAIGHT(24, SQR, 378, 42);
-    STRAIGHT(27, LIN, 420, -2, 3, -2, 126, -2, 168, -2, 378);
-    STRAIGHT(37, MUL, 462, 336, 420);
-    STRAIGHT(41, LIN, 504, -2, 5, -2, 126, -2, 168, -2, 336, -2, 420, -2, 462);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(14, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
+    STRAIGHT(18, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    STRAIGHT(24, SQR, 9 * STRIDE, 1 * STRIDE);
+    STRAIGHT(27, LIN, 10 * STRIDE, CELL, 3, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE);
+    STRAIGHT(37, MUL, 11 * STRIDE, 8 * STRIDE, 10 * STRIDE);
+    STRAIGHT(41, LIN, 12 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE);
 }
 INLINE void others_8(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(55, LIN, 546, -2, 1, -2, 420);
-    STRAIGHT(61, LIN, 588, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(55, LIN, 13 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    STRAIGHT(61, LIN, 14 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(8)
 /* tim 0; turn 2 0; lin 1; rec 5; lin 7; powers 0; sqr 1; lin 0 3 4 9 10 11 12 13 14 15; mul 8 16; lin 3 4 8 16 17 | lin 16; lin 3 4 */
 INLINE void rates_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, LIN, 210, -2, 1, -2, 42);
-    STRAIGHT(14, REC, 252, 294, 210);
-    STRAIGHT(18, LIN, 336, -2, 1, -2, 294);
-    STRAIGHT(24, POWERS, 378, 420, 462, 504, 546, 588, 0);
-    STRAIGHT(32, SQR, 630, 42);
-    STRAIGHT(35, LIN, 672, -2, 10, -2, 0, -2, 126, -2, 168, -2, 378, -2, 420, -2, 462, -2, 504, -2, 546, -2, 588, -2, 630);
-    STRAIGHT(59, MUL, 714, 336, 672);
-    STRAIGHT(63, LIN, 756, -2, 5, -2, 126, -2, 168, -2, 336, -2, 672, -2, 714);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, LIN, 5 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(14, REC, 6 * STRIDE, 7 * STRIDE, 5 * STRIDE);
+    STRAIGHT(18, LIN, 8 * STRIDE, CELL, 1, CELL, 7 * STRIDE);
+    STRAIGHT(24, POWERS, 9 * STRIDE, 10 * STRIDE, 11 * STRIDE, 12 * STRIDE, 13 * STRIDE, 14 * STRIDE, 0 * STRIDE);
+    STRAIGHT(32, SQR, 15 * STRIDE, 1 * STRIDE);
+    STRAIGHT(35, LIN, 16 * STRIDE, CELL, 10, CELL, 0 * STRIDE, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 11 * STRIDE, CELL, 12 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE, CELL, 15 * STRIDE);
+    STRAIGHT(59, MUL, 17 * STRIDE, 8 * STRIDE, 16 * STRIDE);
+    STRAIGHT(63, LIN, 18 * STRIDE, CELL, 5, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 8 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_9(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(77, LIN, 798, -2, 1, -2, 672);
-    STRAIGHT(83, LIN, 840, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(77, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
+    STRAIGHT(83, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(9)
 /* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; lin 1; rec 8; lin 10; sqr 1; lin 3 4 5 6 7 12; mul 11 13; lin 3 4 5 6 7 11 13 14 | lin 13; lin 3 4 */
 INLINE void rates_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, RAMP, 210, -2);
-    STRAIGHT(11, MUL, 252, 210, 126);
-    STRAIGHT(15, MUL, 294, 210, 168);
-    STRAIGHT(19, LIN, 336, -2, 1, -2, 42);
-    STRAIGHT(25, REC, 378, 420, 336);
-    STRAIGHT(29, LIN, 462, -2, 1, -2, 420);
-    STRAIGHT(35, SQR, 504, 42);
-    STRAIGHT(38, LIN, 546, -2, 6, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 504);
-    STRAIGHT(54, MUL, 588, 462, 546);
-    STRAIGHT(58, LIN, 630, -2, 8, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 462, -2, 546, -2, 588);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
+    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    STRAIGHT(19, LIN, 8 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(25, REC, 9 * STRIDE, 10 * STRIDE, 8 * STRIDE);
+    STRAIGHT(29, LIN, 11 * STRIDE, CELL, 1, CELL, 10 * STRIDE);
+    STRAIGHT(35, SQR, 12 * STRIDE, 1 * STRIDE);
+    STRAIGHT(38, LIN, 13 * STRIDE, CELL, 6, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 12 * STRIDE);
+    STRAIGHT(54, MUL, 14 * STRIDE, 11 * STRIDE, 13 * STRIDE);
+    STRAIGHT(58, LIN, 15 * STRIDE, CELL, 8, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 11 * STRIDE, CELL, 13 * STRIDE, CELL, 14 * STRIDE);
 }
 INLINE void others_10(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(78, LIN, 672, -2, 1, -2, 546);
-    STRAIGHT(84, LIN, 714, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(78, LIN, 16 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    STRAIGHT(84, LIN, 17 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(10)
 /* tim 0; turn 2 0; ramp; mul 5 3; mul 5 4; ramp; mul 8 3; mul 8 4; lin 1; rec 11; lin 13; sqr 1; lin 3 4 5 6 7 8 9 10 15; mul 14 16; lin 3 4 5 6 7 8 9 10 14 16 17 | lin 16; lin 3 4 */
 INLINE void rates_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(0, TIM, 84, 0);
-    STRAIGHT(3, TURN, 126, 168, 84, 0);
-    STRAIGHT(8, RAMP, 210, -2);
-    STRAIGHT(11, MUL, 252, 210, 126);
-    STRAIGHT(15, MUL, 294, 210, 168);
-    STRAIGHT(19, RAMP, 336, -2);
-    STRAIGHT(22, MUL, 378, 336, 126);
-    STRAIGHT(26, MUL, 420, 336, 168);
-    STRAIGHT(30, LIN, 462, -2, 1, -2, 42);
-    STRAIGHT(36, REC, 504, 546, 462);
-    STRAIGHT(40, LIN, 588, -2, 1, -2, 546);
-    STRAIGHT(46, SQR, 630, 42);
-    STRAIGHT(49, LIN, 672, -2, 9, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 630);
-    STRAIGHT(71, MUL, 714, 588, 672);
-    STRAIGHT(75, LIN, 756, -2, 11, -2, 126, -2, 168, -2, 210, -2, 252, -2, 294, -2, 336, -2, 378, -2, 420, -2, 588, -2, 672, -2, 714);
+    STRAIGHT(0, TIM, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(3, TURN, 3 * STRIDE, 4 * STRIDE, 2 * STRIDE, 0 * STRIDE);
+    STRAIGHT(8, RAMP, 5 * STRIDE, CELL);
+    STRAIGHT(11, MUL, 6 * STRIDE, 5 * STRIDE, 3 * STRIDE);
+    STRAIGHT(15, MUL, 7 * STRIDE, 5 * STRIDE, 4 * STRIDE);
+    STRAIGHT(19, RAMP, 8 * STRIDE, CELL);
+    STRAIGHT(22, MUL, 9 * STRIDE, 8 * STRIDE, 3 * STRIDE);
+    STRAIGHT(26, MUL, 10 * STRIDE, 8 * STRIDE, 4 * STRIDE);
+    STRAIGHT(30, LIN, 11 * STRIDE, CELL, 1, CELL, 1 * STRIDE);
+    STRAIGHT(36, REC, 12 * STRIDE, 13 * STRIDE, 11 * STRIDE);
+    STRAIGHT(40, LIN, 14 * STRIDE, CELL, 1, CELL, 13 * STRIDE);
+    STRAIGHT(46, SQR, 15 * STRIDE, 1 * STRIDE);
+    STRAIGHT(49, LIN, 16 * STRIDE, CELL, 9, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 15 * STRIDE);
+    STRAIGHT(71, MUL, 17 * STRIDE, 14 * STRIDE, 16 * STRIDE);
+    STRAIGHT(75, LIN, 18 * STRIDE, CELL, 11, CELL, 3 * STRIDE, CELL, 4 * STRIDE, CELL, 5 * STRIDE, CELL, 6 * STRIDE, CELL, 7 * STRIDE, CELL, 8 * STRIDE, CELL, 9 * STRIDE, CELL, 10 * STRIDE, CELL, 14 * STRIDE, CELL, 16 * STRIDE, CELL, 17 * STRIDE);
 }
 INLINE void others_11(const int32_t *own, V *r, const V *c, int n, double by_n)
 {
-    STRAIGHT(101, LIN, 798, -2, 1, -2, 672);
-    STRAIGHT(107, LIN, 840, -2, 2, -2, 126, -2, 168);
+    STRAIGHT(101, LIN, 19 * STRIDE, CELL, 1, CELL, 16 * STRIDE);
+    STRAIGHT(107, LIN, 20 * STRIDE, CELL, 2, CELL, 3 * STRIDE, CELL, 4 * STRIDE);
 }
 EACH_ORDER(11)
 static const struct {
@@ -926,6 +927,9 @@ static const struct {
     {order_10, later_10},
     {order_11, later_11},
 };
+const int NAMED(flow_has_straight, LEVEL) = 1;
+#else
+const int NAMED(flow_has_straight, LEVEL) = 0;
 #endif
 
 /* Coefficient n of every register that the rates need. */

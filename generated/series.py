@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0f0eb09ef0dc206a8897898cfee18ad2fd3dda36e8457f1f8a21d6a422b1752e
+# sha256 of the text below: 2a6fc8db186e69655dd4c6489c7a761cce27b0d7b1392041c044f291ed2ac273
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "e55561e95743b2943c9242fecc0e85bb8a8c2514bf70e6df6ee80af0f77b1df6"  # of the compiled integrator's source
+DIGEST = "5f839d2d8637e0e60d8a009ca82ff7af76784b8526118a6235603a8418e3030d"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,6 @@
 """The compiled integrator beside the one in NumPy: the same lanes, whatever their neighbours, wherever interrupted."""
 
+import platform
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import Any
@@ -83,10 +84,13 @@ def test_a_straight_line_program_has_the_bits_of_its_interpretation(law: str, of
     scene = replace(slide, friction=FRICTION[law], effects=TURNING | called, initial_velocity=PUSHED)
     bound = posed(scene, 1e-11)
     number = list(STRAIGHT).index(of) % 4 + 4 * list(FRICTION).index(law)  # cohesion is a cell: the first one serves
-    assert BINARY.straight_line(encoded(bound.program)) == number
-    assert BINARY.straight_line(interpreted(bound.program)) == -1
-    assert slipcircle.plan(scene).method.endswith("; straight-line")
-    for level in BINARY.LEVELS:
+    own = {level for level in BINARY.LEVELS if level != "baseline" or platform.machine() not in ("x86_64", "AMD64")}
+    chosen = next(level for level, kind in BINARY.LEVELS.items() if kind == compiled._widest())
+    way = "straight-line" if chosen in own else "interpreted"
+    assert slipcircle.plan(scene).method.endswith(f"; {way}")
+    for level, kind in BINARY.LEVELS.items():
+        assert BINARY.straight_line(encoded(bound.program), kind) == (number if level in own else -1)
+        assert BINARY.straight_line(interpreted(bound.program), kind) == -1
         straight = integrate(bound, level=level)
         with monkeypatch.context() as patched:
             patched.setattr(compiled, "encoded", interpreted)

@@ -11,8 +11,6 @@ from collections.abc import Iterator
 from derive.flow.recurrences import OPERATIONS
 
 STATES = 2
-STRIDE = 42  # coefficients from one register to the next in C
-CELL = -2  # stands for any cell, or none
 # A mass that turns, with the centripetal term; with a level of water; with a record in one direction or in two; each
 # with friction that is constant, that falls exponentially with slip, and that falls with the rate.
 PROGRAMS = (
@@ -50,22 +48,22 @@ EACH_ORDER({k})
 """
 
 
-def operations(program: str) -> Iterator[tuple[str, list[int]]]:
-    """The operations of a program as C reads them: the name of its kind, and the integers that follow it."""
+def operations(program: str) -> Iterator[list[str]]:
+    """The operations of a program as C reads them: its kind, and what follows it; CELL stands for any cell, or none."""
     made = STATES
     for text in program.replace(" |", ";").split("; "):
         kind, *taken = text.split()
         known = OPERATIONS.get(kind)
         count = len(known.results) if known else 1
-        results = [STRIDE * k for k in range(made, made + count)]
+        results = [f"{k} * STRIDE" for k in range(made, made + count)]
         made += count
-        registers = [STRIDE * int(register) for register in taken]
+        registers = [f"{register} * STRIDE" for register in taken]
         if kind == "lin":
-            terms = [x for register in registers for x in (CELL, register)]
-            yield "LIN", [*results, CELL, len(registers), *terms]
+            terms = [x for register in registers for x in ("CELL", register)]
+            yield ["LIN", *results, "CELL", str(len(registers)), *terms]
         else:
             cells = len(known.numbers) if known else 1  # a ramp's is its table
-            yield kind.upper(), [*results, *registers, *[CELL] * cells]
+            yield [kind.upper(), *results, *registers, *["CELL"] * cells]
 
 
 def c() -> dict[str, str]:
@@ -75,8 +73,7 @@ def c() -> dict[str, str]:
         integers = list[str]()
         calls = list[str]()
         begins = list[int]()
-        for kind, operands in operations(program):
-            operation = [kind, *map(str, operands)]
+        for operation in operations(program):
             begins.append(len(integers))
             calls.append(f"    STRAIGHT({len(integers)}, {', '.join(operation)});")
             integers += operation

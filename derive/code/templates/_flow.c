@@ -20,7 +20,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -60,7 +60,6 @@ typedef struct {
 #ifndef __wasm__
 /* Programs with functions of their own: their operations on series, CELL where any cell may be, and how many integers
  * are operations that rates need. */
-enum { CELL = -2 };
 static const struct { int rates, length; const int32_t *operations; } patterns[] = {
 @PATTERNS@
 };
@@ -118,10 +117,10 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #endif
 #define RUNS_baseline 1
 
-#define DECLARE(LEVEL) int64_t flow_integrate_##LEVEL(Job *job);
+#define DECLARE(LEVEL) int64_t flow_integrate_##LEVEL(Job *job); extern const int flow_has_straight_##LEVEL;
 LEVELS(DECLARE)
-static const struct { const char *name; int64_t (*integrate)(Job *); } levels[] = {
-#define ROW(LEVEL) {#LEVEL, flow_integrate_##LEVEL},
+static const struct { const char *name; int64_t (*integrate)(Job *); const int *has_straight; } levels[] = {
+#define ROW(LEVEL) {#LEVEL, flow_integrate_##LEVEL, &flow_has_straight_##LEVEL},
     LEVELS(ROW)
 };
 enum { KINDS = sizeof levels / sizeof *levels };
@@ -221,20 +220,22 @@ static int fill(PyObject *module)
     return failed ? -1 : 0;
 }
 
-static PyObject *straight_line(PyObject *self, PyObject *program)
+static PyObject *straight_line(PyObject *self, PyObject *args)
 {
     (void)self;
     Py_buffer code;
     Job job = {0};
-    if (PyObject_GetBuffer(program, &code, PyBUF_SIMPLE) < 0) return NULL;
-    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4);
+    int level;
+    if (!PyArg_ParseTuple(args, "y*i", &code, &level)) return NULL;
+    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && level >= 0 && level < KINDS;
     PyBuffer_Release(&code);
-    return PyLong_FromLong(fits ? job.straight : -1);
+    return PyLong_FromLong(fits && *levels[level].has_straight ? job.straight : -1);
 }
 
 static PyMethodDef methods[] = {
     {"integrate", integrate, METH_VARARGS, doc},
-    {"straight_line", straight_line, METH_O, "Which of the programs with functions of their own it is, or -1."},
+    {"straight_line", straight_line, METH_VARARGS,
+     "straight_line(program, level)\n--\n\nWhich of the programs with functions of their own it is there, or -1."},
     {NULL, NULL, 0, NULL},
 };
 static PyModuleDef_Slot slots[] = {
@@ -453,6 +454,9 @@ static const struct {
 } straight[] = {
 @STRAIGHT_ROWS@
 };
+const int NAMED(flow_has_straight, LEVEL) = 1;
+#else
+const int NAMED(flow_has_straight, LEVEL) = 0;
 #endif
 
 /* Coefficient n of every register that the rates need. */

@@ -39,8 +39,8 @@ def _widest() -> int:
 
 
 def straight_line(program: Program) -> bool:
-    """Whether the compiled module has a function of this very program, rather than to interpret it."""
-    return module() is not None and module().straight_line(encoded(program)) >= 0
+    """Whether the compiled module has a function of this very program here, rather than to interpret it."""
+    return module() is not None and module().straight_line(encoded(program), _widest()) >= 0
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
