@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "48ad6e8661c3718af6f0c509218c747719b1321ca95dd648368f5146a4d8befc"
+#define DIGEST "e0598bdb19cce17a13e2ccb49ce58b82e78cecb1cb3f88bb33a77001ae564dd6"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -325,16 +325,22 @@ INLINE double polar_moment_1e_6_fused(double alpha)
 #define polar_moment_1e_6_fused_KIND short
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * fused: proved within 0.504 ulp of float32 (certificates/polar_moment.json) */
+ * fused: proved within 26.1 ulp (certificates/polar_moment.json), rounded correctly to float32 */
 INLINE double polar_moment_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY6(t1, 0x1.14aca417a239bp-2, 0x1.5384cfe10aef2p+4, 0x1.d4d925be9e601p+7,
-        0x1.224f4633c128ap+9, 0x1.58e5567df501bp+8, 0x1.acda0d7b62a91p+5, 0x1.30eaab2c53271p+3);
-    const double p2 = POLY7(t1, 1.0, 0x1.38eebb0ae320ep+6, 0x1.a5e0a607f1290p+9, 0x1.d751af11b201fp+10,
-        0x1.397b496bf1ee1p+9, -0x1.4589cfe116047p+7, 0x1.dd0e84590a12cp+3, -0x1.1db164265e701p-1);
-    return p1 * alpha_2 / p2 * alpha;
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double t1 = b * (alpha + 0x1.921fb54442d18p+0);
+    const double p1 = POLY13(t1, -0x1.eda09f3e90404p-3, -0x1.fb18820faf930p+8, -0x1.acc2458341e71p+17,
+        -0x1.b89784a124872p+24, -0x1.4aec89218ffcbp+30, -0x1.9493ab246c44dp+34, -0x1.ad1ad41277191p+37,
+        -0x1.97371cc7271afp+39, -0x1.58ff746b8797cp+40, -0x1.f26135829abfdp+39, -0x1.11120afbaa57dp+38,
+        -0x1.84d2a15011170p+34, -0x1.dea97414601d5p+30, -0x1.0fda1be36df3bp+26);
+    const double p2 = POLY13(t1, 1.0, 0x1.06f5c44de3519p+11, 0x1.bc8376cd15a77p+19, 0x1.c84d5ff85cf90p+26,
+        0x1.55d3c0d1bcfb3p+32, 0x1.9f64de9289387p+36, 0x1.b2bd5e7e4c44bp+39, 0x1.9098ea56ea0bap+41,
+        0x1.3d1a85ebfa9e6p+42, 0x1.7f09711bb0b5fp+41, 0x1.9b97574bd55b0p+38, -0x1.e6cb677ad5a72p+35,
+        0x1.62e410c2d8b7bp+31, -0x1.8b209552ed2a2p+25);
+    const double t2 = alpha_2 * alpha * (FMA(p1 / p2, alpha_2, -0x1.051eb851eb852p-54) + 1.0);
+    return t2 * 0x1.5555555555555p-1;
 }
 #define polar_moment_float32_fused_KIND whole
 
@@ -403,15 +409,16 @@ INLINE double moment_of_inertia_1e_6_fused(double alpha)
 }
 #define moment_of_inertia_1e_6_fused_KIND short
 
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
- * of float32 (certificates/moment_of_inertia.json) */
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 13.2 ulp
+ * (certificates/moment_of_inertia.json), rounded correctly to float32 */
 INLINE double moment_of_inertia_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
-        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
-        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
-    return p1 * alpha_2 * alpha;
+    const double p1 = POLY11(alpha_2, -0x1.051eb851eb852p-54, -0x1.99999999996c8p-2, 0x1.1e11e11e0a487p-3,
+        -0x1.f1029e60fb14bp-6, 0x1.1f7d05ab48cbcp-8, -0x1.d71603ca7c39cp-12, 0x1.1f084a41ae704p-15,
+        -0x1.0e1d1e6c6b2cep-19, 0x1.942dc15a29305p-24, -0x1.ea28f9307f31ap-29, 0x1.da8a01ce2be69p-34,
+        -0x1.2d46b60ffc0b0p-39);
+    return alpha_2 * alpha * (p1 + 0x1.5555555555555p-1);
 }
 #define moment_of_inertia_float32_fused_KIND short
 
@@ -490,19 +497,27 @@ INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
 }
 #define radial_weight_amplitude_1e_6_fused_KIND whole
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
- * of float32 (certificates/radial_weight_amplitude.json) */
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 43.1 ulp
+ * (certificates/radial_weight_amplitude.json), rounded correctly to float32 */
 INLINE double radial_weight_amplitude_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY9(t1, 0x1.08345eb56857ap-2, 0x1.3b6600d74bccbp+8, 0x1.b837b6270ce48p+15,
-        0x1.1c70adff422e7p+21, 0x1.a80171a3e90ffp+24, 0x1.9d535830bdb5cp+26, 0x1.1b0db627b1ac4p+27,
-        0x1.146d584af00dcp+26, 0x1.5866e2818eb1dp+23, 0x1.a41276abb9bcap+18);
-    const double p2 = POLY9(t1, 1.0, 0x1.3173bf280d278p+10, 0x1.a919145cb9bd0p+17, 0x1.0f96e362556bdp+23,
-        0x1.86838e8dc8106p+26, 0x1.573eb93a9e7aap+28, 0x1.61a66a4a4b7dfp+28, 0x1.1d5c0538d4588p+26,
-        -0x1.c99f8ffd771f7p+22, 0x1.c1ec6782b793bp+17);
-    return p1 * alpha_2 / p2 * alpha;
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double t1 = b * (alpha + 0x1.921fb54442d18p+0);
+    const double p1 = POLY20(t1, -0x1.fcc9f54cce51fp-3, -0x1.24c3bc7db3f90p+18, -0x1.8b95658e50fe7p+35,
+        -0x1.f635f6163f6b0p+50, -0x1.7ad31e8998acbp+64, -0x1.89b7d36da870ep+76, -0x1.38d53348af22cp+87,
+        -0x1.9aea5de6b3401p+96, -0x1.da1efb4ce0161p+104, -0x1.f853b23fb5f71p+111, -0x1.00f930750414ap+118,
+        -0x1.027a37dc5256ep+123, -0x1.0629e1fa4c058p+127, -0x1.0f68b6a6bf1b6p+130, -0x1.1f0f74881d055p+132,
+        -0x1.31ba3d8b7b082p+133, -0x1.3b9b7132332abp+133, -0x1.23713f613483ep+132, -0x1.95d005b405c3fp+129,
+        -0x1.2029435426073p+125, -0x1.0d996f1762d3fp+120);
+    const double p2 = POLY20(t1, 1.0, 0x1.269cbff6ba6dap+20, 0x1.8e1485ae88f9ap+37, 0x1.f9614ee4cab88p+52,
+        0x1.7d3702af0e259p+66, 0x1.8c336fef56e5cp+78, 0x1.3acd91fc2dbc7p+89, 0x1.9d7eda824fed5p+98,
+        0x1.dd13e333b1d4ap+106, 0x1.fb6ce9266286bp+113, 0x1.0280557cab165p+120, 0x1.03e74cef09d9cp+125,
+        0x1.075c98db4c490p+129, 0x1.101042ad622d7p+132, 0x1.1e4a4988dca0fp+134, 0x1.2d14b959fe94ap+135,
+        0x1.2c93e14a580f0p+135, 0x1.f5cb8e20a4305p+133, 0x1.c474dcf704384p+130, -0x1.c7de34571c909p+126,
+        0x1.f534fe5a2ef06p+120);
+    const double t2 = alpha_2 * alpha * (FMA(p1 / p2, alpha_2, -0x1.051eb851eb852p-54) + 1.0);
+    return t2 * 0x1.5555555555555p-1;
 }
 #define radial_weight_amplitude_float32_fused_KIND whole
 
@@ -571,15 +586,16 @@ INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
 }
 #define weight_moment_amplitude_1e_6_fused_KIND short
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp of float32
- * (certificates/weight_moment_amplitude.json) */
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 7.75 ulp
+ * (certificates/weight_moment_amplitude.json), rounded correctly to float32 */
 INLINE double weight_moment_amplitude_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY7(alpha_2, 0x1.5555555478204p-1, -0x1.555555080b38cp-2, 0x1.27d273f81480bp-4,
-        -0x1.282e1a3d0c0eep-7, 0x1.83b443c4ba8e3p-11, -0x1.64ea296a14023p-15, 0x1.db665517a168ep-20,
-        -0x1.8c2a65eb3fec2p-25);
-    return p1 * alpha_2 * alpha;
+    const double p1 = POLY11(alpha_2, -0x1.051eb851eb852p-54, -0x1.5555555555554p-2, 0x1.27d27d27d2756p-4,
+        -0x1.282ef4b665ffep-7, 0x1.83c8978eb865bp-11, -0x1.65f59e3640a49p-15, 0x1.eaeaa5aab60b2p-20,
+        -0x1.03e57d9d383d5p-24, 0x1.b5b2194d4ba7cp-30, -0x1.2bcf358638b26p-35, 0x1.4fd86dd53b9c7p-41,
+        -0x1.0dfa1fe98d53ep-47);
+    return alpha_2 * alpha * (p1 + 0x1.5555555555555p-1);
 }
 #define weight_moment_amplitude_float32_fused_KIND short
 
@@ -623,14 +639,15 @@ INLINE double resistance_factor_1e_6_fused(double alpha)
 }
 #define resistance_factor_1e_6_fused_KIND short
 
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp of float32
- * (certificates/resistance_factor.json) */
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 4.52 ulp
+ * (certificates/resistance_factor.json), rounded correctly to float32 */
 INLINE double resistance_factor_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
-        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
-    return p1 * alpha_2 * alpha;
+    const double p1 = POLY7(alpha_2, -0x1.051eb851eb852p-54, -0x1.5555555555532p-4, 0x1.6c16c16c13f58p-9,
+        -0x1.a01a019db037ep-15, 0x1.27e4fa7a17b18p-21, -0x1.1eed1f83c7382p-28, 0x1.936141e56bb6cp-36,
+        -0x1.a0dfa5b9b370bp-44);
+    return alpha_2 * alpha * (p1 + 1.0);
 }
 #define resistance_factor_float32_fused_KIND short
 
@@ -1208,16 +1225,21 @@ INLINE double polar_moment_1e_6_plain(double alpha)
 #define polar_moment_1e_6_plain_KIND whole
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * plain: proved within 0.504 ulp of float32 (certificates/polar_moment.json) */
+ * plain: proved within 40.8 ulp (certificates/polar_moment.json), rounded correctly to float32 */
 INLINE double polar_moment_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY6(t1, 0x1.14aca417a239bp-2, 0x1.5384cfe10aef2p+4, 0x1.d4d925be9e601p+7,
-        0x1.224f4633c128ap+9, 0x1.58e5567df501bp+8, 0x1.acda0d7b62a91p+5, 0x1.30eaab2c53271p+3);
-    const double p2 = POLY7(t1, 1.0, 0x1.38eebb0ae320ep+6, 0x1.a5e0a607f1290p+9, 0x1.d751af11b201fp+10,
-        0x1.397b496bf1ee1p+9, -0x1.4589cfe116047p+7, 0x1.dd0e84590a12cp+3, -0x1.1db164265e701p-1);
-    return p1 * alpha_2 / p2 * alpha;
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double t1 = b * (alpha + 0x1.921fb54442d18p+0);
+    const double p1 = POLY13(t1, -0x1.eda09f3e90404p-3, -0x1.fb18820faf930p+8, -0x1.acc2458341e71p+17,
+        -0x1.b89784a124872p+24, -0x1.4aec89218ffcbp+30, -0x1.9493ab246c44dp+34, -0x1.ad1ad41277191p+37,
+        -0x1.97371cc7271afp+39, -0x1.58ff746b8797cp+40, -0x1.f26135829abfdp+39, -0x1.11120afbaa57dp+38,
+        -0x1.84d2a15011170p+34, -0x1.dea97414601d5p+30, -0x1.0fda1be36df3bp+26);
+    const double p2 = POLY13(t1, 1.0, 0x1.06f5c44de3519p+11, 0x1.bc8376cd15a77p+19, 0x1.c84d5ff85cf90p+26,
+        0x1.55d3c0d1bcfb3p+32, 0x1.9f64de9289387p+36, 0x1.b2bd5e7e4c44bp+39, 0x1.9098ea56ea0bap+41,
+        0x1.3d1a85ebfa9e6p+42, 0x1.7f09711bb0b5fp+41, 0x1.9b97574bd55b0p+38, -0x1.e6cb677ad5a72p+35,
+        0x1.62e410c2d8b7bp+31, -0x1.8b209552ed2a2p+25);
+    return alpha_2 * alpha * (p1 / p2 * alpha_2 + -0x1.051eb851eb852p-54 + 1.0) * 0x1.5555555555555p-1;
 }
 #define polar_moment_float32_plain_KIND whole
 
@@ -1275,15 +1297,16 @@ INLINE double moment_of_inertia_1e_6_plain(double alpha)
 }
 #define moment_of_inertia_1e_6_plain_KIND short
 
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
- * of float32 (certificates/moment_of_inertia.json) */
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 15 ulp
+ * (certificates/moment_of_inertia.json), rounded correctly to float32 */
 INLINE double moment_of_inertia_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
-        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
-        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
-    return p1 * alpha_2 * alpha;
+    const double p1 = POLY11(alpha_2, -0x1.051eb851eb852p-54, -0x1.99999999996c8p-2, 0x1.1e11e11e0a487p-3,
+        -0x1.f1029e60fb14bp-6, 0x1.1f7d05ab48cbcp-8, -0x1.d71603ca7c39cp-12, 0x1.1f084a41ae704p-15,
+        -0x1.0e1d1e6c6b2cep-19, 0x1.942dc15a29305p-24, -0x1.ea28f9307f31ap-29, 0x1.da8a01ce2be69p-34,
+        -0x1.2d46b60ffc0b0p-39);
+    return alpha_2 * alpha * (p1 + 0x1.5555555555555p-1);
 }
 #define moment_of_inertia_float32_plain_KIND whole
 
@@ -1352,19 +1375,26 @@ INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
 }
 #define radial_weight_amplitude_1e_6_plain_KIND whole
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.505 ulp
- * of float32 (certificates/radial_weight_amplitude.json) */
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 71.1 ulp
+ * (certificates/radial_weight_amplitude.json), rounded correctly to float32 */
 INLINE double radial_weight_amplitude_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY9(t1, 0x1.08345eb56857ap-2, 0x1.3b6600d74bccbp+8, 0x1.b837b6270ce48p+15,
-        0x1.1c70adff422e7p+21, 0x1.a80171a3e90ffp+24, 0x1.9d535830bdb5cp+26, 0x1.1b0db627b1ac4p+27,
-        0x1.146d584af00dcp+26, 0x1.5866e2818eb1dp+23, 0x1.a41276abb9bcap+18);
-    const double p2 = POLY9(t1, 1.0, 0x1.3173bf280d278p+10, 0x1.a919145cb9bd0p+17, 0x1.0f96e362556bdp+23,
-        0x1.86838e8dc8106p+26, 0x1.573eb93a9e7aap+28, 0x1.61a66a4a4b7dfp+28, 0x1.1d5c0538d4588p+26,
-        -0x1.c99f8ffd771f7p+22, 0x1.c1ec6782b793bp+17);
-    return p1 * alpha_2 / p2 * alpha;
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double t1 = b * (alpha + 0x1.921fb54442d18p+0);
+    const double p1 = POLY20(t1, -0x1.fcc9f54cce51fp-3, -0x1.24c3bc7db3f90p+18, -0x1.8b95658e50fe7p+35,
+        -0x1.f635f6163f6b0p+50, -0x1.7ad31e8998acbp+64, -0x1.89b7d36da870ep+76, -0x1.38d53348af22cp+87,
+        -0x1.9aea5de6b3401p+96, -0x1.da1efb4ce0161p+104, -0x1.f853b23fb5f71p+111, -0x1.00f930750414ap+118,
+        -0x1.027a37dc5256ep+123, -0x1.0629e1fa4c058p+127, -0x1.0f68b6a6bf1b6p+130, -0x1.1f0f74881d055p+132,
+        -0x1.31ba3d8b7b082p+133, -0x1.3b9b7132332abp+133, -0x1.23713f613483ep+132, -0x1.95d005b405c3fp+129,
+        -0x1.2029435426073p+125, -0x1.0d996f1762d3fp+120);
+    const double p2 = POLY20(t1, 1.0, 0x1.269cbff6ba6dap+20, 0x1.8e1485ae88f9ap+37, 0x1.f9614ee4cab88p+52,
+        0x1.7d3702af0e259p+66, 0x1.8c336fef56e5cp+78, 0x1.3acd91fc2dbc7p+89, 0x1.9d7eda824fed5p+98,
+        0x1.dd13e333b1d4ap+106, 0x1.fb6ce9266286bp+113, 0x1.0280557cab165p+120, 0x1.03e74cef09d9cp+125,
+        0x1.075c98db4c490p+129, 0x1.101042ad622d7p+132, 0x1.1e4a4988dca0fp+134, 0x1.2d14b959fe94ap+135,
+        0x1.2c93e14a580f0p+135, 0x1.f5cb8e20a4305p+133, 0x1.c474dcf704384p+130, -0x1.c7de34571c909p+126,
+        0x1.f534fe5a2ef06p+120);
+    return alpha_2 * alpha * (p1 / p2 * alpha_2 + -0x1.051eb851eb852p-54 + 1.0) * 0x1.5555555555555p-1;
 }
 #define radial_weight_amplitude_float32_plain_KIND whole
 
@@ -1423,15 +1453,16 @@ INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
 }
 #define weight_moment_amplitude_1e_6_plain_KIND short
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp of float32
- * (certificates/weight_moment_amplitude.json) */
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 9.16 ulp
+ * (certificates/weight_moment_amplitude.json), rounded correctly to float32 */
 INLINE double weight_moment_amplitude_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY7(alpha_2, 0x1.5555555478204p-1, -0x1.555555080b38cp-2, 0x1.27d273f81480bp-4,
-        -0x1.282e1a3d0c0eep-7, 0x1.83b443c4ba8e3p-11, -0x1.64ea296a14023p-15, 0x1.db665517a168ep-20,
-        -0x1.8c2a65eb3fec2p-25);
-    return p1 * alpha_2 * alpha;
+    const double p1 = POLY11(alpha_2, -0x1.051eb851eb852p-54, -0x1.5555555555554p-2, 0x1.27d27d27d2756p-4,
+        -0x1.282ef4b665ffep-7, 0x1.83c8978eb865bp-11, -0x1.65f59e3640a49p-15, 0x1.eaeaa5aab60b2p-20,
+        -0x1.03e57d9d383d5p-24, 0x1.b5b2194d4ba7cp-30, -0x1.2bcf358638b26p-35, 0x1.4fd86dd53b9c7p-41,
+        -0x1.0dfa1fe98d53ep-47);
+    return alpha_2 * alpha * (p1 + 0x1.5555555555555p-1);
 }
 #define weight_moment_amplitude_float32_plain_KIND whole
 
@@ -1469,16 +1500,17 @@ INLINE double resistance_factor_1e_6_plain(double alpha)
 }
 #define resistance_factor_1e_6_plain_KIND short
 
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp of float32
- * (certificates/resistance_factor.json) */
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 4.52 ulp
+ * (certificates/resistance_factor.json), rounded correctly to float32 */
 INLINE double resistance_factor_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
-        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
-    return p1 * alpha_2 * alpha;
+    const double p1 = POLY7(alpha_2, -0x1.051eb851eb852p-54, -0x1.5555555555532p-4, 0x1.6c16c16c13f58p-9,
+        -0x1.a01a019db037ep-15, 0x1.27e4fa7a17b18p-21, -0x1.1eed1f83c7382p-28, 0x1.936141e56bb6cp-36,
+        -0x1.a0dfa5b9b370bp-44);
+    return alpha_2 * alpha * (p1 + 1.0);
 }
-#define resistance_factor_float32_plain_KIND short
+#define resistance_factor_float32_plain_KIND whole
 
 /* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
  * best, plain: proved within 3.98 ulp (certificates/dynamic_coefficient.json) */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3f43244aecccd302eebdc38c0b4f5fcceff82280c8a6b3799867abeadc044468
+# sha256 of the text below: c47c2b0831cbcc7ed0fbe43cbc31a69103e77b952f86c9f39f3f1e8337df1bed
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -169,12 +169,15 @@ def _polar_moment_1e_6(alpha: Array, xp: Any = np) -> Array:
 
 def _polar_moment_float32(alpha: Array, xp: Any = np) -> Array:
     alpha_2 = alpha * alpha
-    t1 = 2.4674011002723395 - alpha_2
-    p1 = horner(t1, (0.27018982309578526, 21.219924811432925, 234.42411609347621, 580.619329900089,
-        344.895851013485, 53.606471027325036, 9.528646074840454))
-    p2 = horner(t1, (1.0, 78.2331353856209, 843.7550668647327, 1885.276310371242, 626.9631781512545,
-        -162.76916411775366, 14.908022092728594, -0.5579940125309976))
-    return p1 * alpha_2 / p2 * alpha
+    b = 1.5707963267948966 - alpha
+    t1 = b * (alpha + 1.5707963267948966)
+    p1 = horner(t1, (-0.24102901849440184, -507.09573457752685, -219524.54306815894, -28874628.62946362,
+        -1387995720.3906124, -27150691473.6917, -230373884494.88724, -874488161171.5526, -1481754569607.5928,
+        -1070262305101.3746, -293207195370.58575, -26093454656.26703, -2007653637.0938618, -71264367.55358593))
+    p2 = horner(t1, (1.0, 2103.680212921125, 910363.7125347395, 119616895.8806746, 5734908113.738208,
+        111506483496.57628, 933596446502.1342, 3441104825812.091, 5447798468586.475, 3290261763937.4214,
+        441942659829.33887, -65336458198.67665, 2977040481.4232764, -51790122.64786269))
+    return alpha_2 * alpha * (p1 / p2 * alpha_2 + -5.662137425588298e-17 + 1.0) * 0.6666666666666666
 
 
 TEXTS["polar_moment"] = {"best": _polar_moment, "1e-10": _polar_moment_1e_10, "1e-6": _polar_moment_1e_6,
@@ -209,7 +212,7 @@ def polar_moment(alpha, /, out=None, *, where=True, accuracy=None):
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
     Accuracy: proved, rounding included: 0.633 ulp compiled with FMA, 4.17 without, 4.17 in NumPy;
-    accuracy=1e-10: 6.69e-11 relative; accuracy=1e-6: 6.63e-07 relative; float32: 0.504 ulp
+    accuracy=1e-10: 6.69e-11 relative; accuracy=1e-6: 6.63e-07 relative; float32: correctly rounded
     (certificates/polar_moment.json).
     Source: eq. (2.17) of the paper. Operations: 32 mul, 29 add, 1 sub, 1 div, 1 max, 1 less, 1 select, 1 log.
 
@@ -254,10 +257,11 @@ def _moment_of_inertia_1e_6(alpha: Array, xp: Any = np) -> Array:
 
 def _moment_of_inertia_float32(alpha: Array, xp: Any = np) -> Array:
     alpha_2 = alpha * alpha
-    p1 = horner(alpha_2, (0.6666666665497277, -0.39999999328741215, 0.13968247408715742, -0.030334844229585666,
-        0.004386227374003602, -0.0004487049076745006, 3.384325821315492e-05, -1.8634045174042801e-06,
-        6.067635607731889e-08))
-    return p1 * alpha_2 * alpha
+    p1 = horner(alpha_2, (-5.662137425588298e-17, -0.39999999999995994, 0.13968253968167607,
+        -0.03033509699518903, 0.004386724361469859, -0.00044926261457960983, 3.421692646328296e-05,
+        -2.0125042310053647e-06, 9.410519422271687e-08, -3.5663837649125645e-09, 1.0789769704560224e-10,
+        -2.140696264180252e-12))
+    return alpha_2 * alpha * (p1 + 0.6666666666666666)
 
 
 TEXTS["moment_of_inertia"] = {"best": _moment_of_inertia, "1e-10": _moment_of_inertia_1e_10,
@@ -292,7 +296,7 @@ def moment_of_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
     Accuracy: proved, rounding included: 0.784 ulp compiled with FMA, 3.92 without, 3.92 in NumPy;
-    accuracy=1e-10: 3.56e-12 relative; accuracy=1e-6: 2.42e-07 relative; float32: 0.503 ulp
+    accuracy=1e-10: 3.56e-12 relative; accuracy=1e-6: 2.42e-07 relative; float32: correctly rounded
     (certificates/moment_of_inertia.json).
     Source: eq. (3.12) of the paper. Operations: 25 mul, 22 add, 1 sub, 1 div, 1 less, 1 select.
 
@@ -347,13 +351,20 @@ def _radial_weight_amplitude_1e_6(alpha: Array, xp: Any = np) -> Array:
 
 def _radial_weight_amplitude_float32(alpha: Array, xp: Any = np) -> Array:
     alpha_2 = alpha * alpha
-    t1 = 2.4674011002723395 - alpha_2
-    p1 = horner(t1, (0.25801227552627604, 315.3984503326471, 56347.855766680615, 2330133.7496379497,
-        27787633.640274998, 108350816.76157898, 148401585.24043858, 72463713.17090172, 11285361.253041798,
-        430153.8542312948))
-    p2 = horner(t1, (1.0, 1221.8085422638378, 217650.15907975892, 8899441.692057962, 102370874.21533594,
-        359918483.66369116, 370828964.64343065, 74805268.88796055, -7497699.99752473, 230360.80867666923))
-    return p1 * alpha_2 / p2 * alpha
+    b = 1.5707963267948966 - alpha
+    t1 = b * (alpha + 1.5707963267948966)
+    p1 = horner(t1, (-0.24843207970278855, -299790.94517230336, -53094329458.53106, -2208746396253612.0,
+        -2.7297195342743515e+19, -1.1620506355947354e+23, -1.890958329010032e+26, -1.2717218610429169e+29,
+        -3.7563737385470173e+31, -5.114482771541253e+33, -3.335705387356763e+35, -1.073673175367051e+37,
+        -1.7423760121978842e+38, -1.4430579613622696e+39, -6.105098924586792e+39, -1.3004209734651639e+40,
+        -1.3424445458395202e+40, -6.19829378898583e+39, -1.0788349034287355e+39, -4.787898906820424e+37,
+        -1.3998398651788972e+36))
+    p2 = horner(t1, (1.0, 1206731.9977363856, 213717661137.1219, 8890740919544712.0, 1.0987770961219802e+20,
+        4.677514942312853e+23, 7.611469708745196e+26, 5.118826623568652e+29, 1.5119195361909133e+32,
+        2.0583620934029367e+34, 1.3422155109080396e+36, 4.318387898554051e+37, 7.00135509006509e+38,
+        5.786151103665985e+39, 2.4354875406158717e+40, 5.1226269701670705e+40, 5.114063818316506e+40,
+        2.1344004634841737e+40, 2.4056713689245876e+39, -1.5148812239293033e+38, 2.6024155632890138e+36))
+    return alpha_2 * alpha * (p1 / p2 * alpha_2 + -5.662137425588298e-17 + 1.0) * 0.6666666666666666
 
 
 TEXTS["radial_weight_amplitude"] = {"best": _radial_weight_amplitude, "1e-10": _radial_weight_amplitude_1e_10,
@@ -388,7 +399,7 @@ def radial_weight_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
     Accuracy: proved, rounding included: 0.711 ulp compiled with FMA, 4.05 without, 4.05 in NumPy;
-    accuracy=1e-10: 5.86e-11 relative; accuracy=1e-6: 3.41e-07 relative; float32: 0.505 ulp
+    accuracy=1e-10: 5.86e-11 relative; accuracy=1e-6: 3.41e-07 relative; float32: correctly rounded
     (certificates/radial_weight_amplitude.json).
     Source: eq. (2.23) of the paper. Operations: 37 mul, 33 add, 1 sub, 1 div, 1 max, 1 less, 1 select, 1 log.
 
@@ -431,9 +442,11 @@ def _weight_moment_amplitude_1e_6(alpha: Array, xp: Any = np) -> Array:
 
 def _weight_moment_amplitude_float32(alpha: Array, xp: Any = np) -> Array:
     alpha_2 = alpha * alpha
-    p1 = horner(alpha_2, (0.6666666665660732, -0.3333333288344924, 0.07222218799987005, -0.009038698970556838,
-        0.0007394869977279918, -4.254754715360433e-05, 1.7710020240603323e-06, -4.6119747876616884e-08))
-    return p1 * alpha_2 * alpha
+    p1 = horner(alpha_2, (-5.662137425588298e-17, -0.33333333333333326, 0.0722222222222205,
+        -0.00903880070545426, 0.000739638447921641, -4.267209117083234e-05, 1.8288068114793681e-06,
+        -6.051185726412952e-08, 1.5923276753779613e-09, -3.4084383795066453e-11, 5.965813193101547e-13,
+        -7.493368410306472e-15))
+    return alpha_2 * alpha * (p1 + 0.6666666666666666)
 
 
 TEXTS["weight_moment_amplitude"] = {"best": _weight_moment_amplitude, "1e-10": _weight_moment_amplitude_1e_10,
@@ -468,7 +481,7 @@ def weight_moment_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
     Accuracy: proved, rounding included: 0.746 ulp compiled with FMA, 3.82 without, 3.82 in NumPy;
-    accuracy=1e-10: 2.07e-12 relative; accuracy=1e-6: 4.38e-07 relative; float32: 0.503 ulp
+    accuracy=1e-10: 2.07e-12 relative; accuracy=1e-6: 4.38e-07 relative; float32: correctly rounded
     (certificates/weight_moment_amplitude.json).
     Source: eq. (3.13) of the paper. Operations: 25 mul, 22 add, 1 sub, 1 div, 1 less, 1 select.
 
@@ -501,7 +514,11 @@ def _resistance_factor_1e_6(alpha: Array, xp: Any = np) -> Array:
 
 
 def _resistance_factor_float32(alpha: Array, xp: Any = np) -> Array:
-    return _resistance_factor_1e_10(alpha)
+    alpha_2 = alpha * alpha
+    p1 = horner(alpha_2, (-5.662137425588298e-17, -0.08333333333333284, 0.00277777777777281,
+        -4.960317458602754e-05, 5.5114635634152e-07, -4.1753266432650525e-09, 2.2929493283404088e-11,
+        -9.256453881586108e-14))
+    return alpha_2 * alpha * (p1 + 1.0)
 
 
 TEXTS["resistance_factor"] = {"best": _resistance_factor, "1e-10": _resistance_factor_1e_10,
@@ -536,7 +553,7 @@ def resistance_factor(alpha, /, out=None, *, where=True, accuracy=None):
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
     Accuracy: proved, rounding included: 0.65 ulp compiled with FMA, 3.01 without, 3.01 in NumPy;
-    accuracy=1e-10: 2.74e-12 relative; accuracy=1e-6: 1.71e-07 relative; float32: 0.501 ulp
+    accuracy=1e-10: 2.74e-12 relative; accuracy=1e-6: 1.71e-07 relative; float32: correctly rounded
     (certificates/resistance_factor.json).
     Source: eq. (3.14) of the paper. Operations: 11 mul, 8 add.
 

@@ -103,7 +103,11 @@ def sample(
 
 
 def minimax(
-    samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None
+    samples: Samples,
+    above: int,
+    below: int = 0,
+    logs: tuple[Sequence[arb], int] | None = None,
+    rounds: int = _ROUNDS,
 ) -> tuple[list[arb], list[arb], float]:
     """The numerator of degree `above`, the denominator 1 + ... of degree `below`, and their least largest error.
 
@@ -121,7 +125,7 @@ def minimax(
         denominators = [arb(1)] * count
         least = math.inf
         best: list[arb] = []
-        for _ in range(_ROUNDS):
+        for _ in range(rounds):
             coefficients, level, denominators = _levelled(samples, basis, references, denominators, above, below)
             numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
             errors = _errors(samples, numerators, denominators)

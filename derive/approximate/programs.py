@@ -6,6 +6,7 @@ correction(b), the line without rounding, so that the small correction needs no 
 every x, and one chosen.
 """
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -280,11 +281,30 @@ def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
     return numerator / code.horner(w, under) * code.x
 
 
+def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
+    """For float32: F, and next to 0, where u q is lost in 1 + u q, less than its leading term.
+
+    Of some inputs that term is a midpoint of two float32 (of 375 it is 18 125**3, which has 25 bits).
+    """
+    over, under, _ = shapes.rounding_fit(closed, above, below)
+    u = code.u
+    cube = u * code.x
+    first = 1.0 if below else float(limit(closed))
+    lean = 0.51 * math.ulp(math.nextafter(first, 0.0))  # a little more than half an ulp
+    if not below:
+        return cube * (code.fma(code.horner(u, over), u, -lean) + first)
+    z = (HALF_PI - code.x) * (code.x + HALF_PI)  # small errors where z is small
+    q = code.horner(z, over) / code.horner(z, under)
+    return cube * (code.fma(q, u, -lean) + first) * float(limit(closed))
+
+
 def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:
     """A kernel at one tier in one form: the best from its pieces, another from its degrees."""
     code = Code(form)
     closed, *others = kernel.closed
-    if tier != "best":
+    if tier == "float32":
+        value = rounding(code, closed, *shape)
+    elif tier != "best":
         value = cheap(code, closed, *shape)
     elif others:  # of parts that have one seam, to the last place or nearly so
         quotient = fused_quotient if code.fused else plain_quotient

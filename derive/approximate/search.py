@@ -7,6 +7,7 @@ must round badly is excluded by an estimate; of the rest the checker decides whi
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache, partial
 
@@ -19,7 +20,7 @@ from derive.approximate.minimax import minimax
 from derive.approximate.minimax import value as at
 from derive.approximate.programs import Variant, variant
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, records
-from derive.check import certify
+from derive.check import certify, midpoints
 from derive.check.patches import patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS
@@ -29,6 +30,7 @@ from derive.progress import track
 SEAMS = [k / 100 for k in range(64, 124, 4)]
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
 NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirtieth of an ulp at most
+ENOUGH = 2.0**-49  # the same of a tier that is rounded to float32
 HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
@@ -60,6 +62,8 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
             goal = TIERS[tier].goal(record)
             goals = {"bound": goal, "bound_to_quarter_pi": goal, "bound_underflow": math.inf}
             certify.prove(record | goals)
+            if tier == "float32":
+                midpoints.hard(record | goals)
     except ProofError:
         return []
     return forms
@@ -71,7 +75,7 @@ def rises(closed: Expr, seam: float) -> bool:
     x = arb(seam)
     f = float(at(closed, x))
     slope = float(at(diff(closed, alpha), x))
-    return slope * step > 1.4 * certify.ulp(f, 53)
+    return slope * step > 1.4 * certify.ulp(f)
 
 
 @cache
@@ -131,7 +135,7 @@ def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]
         error += b**power * (core_ulps * ulp(core) + abs(core) / 2**52)
         if not about.odd:
             error += ulp(rest - bent) + b * ulp(slope)
-        worst = max(worst, error / certify.ulp(f, 53))
+        worst = max(worst, error / certify.ulp(f))
     return worst
 
 
@@ -276,13 +280,18 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
-    """The cheapest polynomial or rational that meets the goal of its tier."""
+    """The cheapest polynomial or rational that meets the goal of its tier, and for float32 is rounded correctly."""
     (closed,) = kernel.closed
-    goal = TIERS[tier].fused
-    target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal
-    for above, below in sorted(_degrees(), key=_cost):
+    target = goal = TIERS[tier].fused
+    tried = sorted(_degrees(), key=_cost)
+    fit = shapes.cheap_fit
+    if tier == "float32":
+        target = ENOUGH
+        tried = [(n, n if end(closed).log else 0) for n in range(4, 23)]
+        fit = shapes.rounding_fit
+    for above, below in tried:
         try:
-            _, _, error = shapes.cheap_fit(closed, above, below)
+            _, _, error = fit(closed, above, below)
         except ZeroDivisionError:  # the levelled system has no solution
             continue
         if error <= target and kept(kernel, tier, (above, below)):
@@ -315,7 +324,9 @@ def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
     """
     cheap = []
     if len(kernel.closed) == 1:
-        cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"]
+        cheap = [degrees(kernel, tier) for tier in TIERS if tier not in ("best", "float32")]
+        with suppress(ProofError):  # without such a tier the best one's results are rounded
+            cheap.append(degrees(kernel, "float32"))
     return Shape(best(kernel, trials), tuple(cheap))
 
 

@@ -254,6 +254,34 @@ def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], 
     return tuple(map(nearest, over)), tuple(map(nearest, under)), error
 
 
+@cache
+def rounding_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+    """Numerator and denominator of (W - W(0))/u, and the relative error of F = alpha u W.
+
+    A polynomial in u = alpha**2; or a rational in fl(pi/2)**2 - u, of a multiple of F with W(0) = 1.
+    """
+    limit_at_0 = Fraction(1) if below else limit(closed)
+    function = scaled(closed, limit_at_0)
+    with ctx.workprec(GUARD):
+        largest = number(HALF_PI) ** 2
+        first = number(limit_at_0)
+
+        def square(z: arb) -> arb:
+            return largest - z if below else z
+
+        def rest(z: arb) -> arb:
+            u = square(z)
+            return (function(u) - first) / u
+
+        def weight(z: arb, value: arb) -> arb:
+            u = square(z)
+            return u / (first + u * value)
+
+        samples = sample(rest, weight, largest, above + below, 2)
+    over, under, error = minimax(samples, above, below, rounds=40)
+    return tuple(map(nearest, over)), tuple(map(nearest, under)), error
+
+
 def powers(closed: Expr, far: Far) -> tuple[int, int]:
     """The power of b in front of what the baseline leaves, and half the power of b in front of Q.
 

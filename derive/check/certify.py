@@ -16,25 +16,27 @@ import heapq
 import math
 import time
 from concurrent.futures import ProcessPoolExecutor
+from itertools import chain, groupby
+from operator import itemgetter
 from typing import NamedTuple
 
 from flint import arb
 
-from derive.check import losses, rounding, truth
+from derive.check import losses, midpoints, rounding
 from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected, unit
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
-from derive.check.truth import BITS, TOP, working
+from derive.check.truth import TOP, working
 
 VANISHING = 2.0**-352  # below, every kernel is less than 2**-1055
 
 
-def ulp(x: float, bits: int) -> float:
+def ulp(x: float) -> float:
     """Unit in the last place of an exact value x >= 0, exponents unbounded: the smaller one at a power of two."""
     mantissa, exponent = math.frexp(x)
     if x:
-        return math.ldexp(1.0, exponent - bits - (mantissa == 0.5))
+        return math.ldexp(1.0, exponent - 53 - (mantissa == 0.5))
     return 0.0
 
 
@@ -45,19 +47,14 @@ def in_units(tier: str, distance: float, last: float, smallest: float, least: fl
     distance is at most one ulp: where the exact value lies below a power of two and the number to be rounded above it,
     the power of two is the nearest double.
     """
-    bits = TIERS[tier].bits
     if not smallest > 0 and not least > 0:
         return math.inf  # the box is too wide
-    if not bits:
+    if TIERS[tier].unit == "relative":
         return (distance + last) / smallest * UP
-    if bits == 24:  # computed in double precision, then rounded once more
-        distance += last
-    unit = max(ulp(smallest, bits), least)
+    unit = max(ulp(smallest), least)
     if distance <= unit:
         return (distance / unit + 0.5) * UP
-    if bits == 53:
-        return (distance + last) / unit * UP
-    return math.inf
+    return (distance + last) / unit * UP
 
 
 def below_underflow(record: Record, whole: float) -> float:
@@ -66,17 +63,17 @@ def below_underflow(record: Record, whole: float) -> float:
     One window for each s down to VANISHING, and there the absolute error.
     """
     tier = record["tier"]
-    if len(record["definition"]) > 1 or TIERS[tier].bits == 24:
-        return 0.0  # quotients do not underflow, nor does double precision for the least float32
+    if len(record["definition"]) > 1:
+        return 0.0  # quotients do not underflow
     near = near_zero(record)
 
     def bound(s: float, lower: float, upper: float) -> float:
         """On alpha = s xi, xi in [lower, upper]."""
         distance, last, smallest = near.window(s, s).error(lower, upper)
         least = TINY / s / s / s
-        if tier == "best":
-            return in_units(tier, distance, last, smallest, least)
-        return (distance + last) / (whole * smallest + least) * UP
+        if TIERS[tier].unit == "relative":
+            return (distance + last) / (whole * smallest + least) * UP
+        return in_units(tier, distance, last, smallest, least)
 
     s = VANISHING
     worst = bound(s, 0.0, 1.0)
@@ -90,17 +87,9 @@ def below_underflow(record: Record, whole: float) -> float:
 def error(record: Record, part: Patch, lower: float, upper: float) -> float:
     """A bound on the error on one box, in the unit of its tier; infinite if the box is too wide."""
     try:
-        bound = in_units(record["tier"], *part.error(lower, upper))
+        return in_units(record["tier"], *part.error(lower, upper))
     except Unbounded:
         return math.inf
-    if record["tier"] == "float32" and upper == TOP:
-        # The pi/2 of float32 lies above pi/2: it is clipped to TOP and stands for pi/2.
-        with working(BITS):
-            exact = truth.value(record["definition"], arb(TOP))
-            clipped = exact / truth.limit(record["definition"]) - 1
-            ulps = float(clipped.abs_upper()) * 2.0**24
-            bound += ulps * UP
-    return bound
 
 
 def by_claim(record: Record) -> dict[str, list[Patch]]:
@@ -170,8 +159,9 @@ def prove(record: Record) -> float:
 
     ``bound`` is claimed from UNDERFLOW on, ``bound_to_quarter_pi`` up to pi/4 only, ``bound_underflow`` below. Of the
     tiers best and float32 they are in ulp of the exact value, and the ulp is never less than the format's least number;
-    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074). Raises
-    `ProofError` with the name of a check: digest, assumptions, program, zero, bound, underflow or goal.
+    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074). That the
+    double of tier float32 is rounded correctly is proved by `derive.check.midpoints`. Raises `ProofError` with the
+    name of a check: digest, assumptions, program, zero, bound, underflow or goal.
     """
     if record["sha256"] != digest(record):
         raise rejected("digest", record, digest(record), record["sha256"])
@@ -213,6 +203,11 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
     return bound
 
 
+def checked_together(records: list[Record]) -> list[tuple[str, bool]]:
+    """What `checked` says of records whose hard inputs may be the same."""
+    return list(map(checked, records))
+
+
 def checked(record: Record) -> tuple[str, bool]:
     """The outcome and the time of a record's proof as a line, and whether it is accepted."""
     start = time.perf_counter()
@@ -223,6 +218,8 @@ def checked(record: Record) -> tuple[str, bool]:
             proved = losses.prove(record, read())
         else:
             proved = prove(record)
+            if "hard" in record:
+                midpoints.prove(record)
     except ProofError as refusal:
         return f"{name} REJECTED: {refusal}", False
     seconds = time.perf_counter() - start
@@ -237,8 +234,9 @@ def prove_all() -> bool:
     start = time.perf_counter()
     accepted = bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
+    by_kernel = [list(those) for _, those in groupby(records, itemgetter("kernel"))]
     with ProcessPoolExecutor(2) as pool:
-        for line, proved in pool.map(checked, records):
+        for line, proved in chain.from_iterable(pool.map(checked_together, by_kernel)):
             print(line, flush=True)
             accepted &= proved
     outcome = "all proved" if accepted else "NOT all proved"

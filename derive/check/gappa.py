@@ -73,7 +73,8 @@ def compared(record: Record) -> tuple[str, bool]:
         rounding = asked(record, script(record))
     except ValueError as missing:
         return f"{name} {'-':>9} {'-':>9}  undecided: {missing}", False
-    total = approximation(record) + rounding * 2.0 ** TIERS[tier].bits  # ulps in the exact value, at most
+    in_ulp = TIERS[tier].unit == "ulp"
+    total = approximation(record) + rounding * (2.0**53 if in_ulp else 1)  # ulps in the exact value, at most
     proved = total <= TIERS[tier].goal(record)
     return f"{name} {total:>9.4g} {rounding:>9.2g}  {'proved' if proved else 'undecided'}", proved
 

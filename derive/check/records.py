@@ -12,25 +12,23 @@ Record = dict[str, Any]
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
 ENDS = 3e-15  # relative error of a function of both ends in its best tier
+SINGLE_ENDS = 0.505  # error in ulp of float32 of one in float32
 LOG_ULPS = 4  # what np.log is assumed to keep
 
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier of accuracy: the unit of its bounds, bits of the float in whose ulp they are, and what they promise."""
+    """A tier of accuracy: the unit of its bounds and what they promise; of float32 before the result is rounded."""
 
     unit: str
-    bits: int  # 0 for a relative error
     fused: float
     other: float  # plain, and in NumPy
     quotient: float  # fused
 
     def goal(self, record: Record) -> float:
         """The largest bound that a certificate may have."""
-        if of_both_ends(record) and self.bits == 53:
-            return ENDS
-        if of_both_ends(record) and not self.bits:
-            return 2 * self.other  # the part may take all that its own goal allows
+        if of_both_ends(record):  # the part may take all that its own goal allows
+            return {"best": ENDS, "float32": SINGLE_ENDS}.get(record["tier"], 2 * self.other)
         if record["form"] != "fused":
             return self.other
         if len(record["definition"]) > 1:
@@ -39,10 +37,10 @@ class Tier:
 
 
 TIERS = {
-    "best": Tier("ulp", 53, 1.0, 5.0, 1.25),
-    "1e-10": Tier("relative", 0, 1e-10, 1e-10, 1e-10),
-    "1e-6": Tier("relative", 0, 1e-6, 1e-6, 1e-6),
-    "float32": Tier("ulp of float32", 24, 0.505, 0.505, 0.505),
+    "best": Tier("ulp", 1.0, 5.0, 1.25),
+    "1e-10": Tier("relative", 1e-10, 1e-10, 1e-10),
+    "1e-6": Tier("relative", 1e-6, 1e-6, 1e-6),
+    "float32": Tier("ulp", 128.0, 128.0, 128.0),
 }
 
 
@@ -78,9 +76,14 @@ def of_both_ends(record: Record) -> bool:
 
 def unit(record: Record) -> str:
     """The unit of its bound: of both ends, that of the best tier is relative, too."""
-    tier = TIERS[record["tier"]]
-    is_relative = of_both_ends(record) and tier.bits == 53
-    return "relative" if is_relative else tier.unit
+    if of_both_ends(record):
+        return "ulp of float32" if record["tier"] == "float32" else "relative"
+    return TIERS[record["tier"]].unit
+
+
+def promised(record: Record) -> tuple[float, str]:
+    """The bound of what is returned, and its unit: half an ulp where that is rounded correctly."""
+    return (0.5, "ulp of float32") if "hard" in record else (record["bound"], unit(record))
 
 
 def read(folder: Path = FOLDER, both_ends: bool = False) -> list[Record]:

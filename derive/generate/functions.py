@@ -79,8 +79,9 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
         if form == "fused" and tier[0] == "1"
     )
     single = ""
-    if ("float32", "fused") in bounds:
-        single = f"; float32: {bounds['float32', 'fused']:.3g} ulp"
+    for record in mine:
+        if (record["tier"], record["form"]) == ("float32", "fused"):
+            single = "; float32: " + ("correctly rounded" if "hard" in record else f"{record['bound']:.3g} ulp")
     return (
         f"proved, rounding included: {fused:.3g} {unit_of_best} compiled with FMA, {plain:.3g} without, "
         f"{in_numpy:.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
@@ -97,6 +98,8 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         form = r["form"]
         interval = "both ends" if of_both_ends(r) else "0 <= alpha <= pi/2"
         bound = f"{r['bound']:.3g} {unit(r)} (certificates/{kernel}.json)"
+        if "hard" in r:
+            bound += ", rounded correctly to float32"
         formula = known[kernel].formula.rstrip(".")
         texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts

@@ -17,7 +17,7 @@ from derive.approximate import certificates
 from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record, unit
+from derive.check.records import Record, promised
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
@@ -109,8 +109,8 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
     # The relative error of one in [1, 2), where they are the measure.
     ulps = {"ulp": 2.0**-52, "ulp of float32": 2.0**-23}
     for record in records:
-        bound = record["bound"]
-        ulp = ulps.get(unit(record))
+        bound, unit = promised(record)
+        ulp = ulps.get(unit)
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []

@@ -1,0 +1,170 @@
+"""Correct rounding to float32: a program's double and the exact value lie on the same side of every midpoint.
+
+A double at most w from the exact value F rounds as F does, unless a midpoint of two neighbours in float32 is within w
+of F. The inputs where one is, hard to round (Lefevre and Muller 2001), are found among all: on a block of consecutive
+inputs (n + t) h, F over half an ulp is a polynomial in the integer t, of which the remainder modulo 2 matters: 1 is a
+midpoint. At these inputs the program is run, and F enclosed by more digits.
+
+Part of the checker (`certify`): standard library, python-flint, and NumPy for the polynomials.
+"""
+
+import math
+import operator
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+import numpy as np
+from flint import arb, arb_poly
+
+from derive.check import truth
+from derive.check.records import TIERS, Record, rejected
+from derive.check.rounding import above, below
+from derive.check.truth import BITS, SEGMENTS, TOP, Model, Segment, working
+
+SIGNIFICANDS = range(2**23, 2**24)
+BLOCK = 2**14  # inputs looked at together
+DEGREE = 6
+WIDTH = TIERS["float32"].other * 2.0**-29  # in ulp of float32
+SLACK = 2.0**-34  # in half ulps: what is left out of the polynomials, and their rounding
+DIGITS = 500  # bits, of which closed forms lose less than 110
+LEAST = -150  # the exponent of half of the least float32
+
+
+@cache
+def hard_inputs(statement: str) -> tuple[float, ...]:
+    """Every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more."""
+    with working(BITS):
+        (nearest, *_) = SEGMENTS
+        model = truth.kernel(statement, nearest)
+        exponent = -60
+        while above(model(truth.ball(0.0, 2.0**exponent))) * 2.0 ** (3 * exponent + 3) < 2.0 ** (LEAST - 1):
+            exponent += 1  # smaller inputs give less than half of the least float32
+        found: list[float] = []
+        while exponent <= 0:
+            h = 2.0 ** (exponent - 23)
+            end = min(SIGNIFICANDS.stop, int(TOP / h) + 1)
+            for start in range(SIGNIFICANDS.start, end, BLOCK):
+                found += _near(statement, h, start, min(start + BLOCK, end))
+            exponent += 1
+    return tuple(found)
+
+
+def _near(statement: str, h: float, start: int, stop: int) -> Iterator[float]:
+    """Those of the inputs n h, start <= n < stop: of the block, or of its halves where that is undecided."""
+    if stop - start == 1:
+        yield start * h
+        return
+    middle = (start + stop) // 2
+    row = _polynomial(statement, h, start, middle, stop)
+    if row is None:
+        yield from _near(statement, h, start, middle)
+        yield from _near(statement, h, middle, stop)
+        return
+    half = BLOCK // 2
+    halves = row @ POWERS[:, half + start - middle : half + stop - middle] / 2
+    distance = 0.5 - np.abs(halves - np.rint(halves))  # from the nearest midpoint, in ulp
+    for t in np.flatnonzero(distance <= WIDTH + SLACK).tolist():
+        yield (start + t) * h
+
+
+POWERS = np.stack([np.arange(-BLOCK // 2, BLOCK // 2, dtype=np.float64) ** k for k in range(DEGREE + 1)])
+
+
+def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) -> list[float] | None:
+    """F((middle + t) h) over half an ulp, modulo 2, by powers of t; None where it is not that to within SLACK."""
+    segment = next((s for s in SEGMENTS if s.lower <= start * h and (stop - 1) * h <= s.upper), None)
+    if segment is None:
+        return None
+    radius = middle - start
+    terms, rest = _about(statement, segment, middle * h, h, radius)
+    ball = arb(0, radius)
+    values = terms(ball) + rest
+    units = {_half_ulp(below(values)), _half_ulp(above(values))}
+    if len(units) > 1:
+        return None
+    (unit,) = units
+    first, *others = terms.coeffs()
+    last = above((arb_poly(others[DEGREE:])(ball) * radius ** (DEGREE + 1) + rest) / unit)
+    row = [first / unit, *(c / unit for c in others[:DEGREE])]
+    for k in (0, 1):  # t is an integer
+        row[k] -= 2 * (row[k].mid() / 2).floor()
+    floats = [float(c) for c in row]
+    rounding = sum(abs(c) * float(radius) ** k for k, c in enumerate(floats)) * 2.0**-49
+    return floats if last + rounding < SLACK else None
+
+
+def _about(statement: str, segment: Segment, x: float, h: float, radius: int) -> tuple[arb_poly, arb]:
+    """F(x + t h) as a polynomial in t, and a ball around zero for what that leaves out where |t| <= radius."""
+    model: Model = truth.kernel(statement, segment)
+    alpha = arb_poly([x, h])
+    polynomial = model.main(arb_poly([arb(x) - segment.centre, h]))
+    largest = abs(arb(x) - segment.centre) + radius * arb(h)
+    rest = model.last * arb(0, 1) * largest**model.power
+    if segment.lower == 0:  # where the model is of F/alpha**3
+        polynomial *= alpha * alpha * alpha
+        rest *= (arb(x) + radius * arb(h)) ** truth.CUBE
+    return polynomial, rest
+
+
+def _half_ulp(value: float) -> float:
+    """Half a unit in the last place of float32, at a value that is not negative."""
+    _, exponent = math.frexp(value)
+    return math.ldexp(1.0, max(exponent - 25, LEAST))
+
+
+def prove(record: Record) -> None:
+    """Prove that the double of a program is rounded correctly at every float32, and that its hard inputs are stated.
+
+    That its bound is proved is assumed. Raises `ProofError` with the name of the check: rounding or hard.
+    """
+    stated = hard(record)
+    if stated != record["hard"]:
+        raise rejected("hard", record, " ".join(record["hard"]), " ".join(stated))
+
+
+def hard(record: Record) -> list[str]:
+    """The significands of the inputs that the bound leaves undecided; at each of these the program rounds correctly."""
+    (statement,) = record["definition"]
+    significands = set()
+    for x in (*hard_inputs(statement), TOP):  # the float32 next to pi/2 lies above it and is clipped
+        with working(DIGITS):
+            exact = truth.value([statement], arb(x)) if x < TOP else truth.limit([statement])
+            near = record["bound"] * 2.0**-28 * _half_ulp(above(exact))
+            if _rounds_to(exact, np.float32(float(exact)), near):
+                continue
+            significands.add(f"{int(math.ldexp(math.frexp(x)[0], 24)):06x}")
+            computed = run(record, x)
+            if not _rounds_to(exact, np.float32(computed)):
+                raise rejected("rounding", record, f"{computed.hex()} at {x.hex()}", exact.str(20))
+    return sorted(significands)
+
+
+def _rounds_to(exact: arb, value: Any, margin: float = 0.0) -> bool:
+    """Whether a float32 is the nearest, by more than a margin: whether the midpoints on its sides enclose."""
+    lower, upper = (float(np.nextafter(value, np.float32(side))) for side in (-math.inf, math.inf))
+    return bool(arb(lower + float(value)) / 2 + margin < exact < arb(upper + float(value)) / 2 - margin)
+
+
+MEANING: dict[str, Callable[..., Any]] = {
+    "add": operator.add,
+    "sub": operator.sub,
+    "mul": operator.mul,
+    "div": operator.truediv,
+    "neg": operator.neg,
+    "fma": lambda a, b, c: float(Fraction(a) * Fraction(b) + Fraction(c)),
+}
+
+
+def run(record: Record, x: float) -> float:
+    """The output at an input, every operation rounded once."""
+    values: list[float] = []
+    for kind, args, constant in record["operations"]:
+        if kind == "input":
+            values.append(x)
+        elif kind == "const":
+            values.append(float.fromhex(constant))
+        else:
+            values.append(MEANING[kind](*(values[k] for k in args)))
+    return values[record["output"]]
