@@ -51,12 +51,8 @@ def decided(kernel: str, alpha: float) -> np.float32:
     with ctx.workprec(400):
         exact = oracle.kernel(kernel, alpha)
         near = np.float32(float(exact))
-        (nearest,) = [
-            x
-            for x in (np.nextafter(near, np.float32(0)), near, np.nextafter(near, np.float32(9)))
-            if all(abs(exact - float(x)) < abs(exact - float(np.nextafter(x, np.float32(to)))) for to in (-9, 9))
-        ]
-    return np.float32(nearest)
+        around = {near, np.nextafter(near, np.float32(0)), np.nextafter(near, np.float32(9))}
+        return min(around, key=lambda x: abs(exact - float(x)))
 
 
 def levels() -> list[str]:
