@@ -202,7 +202,7 @@ def generate(check: bool, search: bool, trials: int | None) -> int:
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    timed("kernels", "compile", "{0}", build_all)
+    timed("kernels", "compile", "{0[1]}", build_all)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0
