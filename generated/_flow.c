@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "534f5f1183bad1c57dc81c285624ddc330fb9304a985be9cd075ab3b84389a0a"
+#define DIGEST "fa9eaee300ffd565372a3d7e951a464350d9a4af4b7af9ea6e14a53c1bed6ff3"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2001,14 +2001,16 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Whether the mass certainly moves and presses up to an end of a piece, and its greatest speed is not before. */
-INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double after, double force)
+/* Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it. At the
+ * end net moment and normal force are by so much more than where the phase began. */
+INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {
     const Job *const job = b->job;
     V *const c = b->c;
+    double after = c[job->role->drive][lane] + by_drive;
     double slowest = omega + (length * fmin(fmin(net, after), 0.0));
     int peaks = (net >= 0.0) && (after < 0.0) && ((omega + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
-    int moves = (slowest > ((1.0 - SURE) * omega)) && (force > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
+    int moves = (slowest > ((1.0 - SURE) * omega)) && ((c[job->role->normal0][lane] + by_load) > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
     return moves && !peaks;
 }
 
@@ -2032,7 +2034,7 @@ static void glide(Batch *b, unsigned lane, int t)
         double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
         double until = c[job->table[t].cell + UPPER][lane];
         double inc = c[job->table[t].cell + LOWER][lane];
-        while (passes_quietly(b, lane, t, piece) && glides_on(b, lane, omega, until - now, net, c[job->role->drive][lane] + (slope * inc), c[job->role->normal0][lane] + (grip * inc))) {
+        while (passes_quietly(b, lane, t, piece) && glides_on(b, lane, omega, until - now, net, slope * inc, grip * inc)) {
             double length = until - now;
             double after = c[job->role->drive][lane] + (slope * inc);
             x = x + (length * (omega + ((length * ((2.0 * net) + after)) / 6.0)));

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 729baeee408a7667c55a19953653781aefa3dbe9717b6dd8ad47a3fcc5355310
+# sha256 of the text below: db748abfe2355b53675735a583cdc3d7e18cea035591a1dc43b4f8f2bc536356
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1113,12 +1113,15 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
-def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, after: Floats, force: Floats) -> Mask:
-    """Whether the mass certainly moves and presses up to an end of a piece, and its greatest speed is not before."""
+def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
+        by_load: Floats) -> Mask:
+    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it."""
     c = lane.cells
+    after = c[lane.roles.drive, i] + by_drive
     slowest = omega + length * np.fmin(np.fmin(net, after), 0.0)
     peaks = (net >= 0.0) & (after < 0.0) & (omega + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
-    moves = (slowest > (1.0 - SURE) * omega) & (force > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
+    moves = (slowest > (1.0 - SURE) * omega) & (c[lane.roles.normal0,
+        i] + by_load > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
     return moves & np.logical_not(peaks)
 
 
@@ -1147,8 +1150,8 @@ def glide(lane: Lanes, i: Index, t: Table) -> None:
         place_2 = np.arange(i.size)
         while True:
             i, slope, grip, piece, x, omega, now, net, until, inc, place_2 = among(passes_quietly(lane, i, t,
-                piece) & glides_on(lane, i, omega, until - now, net, c[lane.roles.drive, i] + slope * inc,
-                c[lane.roles.normal0, i] + grip * inc), i, slope, grip, piece, x, omega, now, net, until, inc, place_2)
+                piece) & glides_on(lane, i, omega, until - now, net, slope * inc, grip * inc), i, slope, grip, piece, x,
+                omega, now, net, until, inc, place_2)
             if not i.size:
                 break
             length = until - now

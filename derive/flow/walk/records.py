@@ -102,11 +102,15 @@ def rest_through(lane: Lane, t: T) -> None:
 # --- in motion -------------------------------------------------------------------------------------------------------
 
 
-def glides_on(lane: Lane, omega: float, length: float, net: float, after: float, force: float) -> bool:
-    """Whether the mass certainly moves and presses up to an end of a piece, and its greatest speed is not before."""
+def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: float, by_load: float) -> bool:
+    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it.
+
+    At the end net moment and normal force are by so much more than where the phase began.
+    """
+    after = lane.drive + by_drive
     slowest = omega + length * minimum(minimum(net, after), 0.0)
     peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
-    moves = slowest > (1.0 - SURE) * omega and force > (1.0 - SURE) * abs(lane.normal0)
+    moves = slowest > (1.0 - SURE) * omega and lane.normal0 + by_load > (1.0 - SURE) * abs(lane.normal0)
     return moves and not peaks
 
 
@@ -128,9 +132,7 @@ def glide(lane: Lane, t: T) -> None:
         net = lane.drive + slope * t.inc
         until = t.upper
         inc = t.lower
-        while passes_quietly(lane, t, piece) and glides_on(
-            lane, omega, until - now, net, lane.drive + slope * inc, lane.normal0 + grip * inc
-        ):
+        while passes_quietly(lane, t, piece) and glides_on(lane, omega, until - now, net, slope * inc, grip * inc):
             length = until - now
             after = lane.drive + slope * inc
             x = x + length * (omega + length * (2.0 * net + after) / 6.0)
