@@ -7,10 +7,10 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import fields, replace
-from typing import IO, Any, TypeVar, Unpack, cast, overload
+from typing import IO, Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
@@ -25,7 +25,7 @@ from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, liste
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design, Result
 from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, engine, run_blocks, stored
-from slipcircle.workbench.studies.settings import OF_ARRAYS, OfSamples, OfSuite, setting_mistakes, whole
+from slipcircle.workbench.studies.settings import OF_ARRAYS, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitedesign import OfRecords, SuiteDesign, suite_design
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -66,14 +66,6 @@ def _seed(rng: Any, folder: Any) -> int:
         ) from error
 
 
-@overload
-def ensemble(
-    scene: Scene, n: int = 1, rng: Any = None, executor: Any = None, *, records: None = None, **of: Unpack[OfSamples]
-) -> Study: ...
-@overload
-def ensemble(
-    scene: Scene, n: int = 1, rng: Any = None, executor: Any = None, *, records: Any, **of: Unpack[OfSuite]
-) -> SuiteStudy: ...
 def ensemble(
     scene: Scene,
     n: int = 1,
@@ -91,8 +83,12 @@ def ensemble(
     correlation: Mapping[tuple[str, str], float] | None = None,
     search_each: bool = False,
     records: Any = None,
-    **of_records: Any,
-) -> Study | SuiteStudy:
+    polarities: bool = False,
+    scales: ArrayLike | None = None,
+    scale_to_pga: ArrayLike | None = None,
+    thresholds: ArrayLike | None = None,
+    strict: bool = False,
+) -> Any:
     """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
 
     Parameters
@@ -115,9 +111,19 @@ def ensemble(
     correlation, search_each : mapping and bool, optional
         Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys; whether the circle
         is searched for every sample too, for factors of safety: motions stay on that of the means.
-    records, **of_records
-        Ground motions that shake every sample in place of the scene's: a `Suite`, paths as `read_suite` has them, or
-        `Series`, in a sequence or by name; and how, as `OfRecords` has it. The result is then a `SuiteStudy`.
+    records : Suite, paths, or sequence or mapping of Series, optional
+        Ground motions that shake every sample in place of the scene's; paths as `read_suite` has them.
+    polarities, strict : bool, optional
+        Of records: whether each also shakes the scene reversed; whether a file that is no record is an error, otherwise
+        it is a warning of the study.
+    scales, scale_to_pga, thresholds : float or array_like, optional
+        Of records: factors on them, or peak accelerations over gravity to which each is scaled; displacements, m, whose
+        exceedance and fragility are given.
+
+    Returns
+    -------
+    Study
+        With records a `SuiteStudy`.
 
     Examples
     --------
@@ -128,11 +134,12 @@ def ensemble(
     1.0
     """
     settings = method, sensitivity, keep, size, search_each
-    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, of_records))
+    shaken = OfRecords(polarities, scales, scale_to_pga, thresholds, strict)
+    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, shaken))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
     if records is None:
         return conduct(design, executor, confidence, folder, progress)
-    return _over_records(design, records, cast(OfRecords, of_records), executor, folder, progress)
+    return _over_records(design, records, shaken, executor, folder, progress)
 
 
 def _design(
