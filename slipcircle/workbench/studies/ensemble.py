@@ -10,7 +10,7 @@ from dataclasses import fields, replace
 from typing import IO, Any, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
@@ -83,11 +83,7 @@ def ensemble(
     correlation: Mapping[tuple[str, str], float] | None = None,
     search_each: bool = False,
     records: Any = None,
-    polarities: bool = False,
-    scales: ArrayLike | None = None,
-    scale_to_pga: ArrayLike | None = None,
-    thresholds: ArrayLike | None = None,
-    strict: bool = False,
+    **of_records: Any,
 ) -> Any:
     """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
 
@@ -111,19 +107,9 @@ def ensemble(
     correlation, search_each : mapping and bool, optional
         Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys; whether the circle
         is searched for every sample too, for factors of safety: motions stay on that of the means.
-    records : Suite, paths, or sequence or mapping of Series, optional
-        Ground motions that shake every sample in place of the scene's; paths as `read_suite` has them.
-    polarities, strict : bool, optional
-        Of records: whether each also shakes the scene reversed; whether a file that is no record is an error, otherwise
-        it is a warning of the study.
-    scales, scale_to_pga, thresholds : float or array_like, optional
-        Of records: factors on them, or peak accelerations over gravity to which each is scaled; displacements, m, whose
-        exceedance and fragility are given.
-
-    Returns
-    -------
-    Study
-        With records a `SuiteStudy`.
+    records, **of_records
+        Ground motions that shake every sample in place of the scene's: a `Suite`, paths as `read_suite` has them, or
+        `Series`, in a sequence or by name; and how, as `OfRecords` has it. The result is then a `SuiteStudy`.
 
     Examples
     --------
@@ -134,7 +120,7 @@ def ensemble(
     1.0
     """
     settings = method, sensitivity, keep, size, search_each
-    shaken = OfRecords(polarities, scales, scale_to_pga, thresholds, strict)
+    shaken = OfRecords(**of_records)
     raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, shaken))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
     if records is None:

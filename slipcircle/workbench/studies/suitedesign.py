@@ -86,7 +86,19 @@ class SuiteDesign:
 
 
 class OfRecords(NamedTuple):
-    """How records shake a scene, as `ensemble` has it."""
+    """How records shake a scene.
+
+    Attributes
+    ----------
+    polarities : bool
+        Whether each record also shakes the scene reversed.
+    scales, scale_to_pga : float or array_like
+        Factors on the records; or peak accelerations over gravity to which each is scaled.
+    thresholds : array_like
+        Displacements, m, whose exceedance and fragility are given.
+    strict : bool
+        Whether a file that is no record is an error; otherwise it is a warning of the study.
+    """
 
     polarities: bool = False
     scales: Any = None
