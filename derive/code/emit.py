@@ -32,11 +32,7 @@ class Function:
 
 
 PYTHON = Language(
-    "python",
-    "{name} = {text}",
-    repr,
-    "horner({x}, ({coefficients}))",
-    several="{names} = {function}({arguments})",
+    "python", "{name} = {text}", repr, "horner({x}, ({coefficients}))", several="{names} = {function}({arguments})"
 )
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
