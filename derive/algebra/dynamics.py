@@ -34,12 +34,15 @@ def balance() -> dict[str, Expr]:
     drive = right.coeff(omega_star, 0)
     brake = -right.coeff(omega_star, 2)
     prove_zero(right - (drive - brake * omega_star**2), "(3.16)")
+    depth = 1 - cos(alpha)  # (2.12) over R, by which (2.13) is the reference stress
+    terms = expand(mean / (rho * g * R)).args
+    scale = ell * rho * g * R**3
     return {
         "2.10": mean,
-        "2.20": Add(*(x / (1 - cos(alpha)) for x in expand(mean / (rho * g * R)).args)),  # (2.12), (2.13)
+        "2.20": Add(*(x / depth for x in terms)),
         "3.8 left": momentum,
         "3.8": moment,
-        "3.11": simplify(moment.subs(sigma_mean, mean) / (ell * rho * g * R**3)),
+        "3.11": simplify(moment.subs(sigma_mean, mean) / scale),
         "3.16": a - b * omega_star**2,
         "3.17": factor(drive),
         "3.18": factor(brake),
@@ -58,13 +61,16 @@ def solution() -> dict[str, Expr]:
         "angular_acceleration": (a - b * omega_0**2) / y**2,
     }
     omega = ways["angular_velocity"]
-    for claim, zero in {
-        "(3.16) holds": diff(omega, t) - (a - b * omega**2),
+    rate = diff(omega, t)
+    claims = {
+        "(3.16) holds": rate - (a - b * omega**2),
         "the rotation's rate is the angular velocity": diff(ways["rotation"], t) - omega,
-        "the acceleration is the angular velocity's rate": ways["angular_acceleration"] - diff(omega, t),
+        "the acceleration is the angular velocity's rate": ways["angular_acceleration"] - rate,
         "y is linear": diff(y, t, 2) - k**2 * y,
         "omega(0) = omega_0": omega.subs(t, 0) - omega_0,
         "phi(0) = 0": ways["rotation"].subs(t, 0),
-    }.items():
-        prove_zero(zero.subs(a, k**2 / b).rewrite(exp), claim)
+    }
+    for claim, zero in claims.items():
+        in_exponentials = zero.subs(a, k**2 / b).rewrite(exp)
+        prove_zero(in_exponentials, claim)
     return ways
