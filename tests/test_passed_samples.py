@@ -140,6 +140,18 @@ def test_friction_of_time_under_a_record(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", BACKENDS)
+def test_water_that_rises_while_a_record_is_zero(name: str) -> None:
+    """Both are zero at first; it starts where the water leaves as much friction as it needs."""
+    at_rest = solve(Scene(ARC, MU))
+    rises = 1.0 - 1.0 / at_rest.factor_of_safety
+    water = {"time": [0.0, 1.5, 2.5], "pressure": [0.0, 0.0, at_rest.effective_stress_at(0.0)]}
+    zero = series(0.02 * np.arange(200.0), np.zeros(200))
+    with backend(name):
+        motion = solve(Scene(ARC, MU, {"shaking": {"horizontal": zero}, "pore_pressure": water}, end_time=2.0))
+    assert motion.phases[0].start == pytest.approx(1.5 + rises, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", BACKENDS)
 def test_it_moves_at_its_end_time_between_samples(name: str) -> None:
     _, n = factor()
     time, end = 0.02 * np.arange(200.0), 2.013
