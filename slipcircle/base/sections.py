@@ -1,4 +1,4 @@
-"""Where something begins to hold: the first of the sections of intervals."""
+"""Intervals and their sections: which are distinct, and where something begins to hold."""
 
 from collections.abc import Callable
 
@@ -35,3 +35,18 @@ def first_section(
     first = begins.argmax(axis=0)
     every = np.arange(low.size)
     return edges[first, every], edges[first + 1, every], np.any(begins, axis=0)
+
+
+def distinct(edges: Floats, least: float) -> Floats:
+    """Edges of sections, (edges, n), increasing, without those that only rounding, a width up to ``least``, parts.
+
+    The first and the last stay. Where others have more of them, the last is repeated.
+    """
+    first, *_, last = edges
+    inner = edges[1:-1]
+    before = inner - edges[:-2]
+    after = last - inner
+    is_other = np.minimum(before, after) > least
+    in_order = np.sort(np.where(is_other, inner, last), axis=0)
+    count = np.count_nonzero(is_other, axis=0).max(initial=0)
+    return np.vstack([first, in_order[:count], last])

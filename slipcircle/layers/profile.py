@@ -171,7 +171,8 @@ def _converged(strips: Strips) -> list[_Piece]:
         scale = max(scale, coefficients)
         is_truncated = tail > _ACCURACY * scale
         is_long = width > _SHORTEST
-        rough = is_truncated.any(axis=1) & is_long.any(axis=1)
+        is_rough = is_truncated & is_long
+        rough = is_rough.any(axis=1)
         smooth = ~rough
 
         smooth_values = values[..., smooth, :]

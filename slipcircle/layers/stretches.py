@@ -55,11 +55,11 @@ class StretchIntegrals:
             base[:, -1] = len(section.layers)
         before = base[:, :-1]
         after = base[:, 1:]
-        changes = np.any(before != after, axis=0)
-        joint = edges[:, changes]
-        before = before[:, changes]
-        after = after[:, changes]
-        return Stretches(joint, before, after, base[:, 0], base[:, -1])
+        is_same = before == after
+        most = np.count_nonzero(~is_same, axis=1).max()
+        place = np.argsort(is_same, axis=1, kind="stable")[:, :most]
+        at_joints = [np.take_along_axis(values, place, axis=1) for values in (edges, before, after)]
+        return Stretches(*at_joints, base[:, 0], base[:, -1])
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:

@@ -16,6 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.base.sections import distinct
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
 
@@ -100,7 +101,8 @@ def cut_into_strips(
     tops = lines[:layers]
     beyond_left = _layer_at_end(tops, first, _ON_ARC)
     beyond_right = _layer_at_end(tops, last, -_ON_ARC)
-    in_strips = _base(at_middle[:layers], arc)
+    is_strip = right > left
+    in_strips = np.where(is_strip, _base(at_middle[:layers], arc), beyond_right)
     return Strips(
         x=edges,
         y=np.take_along_axis(start, lowest, 0),
@@ -155,12 +157,8 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     of_circles = [np.broadcast_to(x, (circles, x.shape[-1])) for x in cuts]
     every = np.concatenate(of_circles, axis=1)
     within_mass = np.clip(every, left, right)
-    edges = np.sort(within_mass, axis=1)
-    width = np.diff(edges, axis=1)
-    has_width = width > _THIN
-    of_any = has_width.any(axis=0)
-    is_needed = np.concatenate([[True], of_any])
-    return edges[:, is_needed]
+    edges = np.sort(within_mass.T, axis=0)
+    return distinct(edges, _THIN).T
 
 
 def meets_circle(line: Floats) -> Floats:
