@@ -42,11 +42,9 @@ def distinct(edges: Floats, least: float) -> Floats:
 
     The first and the last stay. Where others have more of them, the last is repeated.
     """
-    first, *_, last = edges
     inner = edges[1:-1]
-    before = inner - edges[:-2]
-    after = last - inner
-    is_other = np.minimum(before, after) > least
-    in_order = np.sort(np.where(is_other, inner, last), axis=0)
-    count = np.count_nonzero(is_other, axis=0).max(initial=0)
-    return np.vstack([first, in_order[:count], last])
+    last = edges[-1]
+    width = np.minimum(inner - edges[:-2], last - inner)
+    in_order = np.sort(np.where(width > least, inner, last), axis=0)
+    used = np.any(in_order < last, axis=1)
+    return np.vstack([edges[:1], in_order[used], last])

@@ -1,7 +1,6 @@
 """The strength of a layered section as piecewise polynomials of the rotation, all with the same pieces."""
 
 from collections.abc import Mapping
-from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -107,19 +106,12 @@ class RotationTables(NamedTuple):
 
         kinks = strength.rotation_kinks
         breaks, coefficients = between_kinks(values, kinks, first, last, self.tolerance)
-        of_circle = coefficients[..., 0]
+        by_part = np.moveaxis(coefficients, 2, 0)
         at_first = strength.parts(first[None], names)
-        rows = dict[str, slice]()
-        begin = 0
-        for name in names:
-            end = begin + len(at_first[name])
-            rows[name] = slice(begin, end)
-            begin = end
-        tables = {}
-        for name, function in self.functions.items():
-            combined = _combined(function, rows, of_circle)
-            tables[name] = continuous(breaks[:, 0], combined)
-        return tables
+        ends = np.cumsum([len(at_first[name]) for name in names])
+        by_name = dict(zip(names, np.split(by_part, ends[:-1]), strict=True))
+        functions = self.functions.items()
+        return {name: continuous(breaks[:, 0], function.combined(by_name)) for name, function in functions}
 
     def likely_reach(self, friction: Parameters) -> float:
         """Estimated rotation of lanes that start from rest: the work of gravity is dissipated by the least strength.
@@ -197,15 +189,3 @@ def _lanes(function: OfRotation) -> int:
 def _of_one(table: Data) -> Data:
     """The table of a single lane."""
     return table._replace(coefficients=table.coefficients[..., 0])
-
-
-def _combined(function: OfRotation, rows: Mapping[str, slice], parts: Floats) -> Floats:
-    """Coefficients (pieces, TERMS, lanes) of a function from those of its parts (pieces, TERMS, parts)."""
-    pieces, terms, _ = parts.shape
-    products = list[Floats]()
-    for name, coefficients in function.coefficients.items():
-        part = parts[:, :, rows[name]]
-        flat = part.reshape(pieces * terms, -1)
-        products.append(flat @ coefficients)
-    total = reduce(np.add, products)  # of one part no copy
-    return total.reshape(pieces, terms, -1)

@@ -11,8 +11,8 @@ Written with h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. They 
 there they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from itertools import compress
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -20,26 +20,22 @@ from numpy.polynomial import chebyshev
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.strips import Strips
 
-AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
+RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
+MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
+PRESSING = 4  # the first of them, which strength takes
+_CUMULATIVE = 5  # that are also known up to any direction
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_BLOCK = 2048  # directions
-
-
-def _integrating() -> Floats:
-    """From values at the nodes to the coefficients of the integral from the left end, (`_COUNT` + 1, `_COUNT`)."""
-    integral = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
-    from_values: Floats = integral @ _TO_CHEBYSHEV
-    return from_values
-
-
+_DIRECTIONS = 2048  # at once
+_TOGETHER = 120  # pieces
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
-_TO_ENDS = _TO_CHEBYSHEV[[0, 1, -2, -1]]
-_INTEGRAL = _integrating()
+_INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
+# From values at the nodes to the coefficients of the integral, then to their own first two and last two.
+_DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
 class Profile(NamedTuple):
@@ -50,9 +46,9 @@ class Profile(NamedTuple):
     edges : ndarray
         Directions at which pieces begin, and the right end, (pieces + 1, circles).
     before : ndarray
-        The integrals up to there, (pieces + 1, circles, surfaces, integrals).
+        The integrals up to there, (pieces + 1, circles, columns, integrals).
     series : ndarray
-        Chebyshev coefficients of the integral within each piece, (pieces, circles, surfaces, integrals, terms).
+        Chebyshev coefficients of the first integrals within each piece, (pieces, circles, columns, integrals, terms).
     """
 
     edges: Floats
@@ -60,54 +56,47 @@ class Profile(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces, M, circles)."""
-        first_edge, *inner_edges, last_edge = self.edges
-        series = self.series
-        inside = np.clip(beta, first_edge, last_edge)
-        piece = np.zeros(inside.shape, dtype=np.intp)
-        for edge in inner_edges:
-            piece += inside >= edge
-        circle = np.arange(inside.shape[1])
+        """The first integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        directions, circles = beta.shape
+        by_circle = beta.T.ravel()
+        circle = np.repeat(np.arange(circles), directions)
+        parts = [self._up_to(by_circle[some], circle[some]) for some in _blocks(beta.size, _DIRECTIONS)]
+        integrals = np.concatenate(parts)
+        return integrals.reshape(circles, directions, *integrals.shape[1:]).T
+
+    def _up_to(self, beta: Floats, circle: Integers) -> Floats:
+        """The same of directions each in a circle, (M, columns, integrals)."""
+        pieces, circles, columns, integrals, terms = self.series.shape
+        edges = self.edges[:, circle]
+        inside = np.clip(beta, edges[0], edges[-1])
+        piece = np.sum(inside >= edges[1:-1], axis=0, dtype=np.int16)
         first = self.edges[piece, circle]
-        last = self.edges[piece + 1, circle]
-        width = last - first
+        width = self.edges[piece + 1, circle] - first
         divisor = np.where(width != 0.0, width, 1.0)
         share = (inside - first) / divisor
-        place = 2.0 * share - 1.0
-
-        # The coefficients of each direction are gathered, contiguous, in blocks that a processor's cache holds.
-        pieces, circles, surfaces, integrals, terms = series.shape
-        rows = series.reshape(pieces * circles, -1, terms)
-        up_to_piece = self.before[:pieces].reshape(pieces * circles, -1)
-        row = piece * circles + circle
-        row = row.ravel()
-        place = place.ravel()
-        total = up_to_piece[row]
-        for begin in range(0, row.size, _BLOCK):
-            block = slice(begin, begin + _BLOCK)
-            polynomials = _chebyshev(place[block], terms)
-            of_pieces = rows.take(row[block], axis=0)
-            total[block] += np.einsum("nit,nt->ni", of_pieces, polynomials)
-        by_direction = total.reshape(*inside.shape, surfaces, integrals)
-        return by_direction.transpose(3, 2, 0, 1)
+        polynomials = _chebyshev(2.0 * share - 1.0, terms)
+        every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
+        of_pieces = every_piece.take(piece * circles + circle, axis=0)
+        within = np.einsum("nit,nt->ni", of_pieces, polynomials)
+        before = self.before[piece, circle, :, :integrals]
+        return before + within.reshape(before.shape)
 
     @property
     def whole(self) -> Floats:
-        """The integrals over the whole arcs, (integrals, surfaces, circles)."""
+        """The integrals over the whole arcs, (integrals, columns, circles)."""
         whole: Floats = self.before[-1].T
         return whole
 
-    def of(self, rows: Sequence[int]) -> "Profile":
-        """Some of the integrals."""
-        before = self.before[..., rows]
-        series = self.series[..., rows, :]
-        return Profile(self.edges, before, series)
-
-    def combined(self, steps: Floats) -> "Profile":
-        """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
-        before = np.einsum("kcsi,sc->kci", self.before, steps)
-        series = np.einsum("kcsit,sc->kcit", self.series, steps)
+    def combined(self, weights: Floats) -> "Profile":
+        """What presses, of one column that stands for all: their sum with weights, (columns, circles)."""
+        before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
+        series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
         return Profile(self.edges, before[:, :, None], series[:, :, None])
+
+
+def _blocks(count: int, together: int) -> list[slice]:
+    """One or more parts of so many, small enough that their numbers stay in the processor's cache."""
+    return [slice(first, first + together) for first in range(0, max(count, 1), together)]
 
 
 def _chebyshev(place: Floats, terms: int) -> Floats:
@@ -122,29 +111,27 @@ def _chebyshev(place: Floats, terms: int) -> Floats:
 
 
 class _Piece(NamedTuple):
-    """A part of the arcs: its ends, (circles,), and the series of its integrals."""
+    """A part of the arcs: its ends, (circles,), the series of its integrals, and they themselves."""
 
     first: Floats
     last: Floats
     series: Floats
+    whole: Floats
 
 
-def profile_of(strips: Strips) -> Profile:
-    """The integrals along the arcs of masses in strips, of a unit weight below each surface.
+def profile_of(strips: Strips, weights: Floats) -> Profile:
+    """The integrals along the arcs of masses in strips.
 
     Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
+    Of weights below surfaces, (columns, surfaces, circles), those of a column are summed.
     """
-    pieces = _converged(strips)
-    pieces.sort(key=_order)
+    pieces = sorted(_converged(strips, weights), key=_order)
     firsts = [piece.first for piece in pieces]
-    right_end = pieces[-1].last
-    edges = np.stack([*firsts, right_end])
+    edges = np.stack([*firsts, pieces[-1].last])
     series = np.stack([piece.series for piece in pieces])
-    each = series.sum(axis=-1)  # at the right end every Chebyshev polynomial is 1
-    nothing = np.zeros_like(each[:1])
-    up_to_ends = np.cumsum(each, axis=0)
-    before = np.concatenate([nothing, up_to_ends])
-    return Profile(edges, before, series)
+    each = [piece.whole for piece in pieces]
+    before = np.stack([np.zeros_like(each[0]), *each])
+    return Profile(edges, np.cumsum(before, axis=0), series)
 
 
 def _order(piece: _Piece) -> float:
@@ -153,7 +140,7 @@ def _order(piece: _Piece) -> float:
     return float(ends.sum())
 
 
-def _converged(strips: Strips) -> list[_Piece]:
+def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
     """Pieces in which the series have converged: strips, or parts of them."""
     beta = strips.beta.T
     first = beta[:-1]
@@ -162,23 +149,18 @@ def _converged(strips: Strips) -> list[_Piece]:
     done = list[_Piece]()
     scale = 0.0
     while len(strip):
-        width = last - first
-        half = width / 2
-        from_first = 1.0 + _NODES[:, None, None]
-        nodes = first + half * from_first
-        values = half * _integrands(strips, strip, nodes)
-        coefficients, tail = _sizes(values)
-        scale = max(scale, coefficients)
+        at = np.broadcast_arrays(strip[:, None], np.arange(first.shape[1]), first, last)
+        rows = [values.ravel() for values in at]
+        parts = [_developed(strips, weights, *(row[some] for row in rows)) for some in _blocks(first.size, _TOGETHER)]
+        developed = map(np.concatenate, zip(*parts, strict=True))
+        series, whole, size, tail = (values.reshape(*first.shape, *values.shape[1:]) for values in developed)
+        scale = float(size.max(initial=scale))
         is_truncated = tail > _ACCURACY * scale
-        is_long = width > _SHORTEST
+        is_long = last - first > _SHORTEST
         is_rough = is_truncated & is_long
         rough = is_rough.any(axis=1)
-        smooth = ~rough
-
-        smooth_values = values[..., smooth, :]
-        series = np.tensordot(_INTEGRAL, smooth_values, (1, 2))
-        by_piece = series.transpose(3, 4, 2, 1, 0)
-        done += map(_Piece, first[smooth], last[smooth], by_piece)
+        pieces = map(_Piece, first, last, series, whole)
+        done += compress(pieces, ~rough)
         left = first[rough]
         right = last[rough]
         middle = (left + right) / 2
@@ -188,45 +170,50 @@ def _converged(strips: Strips) -> list[_Piece]:
     return done
 
 
-def _sizes(values: Floats) -> tuple[float, Floats]:
-    """Sizes of the Chebyshev coefficients of values at nodes: the greatest one, and those of the tails.
+def _developed(
+    strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """Of pieces, each of a circle, the series and the integrals, (pieces, ...), and sizes of coefficients, (pieces,).
 
-    The greatest is one of the first two; a tail is the last two terms of a piece in a circle, (pieces, circles).
+    The greatest is one of the first two; a tail is the last two terms.
     """
-    coefficients = np.tensordot(_TO_ENDS, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
-    size = np.abs(coefficients)
-    greatest = size[:2].max(initial=0.0)
-    last_terms = size[-2:]
-    return float(greatest), last_terms.max(axis=(0, 1, 2))
+    half = (last - first) / 2
+    from_first = 1.0 + _NODES[:, None]
+    values = half * _integrands(strips, weights, strip, circle, first + half * from_first)
+    flat = values.reshape(_COUNT, -1)
+    developed = _DEVELOPING @ flat
+    by_term = developed.reshape(-1, *values.shape[1:])  # terms, integrals, columns, pieces
+    series, sizes = np.split(by_term, [_COUNT + 1])
+    whole = series.sum(axis=0)  # at the right end every Chebyshev polynomial is 1
+    of_terms = np.abs(sizes).max(axis=(1, 2))
+    head, tail = of_terms.reshape(2, 2, -1).max(axis=1)
+    in_order = np.ascontiguousarray(series[:, :_CUMULATIVE].T)
+    return in_order, whole.T, head, tail
 
 
-def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
-    """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
+def _integrands(strips: Strips, weights: Floats, strip: Integers, circle: Integers, beta: Floats) -> Floats:
+    """What is integrated, at directions (nodes, pieces), in strips of circles: (nodes, integrals, columns, pieces)."""
     x = np.sin(beta)
     c = np.cos(beta)
-    edges = strips.x.T
-    left = edges[strip]
-    beyond = x - left
-    at_left = _by_strip(strips.y, strip)
-    slope = _by_strip(strips.slope, strip)
-    y = at_left + slope * beyond
-    height = y + c
-    has_height = height > 0.0
-    is_above = has_height & _by_strip(strips.above, strip)
-    height = np.where(is_above, height, 0.0)
-    columns = _over_height(x, c, height)
-    if strips.loads:
-        right = edges[strip + 1]
-        middle = (left + right) / 2
-        on_ground, *_ = y
-        of_loads = _of_loads(strips, x, on_ground, middle)
-        columns = np.concatenate([columns, of_loads], axis=1)
-    by_angle: Floats = columns * c
-    return by_angle
+    beyond = x - strips.x[circle, strip]
+    y = strips.y[:, circle, strip][:, None] + strips.slope[:, circle, strip][:, None] * beyond
+    weight = weights[:, :, circle] * strips.above[:, circle, strip]
+    total = np.zeros((len(x), len(MEASURED) + 1, *weight[:, 0].shape))
+    for k in np.flatnonzero(weight.any(axis=(0, 2))):
+        if k < len(y):
+            of_surface = _over_height(x, c, np.maximum(y[k] + c, 0.0))
+        else:
+            load, end = divmod(k - len(y), 2)
+            first, last = (edge[circle, 0] for edge in strips.loads[load])
+            share = (x - first) / (last - first)
+            of_surface = _of_pressure(x, y[0], share if end else 1.0 - share)
+        total += of_surface[:, :, None] * weight[:, k]
+    total *= c[:, None, None]
+    return total
 
 
 def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
-    """The integrals over y from the arc up to a height h above it; the last one, by beta, over c."""
+    """The integrals over y from the arc to a height h above it, (nodes, integrals, ...); the head, by beta, over c."""
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
@@ -239,50 +226,14 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     of_heights = h * h - 3.0 * c * h
     on_arc = c * c
     mean_square = square + of_heights / 3 + on_arc
-    rows = {
-        AREA: h,
-        POLAR: polar / 2,
-        INERTIA: h * mean_square,
-        RADIAL_X: x * log,
-        RADIAL_Y: -inward,
-        MOMENT_X: x * h,
-        MOMENT_Y: h * (h - 2.0 * c) / 2,
-        HEAD: h / c,
-    }
-    in_order = [rows[k] for k in sorted(rows)]
-    return np.stack(in_order)
+    moment_y = h * (h - 2.0 * c) / 2
+    rows = [-inward, x * log, polar / 2, h / c, h, h * mean_square, x * h, moment_y]
+    return np.stack(rows, axis=1)
 
 
-def _by_strip(values: Any, strip: Integers) -> Any:
-    """Of (surfaces, circles, strips) those of some strips, (surfaces, 1, pieces, circles)."""
-    chosen = values[:, :, strip].transpose(0, 2, 1)
-    return chosen[:, None]
-
-
-def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
-    """The same of unit pressures on the ground at (x, y), over x: pressures times 1, rho, ... there."""
-    pressures = []
-    for load in strips.loads:
-        first, last = (end[:, 0] for end in load)
-        width = last - first
-        share = (x - first) / width
-        rest = 1.0 - share
-        under = (middle > first) & (middle < last)
-        falling = np.where(under, rest, 0.0)
-        rising = np.where(under, share, 0.0)
-        pressures += [falling, rising]
-    every_pressure = np.stack(pressures)
+def _of_pressure(x: Floats, y: Floats, pressure: Floats) -> Floats:
+    """The same of a pressure on the ground at (x, y), over x: times 1, rho, ... there."""
     square = x * x + y * y
     rho = np.sqrt(square)
-    integrands = {
-        AREA: 1.0,
-        POLAR: rho,
-        INERTIA: rho * rho,
-        RADIAL_X: x / rho,
-        RADIAL_Y: y / rho,
-        MOMENT_X: x,
-        MOMENT_Y: y,
-        HEAD: 0.0,
-    }
-    by_row = [integrands[k] * every_pressure for k in sorted(integrands)]
-    return np.stack(by_row)
+    rows = [y / rho, x / rho, rho, np.zeros_like(x), np.ones_like(x), square, x, y]
+    return np.stack(rows, axis=1) * pressure[:, None]

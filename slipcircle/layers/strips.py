@@ -35,7 +35,7 @@ class Strips:
     y, slope : ndarray
         Of the surfaces, the height at the left edge of a strip and the rise over a run to the right.
     above : ndarray
-        Whether a surface lies above the arc in a strip.
+        Whether a surface lies above the arc in a strip; then, twice for each surcharge, whether it covers the strip.
     base : ndarray
         The layer at the arc, counted from the ground, beyond the left end, in each strip, and beyond the right end,
         (circles, strips + 2).
@@ -102,12 +102,13 @@ def cut_into_strips(
     beyond_left = _layer_at_end(tops, first, _ON_ARC)
     beyond_right = _layer_at_end(tops, last, -_ON_ARC)
     is_strip = right > left
+    covered = [(middle > x1) & (middle < x2) for x1, x2 in loads for _ in range(2)]
     in_strips = np.where(is_strip, _base(at_middle[:layers], arc), beyond_right)
     return Strips(
         x=edges,
         y=np.take_along_axis(start, lowest, 0),
         slope=np.take_along_axis(slope, lowest, 0),
-        above=height > arc,
+        above=np.stack([*(height > arc), *covered]),
         base=np.concatenate([beyond_left, in_strips, beyond_right], axis=1),
         loads=loads,
     )

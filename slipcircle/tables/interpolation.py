@@ -141,7 +141,7 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
 
 
 def _next_coefficients(chebyshev: Floats) -> Floats:
-    """Size of the coefficients that follow, if they fall like the last two pairs of them, of any function; (pieces, n)."""
+    """The coefficients that follow, if they fall like the last two pairs of them, of the functions: (pieces, n)."""
     size = np.abs(chebyshev)
     last = size[:, -2:].max(axis=1)
     before = size[:, -4:-2].max(axis=1)
