@@ -107,7 +107,7 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
     beside = []
     for part in filter(np.size, parts):
         offsets = steps[part] * SIDES
-        values = _neighbours(scene, outcomes, [numbers[k] for k in part], offsets)
+        values = _neighbours(scene, outcomes, [numbers[k] for k in part.tolist()], offsets)
         here.append(np.repeat(values[:, :1], len(part), axis=1))
         beside.append(values[:, 1:].reshape(-1, *offsets.shape))
     in_order = np.argsort(np.concatenate(parts))

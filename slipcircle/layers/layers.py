@@ -29,7 +29,7 @@ from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.cracks import CrackedSection
 from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
-from slipcircle.layers.profile import MEASURED, Profile, profile_of
+from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
 from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
@@ -167,16 +167,18 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Heights of the datums above the centre of the circle, over R, (soils, circles); -1 where there is none."""
         _, centre, radius = self._circle
         centre_y = centre[:, 1]
-        lowest = centre_y - radius
-        heights = [lowest if datum is None else datum for datum in self.datums]
-        return (np.stack(heights) - centre_y) / radius
+        lowest = np.full_like(radius, -1.0)
+        levels = []
+        for datum in self.datums:
+            levels.append(lowest if datum is None else (datum - centre_y) / radius)
+        return np.stack(levels)
 
     @cached_property
     def _datum_crossings(self) -> Floats:
         """Directions at which these heights cross the circle, at both sides, (soils, circles); 0 where none does."""
         depth = np.clip(-self.datum_levels, -1.0, 1.0)
-        has_datum = [[datum is not None] for datum in self.datums]
-        return np.where(has_datum, np.arccos(depth), 0.0)
+        crossings: Floats = np.arccos(depth)
+        return crossings
 
     def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
@@ -255,7 +257,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def profile(self) -> Profile:
-        """Integrals along the arc of the weights of columns."""
+        """Integrals along the arc of unit weights below the surfaces, by columns."""
         weights, _ = self._columns
         return profile_of(self._strips, weights)
 
@@ -285,19 +287,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _columns(self) -> tuple[Floats, Floats]:
-        """What columns of the profile sum, (columns, surfaces, circles), and by what they count, (columns, lanes).
-
-        Of one circle each is a surface, or an end of a surcharge; of many, the ground and, if they count, all others.
-        """
-        steps = self.weight_steps
-        alone = np.eye(len(steps))[..., None]
-        if len(self._facing) == 1:
-            return alone, steps
-        ground, *_ = alone
-        others = steps / steps[0] - ground
-        count = 2 if np.any(others) else 1
-        weights = np.stack(np.broadcast_arrays(ground, others)[:count])
-        return weights, np.tile(steps[0], (count, 1))
+        return columns_of(self.weight_steps, len(self._facing))
 
     @cached_property
     def _moments_of_weight(self) -> Floats:

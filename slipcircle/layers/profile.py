@@ -23,7 +23,6 @@ from slipcircle.layers.strips import Strips
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
 PRESSING = 4  # the first of them, which strength takes
-_CUMULATIVE = 5  # that are also known up to any direction
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
@@ -48,7 +47,7 @@ class Profile(NamedTuple):
     before : ndarray
         The integrals up to there, (pieces + 1, circles, columns, integrals).
     series : ndarray
-        Chebyshev coefficients of the first integrals within each piece, (pieces, circles, columns, integrals, terms).
+        Chebyshev coefficients of the integral within each piece, (pieces, circles, columns, integrals, terms).
     """
 
     edges: Floats
@@ -56,13 +55,18 @@ class Profile(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The first integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
         directions, circles = beta.shape
         by_circle = beta.T.ravel()
         circle = np.repeat(np.arange(circles), directions)
-        parts = [self._up_to(by_circle[some], circle[some]) for some in _blocks(beta.size, _DIRECTIONS)]
+        parts = list[Floats]()
+        for some in _blocks(beta.size, _DIRECTIONS):
+            of_some = self._up_to(by_circle[some], circle[some])
+            parts.append(of_some)
         integrals = np.concatenate(parts)
-        return integrals.reshape(circles, directions, *integrals.shape[1:]).T
+        _, *rest = integrals.shape
+        by_direction = integrals.reshape(circles, directions, *rest)
+        return by_direction.T
 
     def _up_to(self, beta: Floats, circle: Integers) -> Floats:
         """The same of directions each in a circle, (M, columns, integrals)."""
@@ -71,15 +75,19 @@ class Profile(NamedTuple):
         inside = np.clip(beta, edges[0], edges[-1])
         piece = np.sum(inside >= edges[1:-1], axis=0, dtype=np.int16)
         first = self.edges[piece, circle]
-        width = self.edges[piece + 1, circle] - first
+        last = self.edges[piece + 1, circle]
+        width = last - first
         divisor = np.where(width != 0.0, width, 1.0)
         share = (inside - first) / divisor
-        polynomials = _chebyshev(2.0 * share - 1.0, terms)
+        place = 2.0 * share - 1.0
+        polynomials = _chebyshev(place, terms)
         every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
-        of_pieces = every_piece.take(piece * circles + circle, axis=0)
+        number = piece * circles + circle
+        of_pieces = every_piece.take(number, axis=0)
         within = np.einsum("nit,nt->ni", of_pieces, polynomials)
-        before = self.before[piece, circle, :, :integrals]
-        return before + within.reshape(before.shape)
+        before = self.before[piece, circle]
+        since = within.reshape(before.shape)
+        return before + since
 
     @property
     def whole(self) -> Floats:
@@ -110,33 +118,48 @@ def _chebyshev(place: Floats, terms: int) -> Floats:
     return np.ascontiguousarray(values.T)
 
 
-class _Piece(NamedTuple):
-    """A part of the arcs: its ends, (circles,), the series of its integrals, and they themselves."""
+_Piece = tuple[Floats, Floats, Floats]  # a part of the arcs: its ends, (circles,), and the series of its integrals
 
-    first: Floats
-    last: Floats
-    series: Floats
-    whole: Floats
+
+def columns_of(steps: Floats, circles: int) -> tuple[Floats, Floats]:
+    """What columns of a profile sum, (columns, surfaces, circles), and what they weigh, (columns, lanes).
+
+    With steps of the unit weight below surfaces, (surfaces, lanes). Of one circle each column is a surface; of many,
+    the first is the ground, and the second, if they weigh anything, all others.
+    """
+    alone = np.eye(len(steps))[..., None]
+    if circles == 1:
+        return alone, steps
+    ground, *_ = alone
+    others = steps / steps[0] - ground
+    count = 2 if np.any(others) else 1
+    both = np.broadcast_arrays(ground, others)
+    weights = np.stack(both[:count])
+    by_lane = np.tile(steps[0], (count, 1))
+    return weights, by_lane
 
 
 def profile_of(strips: Strips, weights: Floats) -> Profile:
-    """The integrals along the arcs of masses in strips.
+    """The integrals along the arcs of masses in strips, with weights below surfaces, (columns, surfaces, circles).
 
     Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
-    Of weights below surfaces, (columns, surfaces, circles), those of a column are summed.
     """
-    pieces = sorted(_converged(strips, weights), key=_order)
-    firsts = [piece.first for piece in pieces]
-    edges = np.stack([*firsts, pieces[-1].last])
-    series = np.stack([piece.series for piece in pieces])
-    each = [piece.whole for piece in pieces]
-    before = np.stack([np.zeros_like(each[0]), *each])
-    return Profile(edges, np.cumsum(before, axis=0), series)
+    converged = _converged(strips, weights)
+    pieces = sorted(converged, key=_order)
+    firsts, lasts, by_piece = zip(*pieces, strict=True)
+    edges = np.stack([*firsts, lasts[-1]])
+    series = np.stack(by_piece)
+    each = series.sum(axis=-1)  # at the right end every Chebyshev polynomial is 1
+    nothing = np.zeros_like(each[:1])
+    up_to_ends = np.cumsum(each, axis=0)
+    before = np.concatenate([nothing, up_to_ends])
+    return Profile(edges, before, series)
 
 
 def _order(piece: _Piece) -> float:
     """By what pieces are put from left to right: twice the directions of their middles, of all circles."""
-    ends = piece.first + piece.last
+    first, last, _ = piece
+    ends = first + last
     return float(ends.sum())
 
 
@@ -149,17 +172,13 @@ def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
     done = list[_Piece]()
     scale = 0.0
     while len(strip):
-        at = np.broadcast_arrays(strip[:, None], np.arange(first.shape[1]), first, last)
-        rows = [values.ravel() for values in at]
-        parts = [_developed(strips, weights, *(row[some] for row in rows)) for some in _blocks(first.size, _TOGETHER)]
-        developed = map(np.concatenate, zip(*parts, strict=True))
-        series, whole, size, tail = (values.reshape(*first.shape, *values.shape[1:]) for values in developed)
+        series, size, tail = _of_pieces(strips, weights, strip, first, last)
         scale = float(size.max(initial=scale))
         is_truncated = tail > _ACCURACY * scale
         is_long = last - first > _SHORTEST
         is_rough = is_truncated & is_long
-        rough = is_rough.any(axis=1)
-        pieces = map(_Piece, first, last, series, whole)
+        rough = np.logical_or.reduce(is_rough, axis=1)
+        pieces = zip(first, last, series, strict=True)
         done += compress(pieces, ~rough)
         left = first[rough]
         right = last[rough]
@@ -170,43 +189,77 @@ def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
     return done
 
 
+def _of_pieces(strips: Strips, weights: Floats, strip: Integers, first: Floats, last: Floats) -> list[Floats]:
+    """Series of pieces in all circles, and sizes of their coefficients, (pieces, circles, ...)."""
+    count, circles = first.shape
+    every_circle = np.tile(np.arange(circles), count)
+    every_strip = np.repeat(strip, circles)
+    lefts = first.ravel()
+    rights = last.ravel()
+    parts = []
+    for some in _blocks(first.size, _TOGETHER):
+        developed = _developed(
+            strips, weights, strip=every_strip[some], circle=every_circle[some], first=lefts[some], last=rights[some]
+        )
+        parts.append(developed)
+    results = []
+    for column in zip(*parts, strict=True):
+        every = np.concatenate(column)
+        _, *rest = every.shape
+        by_circle = every.reshape(count, circles, *rest)
+        results.append(by_circle)
+    return results
+
+
 def _developed(
     strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
-) -> tuple[Floats, Floats, Floats, Floats]:
-    """Of pieces, each of a circle, the series and the integrals, (pieces, ...), and sizes of coefficients, (pieces,).
+) -> tuple[Floats, Floats, Floats]:
+    """Series of pieces, each of a circle, (pieces, columns, integrals, terms), and sizes of coefficients, (pieces,).
 
     The greatest is one of the first two; a tail is the last two terms.
     """
-    half = (last - first) / 2
+    width = last - first
+    half = width / 2
     from_first = 1.0 + _NODES[:, None]
-    values = half * _integrands(strips, weights, strip, circle, first + half * from_first)
+    nodes = first + half * from_first
+    integrands = _integrands(strips, weights, strip, circle, nodes)
+    values = half * integrands
     flat = values.reshape(_COUNT, -1)
     developed = _DEVELOPING @ flat
     by_term = developed.reshape(-1, *values.shape[1:])  # terms, integrals, columns, pieces
     series, sizes = np.split(by_term, [_COUNT + 1])
-    whole = series.sum(axis=0)  # at the right end every Chebyshev polynomial is 1
-    of_terms = np.abs(sizes).max(axis=(1, 2))
-    head, tail = of_terms.reshape(2, 2, -1).max(axis=1)
-    in_order = np.ascontiguousarray(series[:, :_CUMULATIVE].T)
-    return in_order, whole.T, head, tail
+    absolute = np.abs(sizes)
+    of_terms = absolute.max(axis=(1, 2))
+    head = of_terms[:2].max(axis=0)
+    tail = of_terms[2:].max(axis=0)
+    in_order = np.ascontiguousarray(series.T)
+    return in_order, head, tail
 
 
 def _integrands(strips: Strips, weights: Floats, strip: Integers, circle: Integers, beta: Floats) -> Floats:
     """What is integrated, at directions (nodes, pieces), in strips of circles: (nodes, integrals, columns, pieces)."""
     x = np.sin(beta)
     c = np.cos(beta)
-    beyond = x - strips.x[circle, strip]
-    y = strips.y[:, circle, strip][:, None] + strips.slope[:, circle, strip][:, None] * beyond
-    weight = weights[:, :, circle] * strips.above[:, circle, strip]
-    total = np.zeros((len(x), len(MEASURED) + 1, *weight[:, 0].shape))
-    for k in np.flatnonzero(weight.any(axis=(0, 2))):
+    left = strips.x[circle, strip]
+    beyond = x - left
+    at_left = strips.y[:, circle, strip]
+    slope = strips.slope[:, circle, strip]
+    y = at_left[:, None] + slope[:, None] * beyond
+    above = strips.above[:, circle, strip]
+    weight = weights[:, :, circle] * above
+    columns, _, pieces = weight.shape
+    total = np.zeros((_COUNT, len(MEASURED) + 1, columns, pieces))
+    counts = weight.any(axis=(0, 2))
+    for k in np.flatnonzero(counts).tolist():
         if k < len(y):
-            of_surface = _over_height(x, c, np.maximum(y[k] + c, 0.0))
+            height = np.maximum(y[k] + c, 0.0)
+            of_surface = _over_height(x, c, height)
         else:
-            load, end = divmod(k - len(y), 2)
-            first, last = (edge[circle, 0] for edge in strips.loads[load])
+            load, rises = divmod(k - len(y), 2)
+            first, last = (end[circle, 0] for end in strips.loads[load])
             share = (x - first) / (last - first)
-            of_surface = _of_pressure(x, y[0], share if end else 1.0 - share)
+            pressure = share if rises else 1.0 - share
+            of_surface = _of_pressure(x, y[0], pressure)
         total += of_surface[:, :, None] * weight[:, k]
     total *= c[:, None, None]
     return total
@@ -226,8 +279,7 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     of_heights = h * h - 3.0 * c * h
     on_arc = c * c
     mean_square = square + of_heights / 3 + on_arc
-    moment_y = h * (h - 2.0 * c) / 2
-    rows = [-inward, x * log, polar / 2, h / c, h, h * mean_square, x * h, moment_y]
+    rows = [-inward, x * log, polar / 2, h / c, h, h * mean_square, x * h, h * (h - 2.0 * c) / 2]
     return np.stack(rows, axis=1)
 
 
@@ -235,5 +287,7 @@ def _of_pressure(x: Floats, y: Floats, pressure: Floats) -> Floats:
     """The same of a pressure on the ground at (x, y), over x: times 1, rho, ... there."""
     square = x * x + y * y
     rho = np.sqrt(square)
-    rows = [y / rho, x / rho, rho, np.zeros_like(x), np.ones_like(x), square, x, y]
+    nothing = np.zeros_like(x)
+    everywhere = np.ones_like(x)
+    rows = [y / rho, x / rho, rho, nothing, everywhere, square, x, y]
     return np.stack(rows, axis=1) * pressure[:, None]

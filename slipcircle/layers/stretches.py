@@ -55,10 +55,16 @@ class StretchIntegrals:
         before = base[:, :-1]
         after = base[:, 1:]
         is_same = before == after
-        most = np.count_nonzero(~is_same, axis=1).max()
-        place = np.argsort(is_same, axis=1, kind="stable")[:, :most]
-        joint, before, after = (np.take_along_axis(values, place, axis=1) for values in (edges, before, after))
-        return Stretches(joint, before, after, base[:, 0], base[:, -1])
+        count = np.count_nonzero(~is_same, axis=1)
+        in_order = np.argsort(is_same, axis=1, kind="stable")
+        place = in_order[:, : count.max()]
+        return Stretches(
+            joint=np.take_along_axis(edges, place, axis=1),
+            before=np.take_along_axis(before, place, axis=1),
+            after=np.take_along_axis(after, place, axis=1),
+            first=base[:, 0],
+            last=base[:, -1],
+        )
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
@@ -86,9 +92,8 @@ class StretchIntegrals:
         """
         first, last = self.span
         moved = rotation if self._base_stays else np.zeros_like(rotation)
-        in_mass = [joint - moved for joint in self._joints]
-        met = [np.clip(joint, first, last) for joint in in_mass]
-        return np.array(met).reshape(-1, *rotation.shape)
+        in_mass = self._joints[:, None] - moved
+        return np.clip(in_mass, first, last)
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
@@ -157,11 +162,9 @@ class StretchIntegrals:
         first, last = self.span
         start = first + rotation
         end = last + rotation
-        if self._base_stays:
-            joints = [np.clip(joint, start, end) for joint in self._joints]
-        else:
-            joints = [joint + rotation for joint in self._joints]
-        return np.stack([*joints, end, start])
+        joints = self._joints[:, None]
+        in_space = np.clip(joints, start, end) if self._base_stays else joints + rotation
+        return np.stack([*in_space, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
         """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
@@ -178,10 +181,12 @@ class StretchIntegrals:
         """
         first, _ = self.span
         axes = tuple(range(1, b.ndim))
-        level, reach = (np.expand_dims(x, axes) for x in (self.section.datum_levels, self.section._datum_crossings))
+        level = np.expand_dims(self.section.datum_levels, axes)
+        reach = np.expand_dims(self.section._datum_crossings, axes)
         start = np.clip(first, -reach, reach)
         end = np.clip(b, -reach, reach)
-        integral: Floats = level * (end - start) + np.sin(end) - np.sin(start)
+        above_level = level * (end - start)
+        integral: Floats = above_level + np.sin(end) - np.sin(start)
         return integral
 
     def growth(self, rotation: Floats) -> Floats:
@@ -210,9 +215,10 @@ class StretchIntegrals:
     def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
         height = self.section.datum_levels + np.cos(direction)
-        soils = np.arange(len(height))[:, None]
-        depth = np.where(soil == soils, np.maximum(height, 0.0), 0.0)
-        return depth[:, None] * length
+        depth = np.maximum(height, 0.0)
+        soils = np.arange(len(depth))
+        of_this_soil = np.where(soil == soils[:, None], depth, 0.0)
+        return of_this_soil[:, None] * length
 
     @cached_property
     def rotation_kinks(self) -> Floats:

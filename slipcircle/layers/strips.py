@@ -98,18 +98,17 @@ def cut_into_strips(
     by_surface = [_lowest(at_middle, chosen) for chosen in surfaces]
     lowest = np.stack(by_surface)
     height = np.take_along_axis(at_middle, lowest, 0)
-    tops = lines[:layers]
-    beyond_left = _layer_at_end(tops, first, _ON_ARC)
-    beyond_right = _layer_at_end(tops, last, -_ON_ARC)
-    is_strip = right > left
-    covered = [(middle > x1) & (middle < x2) for x1, x2 in loads for _ in range(2)]
-    in_strips = np.where(is_strip, _base(at_middle[:layers], arc), beyond_right)
+    covered = list[Flags]()
+    for x1, x2 in loads:
+        is_under = (middle > x1) & (middle < x2)
+        covered += [is_under, is_under]
+    in_strips = _base(at_middle[:layers], arc)
     return Strips(
         x=edges,
         y=np.take_along_axis(start, lowest, 0),
         slope=np.take_along_axis(slope, lowest, 0),
         above=np.stack([*(height > arc), *covered]),
-        base=np.concatenate([beyond_left, in_strips, beyond_right], axis=1),
+        base=_with_ends(in_strips, right > left, lines[:layers], ends),
         loads=loads,
     )
 
@@ -128,6 +127,15 @@ def _base(tops: Floats, arc: Floats) -> Integers:
     boundaries = np.minimum.accumulate(tops, axis=0)
     above = np.count_nonzero(boundaries > arc, axis=0)
     return np.maximum(above - 1, 0)
+
+
+def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: Sequence[Vectors]) -> Integers:
+    """The layers at the arc in strips, of those without width that beyond the right end, and beyond both ends."""
+    first, last = ends
+    beyond_left = _layer_at_end(tops, first, _ON_ARC)
+    beyond_right = _layer_at_end(tops, last, -_ON_ARC)
+    in_strips = np.where(has_width, base, beyond_right)
+    return np.concatenate([beyond_left, in_strips, beyond_right], axis=1)
 
 
 def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Integers:
