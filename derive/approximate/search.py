@@ -33,7 +33,6 @@ HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
-MARGIN = 0.05  # least advantage in price, in ulp, for a shape to replace the recorded one
 STEPS = (-1, 1)  # of whatever is moved to a neighbouring shape
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # most shapes evaluated for one quantity
@@ -257,17 +256,9 @@ def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
     return spare
 
 
-def best(kernel: Kernel, trials: int = TRIALS) -> Best:
-    """The recorded pieces, unless the search's are better by more than MARGIN.
-
-    So a repeated or a short search changes nothing.
-    """
+def best(kernel: Kernel, trials: int) -> Best:
+    """The pieces that the search finds, or `ProofError` if none keeps its goals."""
     chosen = refined(kernel, trials)
-    known = records().get(kernel.definition)
-    if known and kept(kernel, "best", known.best):
-        recorded = known.best
-        if chosen is None or price(kernel, recorded) <= price(kernel, chosen) + MARGIN:
-            return recorded
     if chosen is None:
         tier = TIERS["best"]
         goal = tier.quotient if len(kernel.closed) > 1 else tier.fused
@@ -319,9 +310,9 @@ def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
     return Shape(best(kernel, trials), tuple(cheap))
 
 
-def complete(anew: bool, trials: int) -> str:
-    """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
-    missing = {k.definition: k for k in shapes.kernels() if anew or k.definition not in records()}
+def complete(trials: int) -> str:
+    """Search for the shapes of kernels without a record, and record them for this run; which ones."""
+    missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
     if missing:
         with ProcessPoolExecutor(2) as pool:
             searched = pool.map(partial(search, trials=trials), missing.values())
