@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 from flint import arb
@@ -213,8 +213,8 @@ def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
         yield replace(part, far=replace(far, scale=3 - far.scale))
 
 
-def refined(kernel: Kernel, trials: int) -> Best | None:
-    """The pieces with the least bound and the fewest operations; None if none keeps its goals.
+def best(kernel: Kernel) -> Best:
+    """The pieces with the least bound and the fewest operations, or `ProofError` if none keeps its goals.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
     """
@@ -222,7 +222,7 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
 
     def ranked(tried: Iterable[Best]) -> list[Best]:
         for shape in tried:
-            if shape not in judged and len(judged) < trials:
+            if shape not in judged and len(judged) < TRIALS:
                 judged[shape] = price(kernel, shape)
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
@@ -231,7 +231,12 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
     while left := [shape for shape in ranking[:2] if shape not in explored]:
         explored.add(left[0])
         ranking = ranked(neighbours(kernel, left[0]))
-    return _first_kept(kernel, ranking[:6])
+    chosen = _first_kept(kernel, ranking[:6])
+    if chosen is None:
+        tier = TIERS["best"]
+        goal = tier.quotient if len(kernel.closed) > 1 else tier.fused
+        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
+    return chosen
 
 
 def _seams(kernel: Kernel) -> list[float]:
@@ -254,16 +259,6 @@ def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
             return shape
         spare = spare or shape
     return spare
-
-
-def best(kernel: Kernel, trials: int) -> Best:
-    """The pieces that the search finds, or `ProofError` if none keeps its goals."""
-    chosen = refined(kernel, trials)
-    if chosen is None:
-        tier = TIERS["best"]
-        goal = tier.quotient if len(kernel.closed) > 1 else tier.fused
-        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
-    return chosen
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
@@ -299,7 +294,7 @@ def _cost(degrees: tuple[int, int]) -> tuple[int, int]:
     return above + below + division, -below
 
 
-def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
+def search(kernel: Kernel) -> Shape:
     """Find the shape of a kernel, or raise `ProofError` if none keeps what the tiers promise.
 
     A quotient has the best tier alone.
@@ -307,15 +302,15 @@ def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
     cheap = []
     if len(kernel.closed) == 1:
         cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"]
-    return Shape(best(kernel, trials), tuple(cheap))
+    return Shape(best(kernel), tuple(cheap))
 
 
-def complete(trials: int) -> str:
+def complete() -> str:
     """Search for the shapes of kernels without a record, and record them for this run; which ones."""
     missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
     if missing:
         with ProcessPoolExecutor(2) as pool:
-            searched = pool.map(partial(search, trials=trials), missing.values())
+            searched = pool.map(search, missing.values())
             tracked = track(searched, "shapes searched", len(missing))
             records().update(zip(missing, tracked, strict=True))
     names = [" / ".join(definition) for definition in missing]
