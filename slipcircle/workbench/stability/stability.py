@@ -209,40 +209,28 @@ def require_drive(section: Section) -> None:
         raise InputError("Section", [f"{where}: {why}"])
 
 
-def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
+def factors_of_safety(scene: Any) -> dict[str, Floats]:
     """Factors of safety of a section at the start of its motion, of one scene or of each scene of an ensemble.
 
     Parameters
     ----------
     scene : Scene
-        Of a `Section`; of its effects cohesion and pore pressure count, of its friction law the value at rest.
-    k_h : float or array_like
-        Horizontal acceleration over g, positive down-slope.
+        Of a `Section` with a `soil`; of its effects cohesion and pore pressure count, of its friction law the value at
+        rest.
 
     Returns
     -------
     dict of ndarray
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
-
-    Raises
-    ------
-    ValueError
-        For an `Arc`, of which nothing is known but its chord, and for pressures of a record.
     """
     section = scene.arc
-    if not isinstance(section, Section):
-        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has only the factor of its Motion")
     strength = soil(scene.friction, scene.called)
-    if not strength:
-        raise ValueError(
-            "factors_of_safety: scene: needs friction or cohesion, and a pore pressure that no record prescribes"
-        )
     scenes = np.arange(math.prod(scene.shape))
     blocks = []
     for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
         by_lane = _of_scenes(scene.shape, block)
-        slope = _slope_of_section(section, strength, k_h, by_lane)
+        slope = _slope_of_section(section, strength, by_lane)
         left, right = _ends(section, by_lane)
         blocks.append(circle_factors(slope, by_lane(section.centre, 1), by_lane(section.radius), left, right))
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
@@ -270,9 +258,9 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
     return by_lane
 
 
-def _slope_of_section(section: Section, strength: Mapping[str, Any], k_h: Any, by_lane: _ByLane) -> SlopeArrays:
+def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _ByLane) -> SlopeArrays:
     """The slopes of sections."""
-    numbers = {"water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
+    numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section.ground, section.level, section.layers, section.surcharge, numbers)
     layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
