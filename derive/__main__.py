@@ -83,7 +83,7 @@ COMMANDS = {
         "judge every numbered equation, table entry and appendix of the paper",
         _JSON | {"markdown": "a page for a colleague"},
     ),
-    "hard": Command("the hard cases: error of the printed form beside ours", _JSON),
+    "hard": Command("the hard cases: error of the printed form beside ours", {}),
     "prove": Command(
         "prove the error bounds of the kernels again, from their certificates alone",
         {"gappa": "ask Gappa, a program by others, for the rounding in them; its scripts are left in build/gappa"},
@@ -172,7 +172,7 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "hard":
         from derive.judge import hard
 
-        print(hard.report(options.form))
+        print(hard.report())
         return 0
     return generate(options.check)
 
