@@ -232,7 +232,9 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         by_lane = _of_scenes(scene.shape, block)
         slope = _slope_of_section(section, strength, by_lane)
         left, right = _ends(section, by_lane)
-        blocks.append(circle_factors(slope, by_lane(section.centre, 1), by_lane(section.radius), left, right))
+        centre = by_lane(section.centre, 1)
+        radius = by_lane(section.radius)
+        blocks.append(circle_factors(slope, centre, radius, left, right))
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
@@ -248,12 +250,14 @@ def _of_one_slope(value: Any, axes: int = 0) -> Floats:
 
 def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
     """Values of some scenes of an ensemble of a shape."""
-    some = np.unravel_index(numbers, shape or (1,))
+    lanes = shape or (1,)
+    some = np.unravel_index(numbers, lanes)
 
     def by_lane(value: Any, axes: int = 0) -> Floats:
         array = np.asarray(value, dtype=np.float64)
         inner = array.shape[array.ndim - axes :]
-        return np.asarray(np.broadcast_to(array, (*(shape or (1,)), *inner))[some])
+        of_every_lane = np.broadcast_to(array, (*lanes, *inner))
+        return np.asarray(of_every_lane[some])
 
     return by_lane
 
