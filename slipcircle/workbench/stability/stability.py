@@ -157,7 +157,9 @@ class Slope:
         mistakes = []
         ground = np.asarray(self.ground)
         if self.level is not None:
-            (above,), words = pond_errors(_filled(ground, self.pond)[None], np.asarray(self.level)[None])
+            filled = _filled(ground, self.pond)
+            level = np.asarray(self.level)
+            (above,), words = pond_errors(filled[None], level[None])
             if above:
                 mistakes.append(words(0))
         if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
@@ -203,7 +205,8 @@ def require_drive(section: Section) -> None:
     moment = float(section.moments["weight_moment"])
     area = float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
-        left, right = sorted((float(section.entry[0]), float(section.exit[0])))
+        ends = float(section.entry[0]), float(section.exit[0])
+        left, right = sorted(ends)
         where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
         why = "it is in equilibrium about the centre, as below level ground; choose a circle that cuts the slope"
         raise InputError("Section", [f"{where}: {why}"])
