@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "5f839d2d8637e0e60d8a009ca82ff7af76784b8526118a6235603a8418e3030d"
+#define DIGEST "3ebc9b76cea357448fb40555e704756451543dc277fccc51168c8460f2e178f6"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1123,9 +1123,9 @@ static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which
 }
 
 /* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none. Within a step
- * the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls at first and rises
- * at last has no root there. Where it falls and rises, its least value decides. One that only touches zero does
- * not cross it, and one that is zero has no root. */
+ * the terms fall like 0.2^k: a polynomial that neither has changed its sign at h nor falls at first and rises at
+ * last has no root there. Where it falls and rises, its least value decides. One that only touches zero does not
+ * cross it, and one that is zero has no root. */
 static V first_root(V *p, int n, V h, M which)
 {
     V high = h;
@@ -1911,15 +1911,34 @@ static void begin_here(Batch *b, unsigned lane)
     begin_pieces(b, lane);
 }
 
-/* Whether a piece ends before the end time, without a jump, and is followed by another one that ends. */
+/* Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump. */
 INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
     int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    int in_time = break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS)));
-    return (following < last) && in_time && (jump_of(b, lane, t, following) == 0.0);
+    return (following < last) && (break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS))));
+}
+
+/* A function of time in straight lines where a piece begins. */
+INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    double terms[HIGHEST + 2];
+    coefficients_of(b, lane, t, piece, terms);
+    return c[job->table[t].cell + SCALED_BY][lane] * terms[0];
+}
+
+/* The lane is where a piece begins, which it has yet to enter. */
+static void stand_before(Batch *b, unsigned lane, int t, int64_t piece, double now)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    c[TIME][lane] = now;
+    c[job->table[t].cell + PIECE][lane] = (double)(piece - 1);
+    c[job->table[t].cell + WAY][lane] = INFINITY;
 }
 
 /* Bound the function of time where sign p, a straight line of it with such terms, keeps some of what it is. */
@@ -1945,7 +1964,7 @@ INLINE void look_for_quiet(Batch *b, M here)
     V *const c = b->c;
     V terms_of_normal = EPS * (magnitude(c[job->role->normal_load]) + magnitude(c[job->role->normal_load_slope]));
     for (int t = 0; t < job->tables; t++) {
-        if ((job->timed == 1) && (job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
+        if ((job->table[t].kind == OF_TIME) && (job->data[t].terms == 2)) {
             keep_quiet(b, here, t, b->r + job->role->net, broadcast(-1.0), c[job->role->drive_scale]);
             if (job->role->normal >= 0) {
                 keep_quiet(b, here, t, b->r + job->role->normal, broadcast(1.0), terms_of_normal);
@@ -1960,9 +1979,7 @@ INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
     const Job *const job = b->job;
     V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
-    double terms[HIGHEST + 2];
-    coefficients_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last, terms);
-    double value = c[job->table[t].cell + SCALED_BY][lane] * terms[0];
+    double value = value_at_break(b, lane, t, (piece + 1) < last ? (piece + 1) : last);
     return (c[QUIET_FROM][lane] <= value) && (value <= c[QUIET_TO][lane]) && passes_quietly(b, lane, t, piece);
 }
 
@@ -1980,25 +1997,21 @@ static void rest_through(Batch *b, unsigned lane, int t)
         if (job->samples > 0) {
             read_samples(b, lane, c[TIME][lane], now, 0, 0);
         }
-        c[TIME][lane] = now;
-        c[job->table[t].cell + PIECE][lane] = (double)(piece - 1);
-        c[job->table[t].cell + WAY][lane] = INFINITY;
+        stand_before(b, lane, t, piece, now);
     }
 }
 
-/* Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it. */
-INLINE int glides_on(Batch *b, unsigned lane, int t, double slope, double grip)
+/* Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it. At the
+ * end net moment and normal force are by so much more than where the phase began. */
+INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double length = c[job->table[t].cell + UPPER][lane] - c[TIME][lane];
-    double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
-    double after = c[job->role->drive][lane] + (slope * c[job->table[t].cell + LOWER][lane]);
-    double slowest = c[OMEGA][lane] + (length * fmin(fmin(net, after), 0.0));
-    double presses = c[job->role->normal0][lane] + fmin(grip * c[job->table[t].cell + INC][lane], grip * c[job->table[t].cell + LOWER][lane]);
-    int peaks = (net >= 0.0) && (after < 0.0) && ((c[OMEGA][lane] + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
-    int moves = (slowest > ((1.0 - SURE) * c[OMEGA][lane])) && (presses > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
-    return moves && !peaks && passes_quietly(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane]);
+    double after = c[job->role->drive][lane] + by_drive;
+    double slowest = omega + (length * fmin(fmin(net, after), 0.0));
+    int peaks = (net >= 0.0) && (after < 0.0) && ((omega + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
+    int moves = (slowest > ((1.0 - SURE) * omega)) && ((c[job->role->normal0][lane] + by_load) > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
+    return moves && !peaks;
 }
 
 /* Pass the pieces through which the net moment is a straight line of time, and nothing happens. The rates of net
@@ -2014,16 +2027,31 @@ static void glide(Batch *b, unsigned lane, int t)
         if (job->role->normal >= 0) {
             grip = (b->r + job->role->normal)[1][lane] / rise;
         }
-        while (glides_on(b, lane, t, slope, grip)) {
-            double length = c[job->table[t].cell + UPPER][lane] - c[TIME][lane];
-            double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
-            double after = c[job->role->drive][lane] + (slope * c[job->table[t].cell + LOWER][lane]);
-            c[X][lane] = c[X][lane] + (length * (c[OMEGA][lane] + ((length * ((2.0 * net) + after)) / 6.0)));
-            c[OMEGA][lane] = c[OMEGA][lane] + ((length * (net + after)) / 2.0);
-            c[TIME][lane] = c[job->table[t].cell + UPPER][lane];
-            pass_break(b, lane, t);
+        int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
+        double x = c[X][lane];
+        double omega = c[OMEGA][lane];
+        double now = c[TIME][lane];
+        double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
+        double until = c[job->table[t].cell + UPPER][lane];
+        double inc = c[job->table[t].cell + LOWER][lane];
+        while (passes_quietly(b, lane, t, piece) && glides_on(b, lane, omega, until - now, net, slope * inc, grip * inc)) {
+            double length = until - now;
+            double after = c[job->role->drive][lane] + (slope * inc);
+            x = x + (length * (omega + ((length * ((2.0 * net) + after)) / 6.0)));
+            omega = omega + ((length * (net + after)) / 2.0);
+            now = until;
+            net = after;
+            piece = piece + 1;
+            until = break_of(b, lane, t, piece + 1) / c[job->table[t].cell + SCALE][lane];
+            inc = value_at_break(b, lane, t, piece + 1) - c[job->table[t].cell + VALUE][lane];
         }
-        update_peak(b, lane, c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]));
+        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
+            c[X][lane] = x;
+            c[OMEGA][lane] = omega;
+            stand_before(b, lane, t, piece, now);
+            pass_break(b, lane, t);
+            update_peak(b, lane, net);
+        }
     }
 }
 
