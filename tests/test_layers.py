@@ -92,6 +92,17 @@ def test_pore_pressure_that_travels_with_the_soils_lifts_the_mass_where_it_is_th
     assert stress > pressure
 
 
+def test_circles_with_other_unit_weights_are_weighed_anew() -> None:
+    """What a section has computed of its geometry is taken over by one with other soils, but for sums of weights."""
+    scene = Scene(replace(sloping(RICH), radius=np.array([48.0, 47.5])), effects=TURNING)
+    before = solve(scene).run_out
+    heavier, _ = with_parameter_arrays(scene, {"soils.b.unit_weight": np.array([25e3, 25e3])})
+    soils = [replace(soil, unit_weight=25e3) if soil.name == "b" else soil for soil in RICH]
+    anew = Scene(replace(sloping(soils), radius=np.array([48.0, 47.5])), effects=TURNING)
+    assert solve(heavier).run_out == pytest.approx(solve(anew).run_out, rel=1e-12)
+    assert np.all(np.abs(solve(anew).run_out - before) > 1e-3)
+
+
 def test_stretches_carry_the_means_along_the_arc() -> None:
     rng = np.random.default_rng(1)
     for section in (random_section(rng), random_section(rng), profile(ONE_SOIL)):
