@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1370ae8424bb3c628ed07d9173c39adfa59f1544bcf1c7125dd09dd03a65019d
+# sha256 of the text below: 3cf9e0b6a1ac986a7a6ceeb3a616a5698c36a36bbc4451e16d118f3070f5eeb3
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -121,6 +121,8 @@ TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY',
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu')
+HIGHEST = 40
+STRIDE = 42
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000

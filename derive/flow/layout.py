@@ -124,6 +124,8 @@ ROLES = (
     "cell_resisting",
     "cell_mu",
 )
+# The highest order of a series, and from one register to the next: a state has one coefficient more, and e of roots too.
+SIZES = {"HIGHEST": 40, "STRIDE": 42}
 # Of a lane, breaks of functions of time not counted. A step that changes the speed by less than a share is held short
 # by what decays at once (the motion is stiff): it counts for many.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
@@ -162,7 +164,7 @@ def python() -> str:
     for words, prefix, start, names in NUMBERED.values():
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
-    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
+    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | SIZES | LIMITS | SHARES
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
@@ -176,5 +178,6 @@ def c() -> dict[str, str]:
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
     return {
         "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
+        "SIZES": ", ".join(f"{x} = {y}" for x, y in SIZES.items()),
         "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",
     }
