@@ -1,8 +1,9 @@
 """How long motions take, in ensembles and alone, beside other integrators, for every width of vectors.
 
 ``python -m tests.campaigns.speed notebooks/speed.png >notebooks/speed.md`` writes what the book includes.
-Needs heyoka: pip install heyoka. A kind of processor that our binary has runs in a process of its own: AVX-512 in both,
-or vectors of 256 bits in both; heyoka knows the processor, though, and keeps its further registers and instructions.
+Needs heyoka, and for records Numba: pip install heyoka numba. A kind of processor that our binary has runs in a process
+of its own: AVX-512 in both, or vectors of 256 bits in both; heyoka knows the processor, though, and keeps its further
+registers and instructions.
 """
 
 import json
@@ -14,6 +15,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
+from importlib.util import find_spec
 from multiprocessing import get_context
 from pathlib import Path
 from statistics import median
@@ -23,18 +25,19 @@ import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ign
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle import ensemble, solve
+from slipcircle import Scene, ensemble, solve, synthetic_records
 from slipcircle.workbench.cost.rows import interleaved
 from slipcircle.workbench.outputs.info import machine
 from slipcircle.workbench.outputs.pictures import render
 from slipcircle.workbench.outputs.plotstyle import SERIES
-from tests.support import oracle, taylor
+from tests.support import blocks, oracle, taylor
 from tests.support.lanes import BINARY
 from tests.support.peers_of_motion import ARC, LAWS, VAIONT, alone, by_scipy, friction, in_batches
 
 Floats = NDArray[np.float64]
 ACCURACY = 1e-9
 COUNT, MANY = 8_000, 1_000_000  # scenes
+SCALES = 64  # of a record
 BATCHES = (4, 8, 16, 32)
 WIDE = ("avx512", "avx2")
 LEVEL = os.environ.get("SLIPCIRCLE_COMPILED", "")
@@ -107,6 +110,37 @@ def samples() -> Iterator[Row]:
         yield Row("`ensemble` of a million", "`solve` of as many", *medians([study, solved], MANY))
 
 
+def block(values: Floats, step: float, yields: float, scales: Floats) -> Floats:
+    """Displacements and peak velocities of a rigid block on a record at some scales, by one trapezium a sample."""
+    results = np.zeros((2, scales.size))
+    for k, scale in enumerate(scales):
+        displacement, speed, peak = 0.0, 0.0, 0.0
+        for value in values:
+            rate = scale * value - yields
+            if speed > 0.0 or rate > 0.0:
+                after = max(speed + step * rate, 0.0)
+                displacement += 0.5 * step * (speed + after)
+                speed = after
+                peak = max(peak, speed)
+        results[:, k] = displacement, peak
+    return results
+
+
+def records() -> Iterator[Row]:
+    """A frozen arc under a record at many scales, beside Numba's loop for the rigid block: of one sample."""
+    if find_spec("numba") is None:
+        print("records: not measured, as Numba is not installed", file=sys.stderr)
+        return
+    from numba import njit  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    (record,) = synthetic_records(1, arias=1.5, duration=12.0, seed=1).values()
+    scales = np.linspace(0.5, 3.0, SCALES)
+    shaken = Scene(blocks.ARC, blocks.MU, {"shaking": {"horizontal": record, "scale": scales}})
+    loop = partial(njit(block), record.values, record.time[1], blocks.factor()[1], scales)
+    works = [lambda: solve(shaken, ACCURACY).outcomes["peak_velocity"], loop]
+    yield Row("a sample of a record", "Numba, rigid block", *medians(works, SCALES * record.time.size))
+
+
 def threads() -> Iterator[Row]:
     """A million scenes by threads on all cores, beside one thread: by the clock, not by the processor's time."""
     cores = os.cpu_count() or 1
@@ -122,7 +156,7 @@ def threads() -> Iterator[Row]:
     yield Row(f"a million on {cores} cores", "one thread", *map(median, zip(*turns, strict=True)))
 
 
-MEASURES: Sequence[Callable[[], Iterator[Row]]] = (ensembles, single_scenes, samples, threads)
+MEASURES: Sequence[Callable[[], Iterator[Row]]] = (ensembles, single_scenes, samples, records, threads)
 
 
 def most_memory() -> float:
