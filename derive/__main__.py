@@ -50,7 +50,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
             counts = " -> ".join(map(str, step.operations))
             say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
-    timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
+    timed("equation of motion", "solve", "(3.20), (4.3) solve (3.16)", dynamics.solution)
     timed("flow", "balance", "{0} claims proved", linked.prove)
     timed("flow", "series", "{0} operations proved", recurrences.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)

@@ -46,7 +46,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "flow.py": module.module(),
         "kernels.pyi": emit.stub(kernels),
         "kernels.py": emit.module(
-            "Moments, weights and quotients of the arc, from their definitions.", kernels, parts=parts_of_ends()
+            "Moments, weights and quotients of the arc, from their definitions.", kernels, parts_of_ends()
         ),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,
@@ -70,12 +70,6 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
     """The modules that are programs with a docstring each."""
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     return {
-        "motion.py": emit.module(
-            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
-            functions.motion(),
-            "generated.motion",
-        ),
-        "motion.pyi": emit.stub(functions.motion()),
         "printed.py": emit.raw_module(
             "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
             printed,
