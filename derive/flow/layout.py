@@ -124,7 +124,7 @@ ROLES = (
     "cell_resisting",
     "cell_mu",
 )
-# The highest order of a series, and from one register to the next: a state has one coefficient more, and e of roots too.
+# The highest order of a series, and how far apart registers are: states have one coefficient more, and zero follows.
 SIZES = {"HIGHEST": 40, "STRIDE": 42}
 # Of a lane, breaks of functions of time not counted. A step that changes the speed by less than a share is held short
 # by what decays at once (the motion is stiff): it counts for many.
