@@ -140,7 +140,7 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
                 continue
             path = artist.get_path().transformed(artist.get_transform())
             if isinstance(artist, Line2D) and artist.get_marker() not in ("None", "", None):
-                yield _about(path.vertices, artist.get_markersize())
+                yield _about(np.asarray(path.vertices), artist.get_markersize())
             if artist.get_linestyle() != "None":
                 for line in path.to_polygons(closed_only=False):
                     yield _along(np.asarray(line, dtype=np.float64), frame)

@@ -226,7 +226,8 @@ def run_blocks(
         for index in range(design.blocks):
             while begun < min(index + _AHEAD, design.blocks):
                 kept = folder.load(begun) if folder else None
-                under_way[begun] = executor.submit(*design.task(begun)) if kept is None else kept
+                work, argument = design.task(begun)
+                under_way[begun] = executor.submit(work, argument) if kept is None else kept
                 begun += 1
             found = under_way.pop(index)
             is_new = isinstance(found, Future)
@@ -238,7 +239,7 @@ def run_blocks(
                 progress(scenes, 0 if is_new else scenes)
             yield result
     finally:
-        for index, found in under_way.items():  # what was finished meanwhile is kept as well
-            is_whole = isinstance(found, Future) and found.done() and not found.cancelled()
-            if folder and is_whole and found.exception() is None:
-                folder.save(index, found.result())
+        ended = {index: found for index, found in under_way.items() if isinstance(found, Future) and found.done()}
+        for index, future in ended.items():  # what was finished meanwhile is kept as well
+            if folder and not future.cancelled() and future.exception() is None:
+                folder.save(index, future.result())
