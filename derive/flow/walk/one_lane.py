@@ -85,7 +85,7 @@ def number(k: Any) -> Any:
 
 
 def new_series() -> list[Any]:
-    return [0.0] * layout.SIZES["STRIDE"]
+    return [0.0] * layout.STRIDE
 
 
 numbers = new_series
