@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3cf9e0b6a1ac986a7a6ceeb3a616a5698c36a36bbc4451e16d118f3070f5eeb3
+# sha256 of the text below: 6e42e301421604c26da7dcc74d5e5a959de0d57129f076bd62cf625cea6f97a6
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -121,11 +121,10 @@ TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY',
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',
     'cell_driving_moment', 'cell_normal_load', 'cell_normal_load_slope', 'cell_driving', 'cell_resisting', 'cell_mu')
-HIGHEST = 40
-STRIDE = 42
 MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
 CARRIED = 0.001
 SETTLED = 1.4210854715202004e-14
+STRIDE = 42
