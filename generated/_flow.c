@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "352c4353b30f8e35fda3aa0d61927da553f6be870d5523724972a9a5d49dccdd"
+#define DIGEST "3708085c0acbe762259f25c3a0bf2d0038decc194cbae704b525f3f1cdcd0548"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1123,9 +1123,9 @@ static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which
 }
 
 /* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none. Within a step
- * the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls at first and rises
- * at last has no root there. Where it falls and rises, its least value decides. One that only touches zero does
- * not cross it, and one that is zero has no root. */
+ * the terms fall like 0.2^k: a polynomial that neither has changed its sign at h nor falls at first and rises at
+ * last has no root there. Where it falls and rises, its least value decides. One that only touches zero does not
+ * cross it, and one that is zero has no root. */
 static V first_root(V *p, int n, V h, M which)
 {
     V high = h;
