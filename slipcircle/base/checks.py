@@ -102,7 +102,9 @@ _WITHOUT_WARNING: Any = nullcontext()
 
 def may_overflow(shape: tuple[int, ...]) -> Any:
     """A context in which nothing warns of an overflow, which is refused where the result is read; floats never do."""
-    return np.errstate(over="ignore") if shape else _WITHOUT_WARNING
+    if not shape:
+        return _WITHOUT_WARNING
+    return np.errstate(over="ignore")
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
@@ -202,7 +204,8 @@ def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
     """Whether there is one number within its bounds for each parameter and nothing else, as a rule."""
     for p in parameters:
         value = given.get(p.name)
-        if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
+        is_number = p.kind == "number" and type(value) is float
+        if not (is_number and p.lower < value < p.upper):
             return False
     return len(given) == len(parameters)
 

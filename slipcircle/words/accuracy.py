@@ -1,6 +1,6 @@
 """How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from operator import truediv
@@ -143,13 +143,22 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
         return 1.0, True
     durations = end_times if _ends_in_time(final) else rests
     rows = durations, run_outs, [abs(peak) for peak in peaks]
-    greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
+    greatest = [*map(_farthest, rows, of_motion)]
     if moves:
-        of_run_0 = states[:2, :, :1]
-        change = np.abs(states[:2] - of_run_0).reshape(2, -1)
-        greatest += np.fmax.reduce(change, axis=1).tolist()
+        rotation_and_velocity = states[:2]
+        of_run_0 = rotation_and_velocity[:, :, :1]
+        change = np.abs(rotation_and_velocity - of_run_0)
+        of_each = change.reshape(2, -1)
+        greatest += np.fmax.reduce(of_each, axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in (*of_motion, *of_motion[1:])]
     return max(map(truediv, greatest, sizes)), False
+
+
+def _farthest(values: Sequence[float], of_motion: float) -> float:
+    """How far the value of any run is from that of the motion."""
+    above = max(values) - of_motion
+    below = of_motion - min(values)
+    return max(above, below)
 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:
