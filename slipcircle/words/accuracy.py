@@ -111,7 +111,8 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
     for run in range(1, RUNS):
         alone = slice(run, run + 1)
         cells = integrate(problem, perturbed_runs(problem, alone, rounding))
-        change = np.abs(np.array(_summary(cells)) - of_motion)
+        of_run = np.array(_summary(cells))
+        change = np.abs(of_run - of_motion)
         greatest = np.fmax.reduce(change / sizes)
         spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
@@ -139,10 +140,12 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0
     move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
-    if status.count(final[ix.STATUS]) < RUNS or not move_alike:
+    end_alike = status.count(final[ix.STATUS]) == RUNS
+    if not (end_alike and move_alike):
         return 1.0, True
     durations = end_times if _ends_in_time(final) else rests
-    rows = durations, run_outs, [abs(peak) for peak in peaks]
+    speeds = map(abs, peaks)
+    rows = durations, run_outs, [*speeds]
     greatest = [*map(_farthest, rows, of_motion)]
     if moves:
         rotation_and_velocity = states[:2]
