@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from sympy import Expr, __version__, degree
+from sympy import Expr, __version__
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
@@ -19,8 +19,7 @@ from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
 from derive.check.records import Record, unit
 from derive.code import emit
-from derive.declare.quantities import MOMENTS, QUOTIENTS
-from derive.declare.symbols import r, theta
+from derive.declare.quantities import QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
 
@@ -114,7 +113,6 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
         f'DIGEST = "{digest}"\nLIMIT = {LIMIT!r}  # of an end of an arc, rad\n\n'
         "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
-        "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
     )
 
@@ -123,15 +121,13 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
     """The definition of each function of alpha, for comparisons with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
-    integrands = [f"    {m.kernel[0]!r}: ({degree(m.weight, r)}, {m.weight.has(theta)}),\n" for m in MOMENTS]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
-        '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
+        '"""Closed forms and quotients: what the functions of alpha are."""\n\n'
         "from collections.abc import Callable\nfrom typing import Any\n\n"
         "# Over any arithmetic m that has sin, cos and atanh.\n"
         f"CLOSED: dict[str, Callable[[Any, Any], Any]] = {{\n{''.join(forms)}}}\n\n"
-        "# The power of r, and whether cos(u) turns it, u from -alpha to alpha and r from cos(alpha)/cos(u) to 1.\n"
-        f"INTEGRANDS = {{\n{''.join(integrands)}}}\n\nQUOTIENTS = {{\n{''.join(quotients)}}}\n"
+        f"QUOTIENTS = {{\n{''.join(quotients)}}}\n"
     )
 
 
