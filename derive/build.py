@@ -128,15 +128,19 @@ def _is_clang(compiler: list[str]) -> bool:
     return "clang" in done.stdout
 
 
-def build_all() -> str:
-    """Compile modules with outdated binaries, side by side; returns a line on what is in use."""
+def build_all(folder: Path = FOLDER) -> tuple[list[Path], str]:
+    """Compile modules with outdated binaries, side by side; returns the binaries, and a line on what is in use."""
     with ThreadPoolExecutor() as pool:
-        builds = [pool.submit(build, name=name) for name in MODULES]
-    try:
-        return ", ".join(made.result().name for made in builds)
-    except NoBinaryError as error:
-        return f"NumPy serves: {error}"
+        builds = [pool.submit(build, folder, name=name) for name in MODULES]
+    binaries, outcome = [], []
+    for made in builds:
+        try:
+            binaries.append(made.result())
+            outcome.append(binaries[-1].name)
+        except (NoBinaryError, OSError) as error:
+            outcome.append(f"NumPy serves: {error}")
+    return binaries, ", ".join(outcome)
 
 
 if __name__ == "__main__":
-    print(build_all())
+    print(build_all()[1])

@@ -30,12 +30,9 @@ class KernelsHook(BuildHookInterface[Any]):
     def _compiled(self) -> list[Path]:
         """Binaries of this Python on this machine, as far as they can be had."""
         sys.path.insert(0, self.root)
-        from derive.build import MODULES, NoBinaryError, build
+        from derive.build import MODULES, build_all
 
-        binaries = []
-        for name in MODULES:
-            try:
-                binaries.append(build(Path(self.root) / "generated", name=name))
-            except (NoBinaryError, OSError) as error:
-                self.app.display_warning(f"no compiled {name[1:]}, NumPy serves: {error}")
+        binaries, outcome = build_all(Path(self.root) / "generated")
+        if len(binaries) < len(MODULES):
+            self.app.display_warning(outcome)
         return binaries

@@ -33,7 +33,7 @@ TABLES = (
     "slip soils surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
-MODULES = "definitions effects flow generated kernels layout motion printed series slopes stable tiers walk"
+MODULES = "definitions effects flow generated kernels layout printed series slopes stable tiers walk"
 ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
 # Arguments of laws without formula.
@@ -101,8 +101,10 @@ def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") 
         value = getattr(of, f.name)
         blank = isinstance(value, str) and not value.strip() and (value or f.name in ("help", "symbol"))
         if blank or not _fits(value, f.type):
-            kind = f.type.__name__ if isinstance(f.type, type) else re.sub(r"[a-z.]+\.(?=[A-Z])", "", str(f.type))
-            raise ProofError(_claim(e, where + f.name), f"{value!r:.60}", "words on what it is" if blank else kind)
+            kind = f.type.__name__ if isinstance(f.type, type) else str(f.type)
+            of_sympy = re.sub(r"[a-z.]+\.(?=[A-Z])", "", kind)
+            wanted = "words on what it is" if blank else of_sympy
+            raise ProofError(_claim(e, where + f.name), f"{value!r:.60}", wanted)
     for p in getattr(of, "parameters", ()):
         _check_fields(e, p, f"parameter {p.name!r}, ")
 
@@ -326,8 +328,10 @@ def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
     """A symbol stands for one number of a program: of one effect, and of nothing in the balance."""
     for effect in effects:
         for x in (*effect.symbols, *effect.states):
-            names = {str(x), f"{x}_0", f"d{x}"}
-            if x != sp.Symbol(str(x), real=True) or not str(x).isidentifier():
+            name = str(x)
+            names = {name, f"{name}_0", f"d{name}"}
+            right = sp.Symbol(name, real=True)
+            if x != right or not name.isidentifier():
                 raise ProofError(_claim(effect, "symbols"), sp.srepr(x), "sp.Symbol('name', real=True)")
             if x not in declared.BY_PSI and names & taken:
                 raise ProofError(_claim(effect, "symbols"), x, "each for one quantity of one effect")

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 46d341e994705d31708a3f544ef5559c2afd297298a2148007c13385b27d4b96
-"""Closed forms, integrands and quotients: what the functions of alpha are."""
+# sha256 of the text below: c81f8bb767666400c828f814bc3d7ee727bac84de6542885d9c63dcca7cc195e
+"""Closed forms and quotients: what the functions of alpha are."""
 
 from collections.abc import Callable
 from typing import Any
@@ -12,14 +12,6 @@ CLOSED: dict[str, Callable[[Any, Any], Any]] = {
     'radial_weight_amplitude': lambda m, x: m.sin(x) - m.cos(x)**2*m.atanh(m.sin(x)),
     'weight_moment_amplitude': lambda m, x: 2*m.sin(x)**3/3,
     'resistance_factor': lambda m, x: 2*x*(1 - m.cos(x)),
-}
-
-# The power of r, and whether cos(u) turns it, u from -alpha to alpha and r from cos(alpha)/cos(u) to 1.
-INTEGRANDS = {
-    'polar_moment': (2, False),
-    'moment_of_inertia': (3, False),
-    'radial_weight_amplitude': (1, True),
-    'weight_moment_amplitude': (2, True),
 }
 
 QUOTIENTS = {

@@ -1,29 +1,9 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a1ea4391ed96afef725be9f599ee3f807c2bb1a2313fe66f5424fce746ae422f
+# sha256 of the text below: d556b04cef04b607eb938584f1ae6e49782cd347d960b48d979232ee88802b93
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
-In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref:
-
-    Theta domega/dt = M - s (T + lambda mu max(0, sigma - u)),  s = sgn(omega)
-    M            += J_theta                                  gravity
-    sigma        += J_r/lambda                               gravity
-    J_theta      =  J_theta0 cos(phi) - J_theta0' sin(phi)   rotation
-    J_r          =  J_r0 cos(phi) - J_r0' sin(phi)           rotation
-    J_theta'     =  J_theta0 sin(phi) + J_theta0' cos(phi)   rotation
-    J_r'         =  J_r0 sin(phi) + J_r0' cos(phi)           rotation
-    sigma        += A omega^2                                centripetal
-    u            += pore_pressure                            pore_pressure
-    u            += water                                    pore_pressure
-    u            += J_r pore_ratio/lambda                    pore_pressure
-    T            += cohesion lambda                          cohesion
-    T            += Theta drag omega^2                       drag
-    T            += Theta omega viscosity                    viscosity
-    M            += -J_theta k_v                             shaking
-    M            += J_theta' k_h                             shaking
-    sigma        += -J_r k_v/lambda                          shaking
-    sigma        += J_r' k_h/lambda                          shaking
-    u            += excess                                   thermal_pressurisation
-    dexcess/dphi =  kappa max(0, sigma - u) mu               thermal_pressurisation
+In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
+equation of motion, `TERMS` what each effect and each law adds to it.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
 began and ``d...`` the series of its increment since; ``=1.0`` is a constant.

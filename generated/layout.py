@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1370ae8424bb3c628ed07d9173c39adfa59f1544bcf1c7125dd09dd03a65019d
+# sha256 of the text below: 6e42e301421604c26da7dcc74d5e5a959de0d57129f076bd62cf625cea6f97a6
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -127,3 +127,4 @@ MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
 CARRIED = 0.001
 SETTLED = 1.4210854715202004e-14
+STRIDE = 42

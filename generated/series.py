@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2a6fc8db186e69655dd4c6489c7a761cce27b0d7b1392041c044f291ed2ac273
+# sha256 of the text below: f97b7604dd79a26974fa5f1d545e518b27588864e4c61fddbde969093c76ebf3
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "5f839d2d8637e0e60d8a009ca82ff7af76784b8526118a6235603a8418e3030d"  # of the compiled integrator's source
+DIGEST = "3708085c0acbe762259f25c3a0bf2d0038decc194cbae704b525f3f1cdcd0548"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

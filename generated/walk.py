@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 01a151b0403551550ddcb4aa96aa28623039a70ab741c293486141ea1af2750b
+# sha256 of the text below: db748abfe2355b53675735a583cdc3d7e18cea035591a1dc43b4f8f2bc536356
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1030,12 +1030,28 @@ def begin_here(lane: Lanes, i: Index) -> None:
 
 
 def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
-    """Whether a piece ends before the end time, without a jump, and is followed by another one that ends."""
+    """Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump."""
     c = lane.cells
     last = t.pieces - 1
     following = np.fmin(piece + 1, last)
-    in_time = break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS)
-    return (following < last) & in_time & (jump_of(lane, i, t, following) == 0.0)
+    return (following < last) & (break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE,
+        i] * (1.0 - 4.0 * EPS))
+
+
+def value_at_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """A function of time in straight lines where a piece begins."""
+    c = lane.cells
+    terms = np.zeros((lane.terms, i.size))
+    coefficients_of(lane, i, t, piece, terms)
+    return c[t.cells + ix.SCALED_BY, i] * terms[0]
+
+
+def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> None:
+    """The lane is where a piece begins, which it has yet to enter."""
+    c = lane.cells
+    c[ix.TIME, i] = now
+    c[t.cells + ix.PIECE, i] = piece - 1
+    c[t.cells + ix.WAY, i] = INFINITY
 
 
 def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
@@ -1059,7 +1075,7 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
     c = s.cells
     terms_of_normal = EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
     for t in s.tables:
-        if s.timed == 1 and t.kind == ix.OF_TIME and (t.terms == 2):
+        if t.kind == ix.OF_TIME and t.terms == 2:
             keep_quiet(s, here, t, s.registers[s.roles.net], -1.0, c[s.roles.drive_scale])
             if s.roles.normal >= 0:
                 keep_quiet(s, here, t, s.registers[s.roles.normal], 1.0, terms_of_normal)
@@ -1069,9 +1085,7 @@ def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
     """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
     c = lane.cells
     last = t.pieces - 1
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, np.fmin(piece + 1, last), terms)
-    value = c[t.cells + ix.SCALED_BY, i] * terms[0]
+    value = value_at_break(lane, i, t, np.fmin(piece + 1, last))
     return (c[ix.QUIET_FROM, i] <= value) & (value <= c[ix.QUIET_TO, i]) & passes_quietly(lane, i, t, piece)
 
 
@@ -1095,23 +1109,20 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
         now = break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i]
         if lane.samples:
             read_samples(lane, i, c[ix.TIME, i], now, 0, 0)
-        c[ix.TIME, i] = now
-        c[t.cells + ix.PIECE, i] = piece - 1
-        c[t.cells + ix.WAY, i] = INFINITY
+        stand_before(lane, i, t, piece, now)
     i, piece = (i_2, piece_2)
 
 
-def glides_on(lane: Lanes, i: Index, t: Table, slope: Floats, grip: Floats) -> Mask:
+def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
+        by_load: Floats) -> Mask:
     """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it."""
     c = lane.cells
-    length = c[t.cells + ix.UPPER, i] - c[ix.TIME, i]
-    net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
-    after = c[lane.roles.drive, i] + slope * c[t.cells + ix.LOWER, i]
-    slowest = c[ix.OMEGA, i] + length * np.fmin(np.fmin(net, after), 0.0)
-    presses = c[lane.roles.normal0, i] + np.fmin(grip * c[t.cells + ix.INC, i], grip * c[t.cells + ix.LOWER, i])
-    peaks = (net >= 0.0) & (after < 0.0) & (c[ix.OMEGA, i] + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
-    moves = (slowest > (1.0 - SURE) * c[ix.OMEGA, i]) & (presses > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
-    return moves & np.logical_not(peaks) & passes_quietly(lane, i, t, integer(c[t.cells + ix.PIECE, i]))
+    after = c[lane.roles.drive, i] + by_drive
+    slowest = omega + length * np.fmin(np.fmin(net, after), 0.0)
+    peaks = (net >= 0.0) & (after < 0.0) & (omega + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
+    moves = (slowest > (1.0 - SURE) * omega) & (c[lane.roles.normal0,
+        i] + by_load > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
+    return moves & np.logical_not(peaks)
 
 
 def glide(lane: Lanes, i: Index, t: Table) -> None:
@@ -1127,21 +1138,50 @@ def glide(lane: Lanes, i: Index, t: Table) -> None:
         grip = 0.0 * slope
         if lane.roles.normal >= 0:
             grip = lane.registers[lane.roles.normal][1, i] / rise
-        i_2, slope_2, grip_2 = (i, slope, grip)
+        piece = integer(c[t.cells + ix.PIECE, i])
+        x = c[ix.X, i]
+        omega = c[ix.OMEGA, i]
+        now = c[ix.TIME, i]
+        net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
+        until = c[t.cells + ix.UPPER, i]
+        inc = c[t.cells + ix.LOWER, i]
+        i_2, slope_2, grip_2, piece_2, x_2, omega_2, now_2, net_2, until_2, inc_2 = (i, slope, grip, piece.copy(),
+            x.copy(), omega.copy(), now.copy(), net.copy(), until.copy(), inc.copy())
         place_2 = np.arange(i.size)
         while True:
-            i, slope, grip, place_2 = among(glides_on(lane, i, t, slope, grip), i, slope, grip, place_2)
+            i, slope, grip, piece, x, omega, now, net, until, inc, place_2 = among(passes_quietly(lane, i, t,
+                piece) & glides_on(lane, i, omega, until - now, net, slope * inc, grip * inc), i, slope, grip, piece, x,
+                omega, now, net, until, inc, place_2)
             if not i.size:
                 break
-            length = c[t.cells + ix.UPPER, i] - c[ix.TIME, i]
-            net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
-            after = c[lane.roles.drive, i] + slope * c[t.cells + ix.LOWER, i]
-            c[ix.X, i] = c[ix.X, i] + length * (c[ix.OMEGA, i] + length * (2.0 * net + after) / 6.0)
-            c[ix.OMEGA, i] = c[ix.OMEGA, i] + length * (net + after) / 2.0
-            c[ix.TIME, i] = c[t.cells + ix.UPPER, i]
+            length = until - now
+            after = c[lane.roles.drive, i] + slope * inc
+            x = x + length * (omega + length * (2.0 * net + after) / 6.0)
+            omega = omega + length * (net + after) / 2.0
+            now = until
+            net = after
+            piece = piece + 1
+            until = break_of(lane, i, t, piece + 1) / c[t.cells + ix.SCALE, i]
+            inc = value_at_break(lane, i, t, piece + 1) - c[t.cells + ix.VALUE, i]
+            piece_2[place_2] = piece
+            x_2[place_2] = x
+            omega_2[place_2] = omega
+            now_2[place_2] = now
+            net_2[place_2] = net
+            until_2[place_2] = until
+            inc_2[place_2] = inc
+        i, slope, grip, piece, x, omega, now, net, until, inc = (i_2, slope_2, grip_2, piece_2, x_2, omega_2, now_2,
+            net_2, until_2, inc_2)
+        holds_3 = piece > integer(c[t.cells + ix.PIECE, i])
+        i_3, piece_3, x_3, omega_3, now_3, net_3 = (i, piece, x, omega, now, net)
+        i, piece, x, omega, now, net = among(holds_3, i_3, piece_3, x_3, omega_3, now_3, net_3)
+        if i.size:
+            c[ix.X, i] = x
+            c[ix.OMEGA, i] = omega
+            stand_before(lane, i, t, piece, now)
             pass_break(lane, i, t)
-        i, slope, grip = (i_2, slope_2, grip_2)
-        update_peak(lane, i, c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i])
+            update_peak(lane, i, net)
+        i, piece, x, omega, now, net = (i_3, piece_3, x_3, omega_3, now_3, net_3)
     i, rise = (i_1, rise_1)
 
 

@@ -14,7 +14,7 @@ from textwrap import wrap
 from threading import active_count
 
 import slipcircle
-from slipcircle.base.progress import heartbeat, hush
+from slipcircle.base.progress import say_later
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.commands.common import check_files
 from slipcircle.workbench.common import files
@@ -53,7 +53,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         check_files(options)
         answer = options.run(options)
         _write(answer, options)
-        hush()
         _print(answer, options.json)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
@@ -77,8 +76,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 def command() -> None:
     """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
     threads."""
-    with heartbeat(SILENT):
-        status = main()
+    computing = say_later(SILENT)
+    status = main()
+    computing.cancel()
     if status == INTERRUPTED and active_count() > 1:
         os._exit(status)
     sys.exit(status)

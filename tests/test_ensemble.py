@@ -168,11 +168,9 @@ def test_names_of_settings_are_checked() -> None:
     """Also those that a call without records ignored."""
     scene = replace(load("vaiont"), uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 9, "std": 1}})
     settings: list[tuple[dict[str, Any], str]] = [
-        ({"scale": [1]}, r"scale = \[1\]: is unknown"),
         ({"scales": [1]}, "is for records; give records"),
         ({"records": [], "polarities": 3}, "polarities = 3: must be True or False"),
         ({"keep": "no"}, "keep = 'no': must be True or False"),
-        ({"records": [RECORD], "scale": [1]}, r"is unknown; did you mean scales\?"),
     ]
     for given, words in settings:
         with pytest.raises(ValueError, match=words):

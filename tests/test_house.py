@@ -141,7 +141,7 @@ LAYERS = {
     ),
     "generated": (
         *("definitions", "effects", "flow", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
-        *("kernels", "motion", "printed", "slopes", "stable", "__init__"),
+        *("kernels", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
 }

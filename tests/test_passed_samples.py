@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 from slipcircle import Motion, Scene, solve
 from slipcircle.tables import Series
-from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, quake, series
+from tests.support.blocks import ARC, GRAVITY, MU, exactly, factor, of_block, quake, series
 from tests.support.lanes import BACKENDS, backend
 
 STILL = Series(np.array([0.0, 1000.0]), np.zeros(2))
@@ -110,6 +110,82 @@ def test_friction_that_falls_with_time_starts_it(k: float) -> None:
     effects = {"shaking": {"horizontal": series(time, shaking)}} if k else {}
     motion = solve(Scene(ARC, law, effects, end_time=10.0))
     assert motion.phases[0].start == pytest.approx(start, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_friction_of_time_under_a_record(name: str) -> None:
+    """It starts while the record is zero, and a pulse slows it while its friction grows: Gauss's rule is exact."""
+    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
+    psi = abs(float(ARC.dip))
+    time = 0.02 * np.arange(200.0)
+    mu = weight * math.tan(psi) / radial * np.interp(time, [0.0, 2.0, 4.0], [1.5, 0.8, 0.95])
+    k = np.where((time > 2.21) & (time < 2.29), -0.02, 0.0)
+
+    def acceleration(t: Any) -> Any:
+        shaking, friction = np.interp(t, time, k), np.interp(t, time, mu)
+        normal = math.cos(psi) - shaking * math.sin(psi)
+        return GRAVITY * (weight * (math.sin(psi) + shaking * math.cos(psi)) - friction * radial * normal)
+
+    start = brentq(acceleration, 1.0, 2.0, xtol=1e-14)
+    knots = np.array([start, *time[time > start]])
+    places, weights = np.polynomial.legendre.leggauss(3)
+    half = np.diff(knots)[:, None] / 2.0
+    t = knots[:-1, None] + half * (1.0 + places)
+    changes = half * weights * acceleration(t)
+    law = {"law": "prescribed", "time": time, "coefficient": mu}
+    with backend(name):
+        motion = solve(Scene(ARC, law, {"shaking": {"horizontal": series(time, k)}}, end_time=time[-1]))
+    assert motion.end.velocity == pytest.approx(np.sum(changes), rel=1e-12)
+    assert motion.run_out == pytest.approx(np.sum(changes * (time[-1] - t)), rel=1e-12)
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_water_that_rises_while_a_record_is_zero(name: str) -> None:
+    """Both are zero at first; it starts where the water leaves as much friction as it needs."""
+    at_rest = solve(Scene(ARC, MU))
+    rises = 1.0 - 1.0 / at_rest.factor_of_safety
+    water = {"time": [0.0, 1.5, 2.5], "pressure": [0.0, 0.0, at_rest.effective_stress_at(0.0)]}
+    zero = series(0.02 * np.arange(200.0), np.zeros(200))
+    with backend(name):
+        motion = solve(Scene(ARC, MU, {"shaking": {"horizontal": zero}, "pore_pressure": water}, end_time=2.0))
+    assert motion.phases[0].start == pytest.approx(1.5 + rises, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_it_moves_at_its_end_time_between_samples(name: str) -> None:
+    _, n = factor()
+    time, end = 0.02 * np.arange(200.0), 2.013
+    record = series(time, n * np.where(time < 1.0, 0.3, 3.0 + 0.1 * np.sin(time)))
+    until = np.append(time[time < end], end)
+    places, speeds, _ = of_block(series(until, record(until)))
+    with backend(name):
+        motion = solve(Scene(ARC, MU, {"shaking": {"horizontal": record}}, end_time=end))
+    assert motion.run_out == pytest.approx(places[-2], rel=1e-12)
+    assert motion.end.velocity == pytest.approx(speeds[-1], rel=1e-12)
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_shaking_lifts_what_moves(name: str) -> None:
+    """Beyond k = cot psi nothing presses on it, and friction is zero until it lands."""
+    arc = replace(ARC, theta_1=math.radians(180.0), theta_2=math.radians(250.0))
+    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+    psi = abs(float(arc.dip))
+    lifts = 1.0 / math.tan(psi)
+    time = 0.02 * np.arange(200.0)
+    k = lifts * np.where(time < 3.3, 1.2 * np.sin(1.9 * time) ** 2, 0.0)
+    (change,) = np.nonzero(np.diff(np.sign(k - lifts)))
+    crossings = time[change] + 0.02 * (lifts - k[change]) / np.diff(k)[change]
+    knots = np.union1d(time, crossings)
+    shaking = np.interp(knots, time, k)
+    friction = 1.5 * weight * math.tan(psi)
+    normal = np.maximum(math.cos(psi) - shaking * math.sin(psi), 0.0)
+    rates = GRAVITY * (weight * (math.sin(psi) + shaking * math.cos(psi)) - friction * normal)
+    places, _, stop = exactly(knots, rates.tolist(), rates[-1])
+    with backend(name):
+        motion = solve(Scene(arc, friction / radial, {"shaking": {"horizontal": series(time, k)}}))
+    assert motion.lift_off == pytest.approx(crossings[::2], rel=1e-12)
+    assert motion.run_out == pytest.approx(float(places[-1]), rel=1e-12)
+    assert motion.duration == pytest.approx(float(stop), rel=1e-12)
 
 
 @pytest.mark.parametrize("grows", [0.1, 0.3])

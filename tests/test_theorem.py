@@ -90,7 +90,7 @@ def test_known_digits(capsys: Any) -> None:
 ARC = {"radius": 60.0, "theta_1": 3.7, "theta_2": 5.0}
 SCENES: list[tuple[dict[str, Any], float, float]] = [  # friction, cohesion and pore pressure
     ({"law": "exponential", "peak": 0.25, "residual": 0.11, "length": 1.5}, 0.0, 0.0),
-    ({"law": "exponential", "peak": 0.25, "residual": 0.03, "length": 0.02}, 0.0, 0.0),  # and swings back
+    ({"law": "exponential", "peak": 0.25, "residual": 0.06, "length": 0.02}, 0.0, 0.0),  # and swings back twice
     ({"law": "exponential", "peak": 0.11, "residual": 0.11, "length": 1.0}, 5e3, 2e4),
     ({"law": "exponential", "peak": 0.04, "residual": 0.04, "length": 1.0}, 0.0, 0.0),  # swings back five times
 ]
@@ -120,16 +120,16 @@ def test_taylor_series_in_time_of_other_code(friction: dict[str, Any], cohesion:
             assert abs(mpf(found[key]) - low) < 1e-20 * high + (high - low), name
 
 
-@pytest.mark.parametrize("exponent", [2, 4, 8])
-def test_remainders_are_counted(exponent: int) -> None:
+def test_remainders_are_counted() -> None:
     """With coarse steps the enclosures are wide, and hold what fine steps give."""
     with working(300):
         start = first_swing(made(*SCENES[0]))
         *fine, _ = standstill(start, arb(10) ** -40)
-        *rough, _ = standstill(start, arb(10) ** -exponent)
-        for close, coarse in zip(fine, rough, strict=True):
-            assert coarse.contains(close)
-            assert coarse.rad() > close.rad()
+        for exponent in (2, 4, 8):
+            *rough, _ = standstill(start, arb(10) ** -exponent)
+            for close, coarse in zip(fine, rough, strict=True):
+                assert coarse.contains(close), exponent
+                assert coarse.rad() > close.rad(), exponent
 
 
 def test_an_interval_holds_what_its_numbers_give(capsys: Any) -> None:
@@ -147,7 +147,7 @@ def test_without_a_quantity_it_is_vaiont(capsys: Any) -> None:
     assert [row["status"] for row in found.values()] == ["rests", "never rests", "rests"]
     assert "run_out_m" not in found["vaiont-frozen"]
     assert found["vaiont-softening"]["run_out_m"][0].startswith("676.43174278014566956")
-    assert main(["theorem"]) == 0
+    assert main(["theorem", *VAIONT]) == 0
     text = capsys.readouterr().out
     assert "677.30785128136000588 to 677.30785128136000589" in text
 
@@ -165,7 +165,7 @@ def test_above_the_limit_it_does_not_move(capsys: Any) -> None:
     ("options", "words"),
     [
         (["--friction-deg", "22.7+-0.1"], "whether friction is above its limit"),
-        (["--radius-m", "10+-1", "--friction-deg", "5+-2"], "more digits or narrower inputs"),
+        (["--radius-m", "10+-1", "--friction-deg", "20+-2"], "more digits or narrower inputs"),
         (["--theta-1-deg", "100", "--theta-2-deg", "190"], "dip by less than 90 degrees"),
         (["--pore-pressure-kPa", "9e4", "--unit-weight-kN-m3", "20"], "does not certainly press"),
     ],
@@ -213,7 +213,7 @@ def test_vaiont_is_next_to_its_enclosure() -> None:
     assert max(errors(motion, theorem(case.slide))) < min(1e-15, motion.error_estimate)
 
 
-@pytest.mark.parametrize("index", [0, 1, 2, 3, 12])
+@pytest.mark.parametrize("index", [0, 2, 3, 4, 12])
 def test_the_package_is_within_its_estimate_of_the_enclosure(index: int) -> None:
     """A half disc next to the limit, a mass that swings, others: `tests.campaigns.theorems` does so for hundreds."""
     _, status, error, estimate = compared(index, 1)

@@ -77,9 +77,9 @@ def written(module: str, old: str, new: str) -> dict[str, Any]:
 def ends_as_written(monkeypatch: pytest.MonkeyPatch, module: str, old: str, new: str) -> bool:
     """Whether all scenes end as in the integrator, with NumPy's functions written from a changed text."""
     expected = {name: lanes.integrate(problem(name)) for name in ("constant", "pulse")}
-    for name, value in written(module, old, new).items():
-        if callable(value) and name in restricted.integrator().functions:
-            monkeypatch.setattr(walk, name, value)
+    scope = written(module, old, new)
+    for name in restricted.integrator().functions:
+        monkeypatch.setattr(walk, name, scope[name])
     monkeypatch.setattr(walk, "ROUNDS", 200)
     for name, finals in expected.items():
         bound = problem(name)

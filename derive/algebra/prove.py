@@ -9,7 +9,6 @@ from sympy import (
     cancel,
     cos,
     default_sort_key,
-    exp,
     expand,
     expand_trig,
     fraction,
@@ -36,15 +35,11 @@ def refute(expression: Expr, claim: str) -> None:
 def prove_zero(expression: Expr, claim: str) -> None:
     """Raise `ProofError` unless SymPy reduces the expression to zero."""
     refute(expression, claim)
-    for reduce in (expand, trig_normal, simplify, _simplify_exponentials):
+    for reduce in (expand, trig_normal, simplify):
         expression = reduce(expression)
         if expression == 0:
             return
     raise ProofError(claim, expression)
-
-
-def _simplify_exponentials(expression: Expr) -> Expr:
-    return simplify(expression.rewrite(exp).expand())
 
 
 def trig_normal(expression: Expr) -> Expr:

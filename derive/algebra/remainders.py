@@ -14,21 +14,17 @@ from sympy import (
     Expr,
     Function,
     FunctionClass,
-    Integer,
     Lambda,
     Max,
     Min,
     Rational,
     Symbol,
-    atan,
     atanh,
     cos,
-    cosh,
     exp,
     log,
     pi,
     sin,
-    sinh,
     tan,
 )
 from sympy.codegen.cfunctions import expm1 as expm1
@@ -90,24 +86,19 @@ class HalfTan(Primitive):
         return x * Remainder(sin, 1, x) / (1 + cos(x))
 
 
-# The Taylor series of a remainder is summed for an entire function as far as anybody asks, to pi, and for artanh up to
-# a seam; its definition is computed beyond, with the end at 1 moved into the numbers.
-ENTIRE = {f(X) for f in (sin, cos, sinh, cosh)}
+# The Taylor series of a remainder is summed for the sine as far as anybody asks, to pi, and for artanh up to a seam;
+# its definition is computed beyond, with the end at 1 moved into the numbers.
 SEAM = Rational(2, 5)
 LAST = 1 - EPS
-# Libraries have f under this name, accurate near 0: f(x)/x needs no series.
-FROM_ZERO = {log(1 + X): log1p, atan(X): atan}
 
 
 class Remainder(Primitive):
-    """(f(x) - its Taylor terms below x**n)/x**n."""
+    """(f(x) - its Taylor terms below x**n)/x**n, of an odd function f and an odd n."""
 
     nargs = 3
 
     def __new__(cls, f: FunctionClass | Lambda, n: int, x: Expr) -> "Remainder":
-        if not isinstance(f, Lambda):
-            f = Lambda(X, unfold(f(X)))
-        return super().__new__(cls, f, n, x)
+        return super().__new__(cls, f if isinstance(f, Lambda) else Lambda(X, f(X)), n, x)
 
     @property
     def parts(self) -> tuple[Expr, int, Expr]:
@@ -115,26 +106,19 @@ class Remainder(Primitive):
         f, n, x = self.args
         return f.expr, int(n), x
 
-    @property
-    def even(self) -> bool:
-        """Whether it is an even function."""
-        f, n, _ = self.parts
-        return not any(taylor(f)[n + 1 :: 2])
-
     def definition(self) -> Expr:
         f, n, x = self.parts
         head = sum(c * X**k for k, c in enumerate(taylor(f)[:n]))
         return ((f - head) / X**n).subs(X, x)
 
     def series(self) -> list[Rational]:
-        """Its Taylor coefficients, in x**2 where it is even.
+        """Its Taylor coefficients in x**2.
 
         Enough terms that the first neglected one is below an eighth of 2**-53 of the leading one.
         """
         f, n, _ = self.parts
-        step = 2 if self.even else 1
-        terms = list(taylor(f)[n::step])
-        farthest = (pi if f in ENTIRE else SEAM) ** step
+        terms = list(taylor(f)[n::2])
+        farthest = (pi if f == sin(X) else SEAM) ** 2
         for count in range(1, len(terms)):
             neglected = abs(terms[count]) * farthest**count
             if neglected < abs(terms[0]) * EPS / 8:
@@ -143,19 +127,13 @@ class Remainder(Primitive):
 
     def lower(self) -> Expr:
         f, n, x = self.parts
-        power = 2 if self.even else 1
+        if f == sin(X):
+            return Horner(x**2, *self.series())
         size = Abs(x)
-        if f in ENTIRE:
-            return Horner(x**power, *self.series())
-        if n == 1 and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
-            tiny = Rational(1, 2**60)
-            one = Integer(1)
-            away = Select(size, tiny, one, x)
-            return Select(size, tiny, one, FROM_ZERO[f](away) / away)
         near = Max(Min(x, SEAM), -SEAM)
         far = Min(Select(size, SEAM, SEAM, x), LAST)
         beyond = self.func(self.args[0], n, far).definition()
-        return Select(size, SEAM, Horner(near**power, *self.series()), beyond)
+        return Select(size, SEAM, Horner(near**2, *self.series()), beyond)
 
 
 @cache

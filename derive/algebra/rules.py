@@ -7,7 +7,7 @@ tau = tan(alpha/2), plus a remainder; the heads cancel by algebra, and what is l
 
 import time
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
@@ -38,7 +38,7 @@ from sympy import (
 )
 
 from derive.algebra.prove import prove_zero, refute
-from derive.algebra.remainders import HalfTan, Horner, Remainder, X, taylor, unfold
+from derive.algebra.remainders import HalfTan, Horner, Remainder, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
@@ -201,18 +201,6 @@ def _of_tau_squared(polynomial: Expr, sign: int) -> tuple[Expr, int]:
             coefficients = Poly(factor, _Y).all_coeffs()[::-1]
             product *= Horner(TAU**2, *coefficients) ** n
     return product, exponent
-
-
-def heads(expression: Expr, orders: Mapping[Expr, int]) -> Expr:
-    """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel."""
-    split = {}
-    for f, n in orders.items():
-        x = f.args[0]
-        head = sum(c * x**k for k, c in enumerate(taylor(type(f)(X))[:n]))
-        split[f] = head + x**n * Remainder(type(f), n, x)
-    result = expand(expression.subs(split))
-    prove_zero(expand(unfold(result) - expression), f"rule heads: {expression}")
-    return result
 
 
 def prove_equal(one: Expr, other: Expr, claim: str) -> None:

@@ -103,11 +103,7 @@ def sample(
 
 
 def minimax(
-    samples: Samples,
-    above: int,
-    below: int = 0,
-    logs: tuple[Sequence[arb], int] | None = None,
-    rounds: int = _ROUNDS,
+    samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None, rounds: int = _ROUNDS
 ) -> tuple[list[arb], list[arb], float]:
     """The numerator of degree `above`, the denominator 1 + ... of degree `below`, and their least largest error.
 

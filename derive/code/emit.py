@@ -5,7 +5,7 @@ import runpy
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from derive.code.text import WIDTH, Language, Part, Reader, statements
 
 @dataclass(frozen=True)
 class Function:
-    """A public function besides its program: the texts of its docstring, and its domain."""
+    """A public function besides its program: the texts of its docstring, and its tiers."""
 
     program: Program
     summary: str
@@ -27,17 +27,12 @@ class Function:
     returns: str
     domain: str  # in words
     accuracy: str
-    inside: str = ""  # in Python, over the arguments and `eps` of their type; without tiers
-    safe: tuple[float, ...] = ()  # a point inside, of the example, which replaces arguments outside
-    tiers: Mapping[str, Program] = field(default_factory=dict)  # what NumPy runs at each tier of what is certified
+    given: tuple[float, ...]  # arguments of the example
+    tiers: Mapping[str, Program]  # what NumPy runs at each tier
 
 
 PYTHON = Language(
-    "python",
-    "{name} = {text}",
-    lambda x: "np.nan" if x != x else repr(x),
-    "horner({x}, ({coefficients}))",
-    several="{names} = {function}({arguments})",
+    "python", "{name} = {text}", repr, "horner({x}, ({coefficients}))", several="{names} = {function}({arguments})"
 )
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
@@ -139,42 +134,22 @@ def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
     return (f">>> from {place} import {p.name}", f'>>> print(f"{{{call}:.6f}}")', f"{float(p.run(*given)):.6f}")
 
 
-def function(f: Function, text: PythonText, place: str) -> str:
-    """A public function: signature, numpydoc docstring, and the call of its body."""
-    p = f.program
-    parameters = [(name, "array_like", words) for name, words in f.parameters]
-    parameters += [_OUT, _WHERE]
-    if f.tiers:
-        parameters.append(_ACCURACY)
+def function(f: Function, text: PythonText) -> str:
+    """A public function: the text of each tier, signature, numpydoc docstring; `_compiled` chooses the tier."""
+    name = f.program.name
+    inputs = f.program.inputs
+    parameters = [(x, "array_like", words) for x, words in f.parameters]
     returns = f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32."
     doc = numpydoc(
         f.summary,
         f.formula,
-        parameters,
+        [*parameters, _OUT, _WHERE, _ACCURACY],
         ("ndarray or scalar", returns),
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag, of NaN without.",
         f"Accuracy: {f.accuracy}",
-        f"Source: {f.equation}. Operations: {operations(p.operations())}.",
-        examples=example(p, place, f.safe),
+        f"Source: {f.equation}. Operations: {operations(f.program.operations())}.",
+        examples=example(f.program, "generated", f.given),
     )
-    if f.tiers:
-        return _tiered(f, text, doc)
-    names = ", ".join(p.inputs)
-    args = f"{names}," if len(p.inputs) == 1 else names
-    inside = f.inside.replace(") & ", ")\n            & ")
-    return (
-        f"{text.body(p)}\n\n"
-        f"def {p.name}({names}, /, out=None, *, where=True):\n{doc}"
-        f"    return evaluate(\n        {p.name!r},\n        _{p.name},\n"
-        f"        lambda eps, {names}: (\n            {inside}\n        ),\n"
-        f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
-    )
-
-
-def _tiered(f: Function, text: PythonText, doc: str) -> str:
-    """A certified function: the text of each tier, and a function that leaves the choice to `_compiled`."""
-    name = f.program.name
-    inputs = f.program.inputs
     space = "xp"
     more = ""
     if len(inputs) > 1:
@@ -202,32 +177,24 @@ def _fill(line: str, width: int = 112) -> str:
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(
-    docstring: str, functions: Sequence[Function], place: str = "generated", parts: Sequence[Program] = ()
-) -> str:
-    """A module of public functions, which are imported from ``place``, after the parts that they call."""
+def module(docstring: str, functions: Sequence[Function], parts: Sequence[Program]) -> str:
+    """The module of the certified functions, after the parts that they call."""
     text = PythonText()
-    tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    code = "".join(f"\n\n{text.body(p)}" for p in parts)
-    code += "".join(f"\n\n{function(f, text, place)}" for f in functions)
-    return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
+    code = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
+    code += "".join(f"\n\n{text.body(p)}" for p in parts)
+    code += "".join(f"\n\n{function(f, text)}" for f in functions)
+    return _module(docstring, [f.program.name for f in functions], code)
 
 
 def stub(functions: Sequence[Function]) -> str:
-    """The types of a module's functions, apart: with them `help` has no line for a signature."""
-    tables = ""
-    code = ""
+    """The types of the certified functions, apart: with them `help` has no line for a signature."""
+    code = "__all__: list[str]\nTEXTS: dict[str, dict[str, Text]]\n"
     for f in functions:
         typed = ", ".join(f"{x}: ArrayLike" for x in f.program.inputs)
-        last = ""
-        if f.tiers:
-            tables = "TEXTS: dict[str, dict[str, Text]]\n"
-            last = "    accuracy: float | None = None,\n"
         code += (
             f"\ndef {f.program.name}(\n    {typed},\n    /,\n    out: Out = None,\n    *,\n"
-            f"    where: ArrayLike = True,\n{last}) -> Any: ...\n"
+            "    where: ArrayLike = True,\n    accuracy: float | None = None,\n) -> Any: ...\n"
         )
-    code = f"__all__: list[str]\n{tables}{code}"
     imports = _imports(code).replace("import numpy as np\n", "")
     return f"{imports}\n\n{code}"
 
@@ -271,7 +238,7 @@ IMPORTS = (
     "from numpy.typing import ArrayLike",
     "",
     "from generated._compiled import Text, kernel",
-    "from generated._evaluate import Array, Out, evaluate, horner, lost",
+    "from generated._evaluate import Array, Out, horner, lost",
 )
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Abs, Max, Min, atan, atanh, cos, cosh, exp, log, sign, sin, sinh, tan, tanh
+from sympy import Abs, Max, Min, atanh, cos, exp, log, sin, tan
 
 from derive.algebra.remainders import Select, expm1, log1p
 
@@ -135,7 +135,5 @@ OPERATIONS = {
     "fma": Operation("", "FMA({0}, {1}, {2})", "", fma),
     "exponent": Operation("", "exponent_of({0})", "", exponent),
     "significand": Operation("", "significand_of({0})", "", significand),
-    "arctan": _call("arctan", atan),
     "arctanh": _call("arctanh", atanh),
-    **{str(x): _call(str(x), x) for x in (tanh, cosh, sinh, sign)},
 }

@@ -4,17 +4,16 @@ An operation names its operands by index. Constants are the doubles nearest to t
 The order of operations follows from the expression alone, never from a hash.
 """
 
-import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial, reduce
 from typing import Any, TypeVar
 
 import mpmath
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
-from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_sort_key, nan
+from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_sort_key
 
 from derive.algebra.remainders import Exp, Horner, Primitive, Select
 from derive.code.operations import OPERATIONS
@@ -40,7 +39,6 @@ class Program:
     inputs: tuple[str, ...]
     ops: tuple[Op, ...]
     outputs: tuple[int, ...]
-    names: Mapping[int, str] = field(default_factory=dict, compare=False)  # names of values
 
     def operations(self) -> Counter[str]:
         """Number of operations of each kind, without inputs and constants."""
@@ -86,7 +84,7 @@ class Builder:
     def put(self, kind: str, *operands: Any, value: str | float | None = None) -> "Value":
         """Append an operation on values and numbers, or find the equal one that is there."""
         args = tuple(self.value(x).place for x in operands)
-        key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # nan and -0.0 are keys too
+        key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # -0.0 is a key, too
         if key not in self.index:
             self.index[key] = len(self.ops)
             self.ops.append(Op(kind, args, value))
@@ -129,8 +127,6 @@ class _Lowering(Builder):
         self.done: dict[Basic, Value] = {Symbol(x, real=True): self.put("input", value=x) for x in inputs}
 
     def const(self, value: Expr) -> Value:
-        if value is nan:
-            return self.value(math.nan)
         if value.is_Rational:
             return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
         with mpmath.workprec(300):
@@ -144,7 +140,7 @@ class _Lowering(Builder):
     def _add(self, e: Basic) -> Value:
         if e.is_Symbol:
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
-        if e is nan or (e.is_number and not e.has(Function)):
+        if e.is_number and not e.has(Function):
             return self.const(e)
         if isinstance(e, Primitive):
             return self.add(e.lower())
@@ -251,9 +247,8 @@ def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Sym
         low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
         low.done[symbol] = result
     results = tuple(low.add(e).place for e in outputs)
-    names = {low.done[symbol].place: symbol.name for symbol in let or {} if symbol in low.done}
     # Parts of a `let` may be unused.
-    return without_dead(Program(name, inputs, tuple(low.ops), results, names))
+    return without_dead(Program(name, inputs, tuple(low.ops), results))
 
 
 def without_dead(p: Program) -> Program:
@@ -267,8 +262,7 @@ def without_dead(p: Program) -> Program:
     for index in place:
         op = p.ops[index]
         ops.append(replace(op, args=tuple(place[i] for i in op.args)))
-    names = {place[i]: name for i, name in p.names.items() if i in needed}
-    return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs), names=names)
+    return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs))
 
 
 def operations(counts: Mapping[str, int]) -> str:

@@ -155,17 +155,6 @@ def laws() -> dict[str, tuple[Term, ...]]:
     return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})"),)}
 
 
-def in_plain_text() -> str:
-    """The balance and what each effect adds to it, as lines."""
-    equation, lines = balance(), []
-    lines.append(f"    {equation.quantity} = {equation.formula},  s = sgn(omega)")
-    for name, added in terms().items():
-        for row in added if name != "frozen" else ():
-            sign = "+=" if row.quantity in QUANTITIES else "="
-            lines.append(f"    {row.quantity:12} {sign:2} {row.formula:40} {name}".rstrip())
-    return "\n".join(lines)
-
-
 def text() -> str:
     """The block of `generated/flow.py`."""
     typed = "dict[str, tuple[tuple[str, str, str], ...]]"

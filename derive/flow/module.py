@@ -20,7 +20,7 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
         "FRAGMENTS": {name: _fragment(f) for name, f in fragments(effects, laws).items()},
     }
     marks = {mark: "".join(f"    {x!r}: {row},\n" for x, row in rows.items()) for mark, rows in blocks.items()}
-    marks |= {"EQUATION": equation.in_plain_text(), "FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.text()}
+    marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.text()}
     return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES)})
 
 

@@ -5,7 +5,6 @@ from collections.abc import Iterable, Mapping, Sequence
 import sympy as sp
 from sympy import Expr, Min, Rational, atanh, cos, pi, sin
 
-from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.integrate import closed_forms, derive
 from derive.algebra.rules import stable
@@ -46,7 +45,7 @@ def kernels(proved: Sequence[Record]) -> list[Function]:
                 f"{symbol}.",
                 _ALPHA_DOMAIN,
                 _accuracy(name, proved),
-                safe=(0.5,),
+                given=(0.5,),
                 tiers=tiers,
             )
         )
@@ -147,36 +146,7 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
         best = tiers["best"]
         returns = f"{symbol}."
         accuracy = _accuracy(name, proved)
-        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, safe=(4.0, 5.0), tiers=tiers))
-    return every
-
-
-def motion() -> list[Function]:
-    """The motion formulas of frozen geometry."""
-    every = []
-    for form in dynamics.FORMS:
-        names = tuple(x.name for x in form.inputs)
-        timed = "t" in names
-        limits = {"t": ">= 0"} if timed else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
-        domain = ", ".join(f"{x} {limit}" for x, limit in limits.items())
-        conditions = []
-        for x in names:
-            finite = f"np.isfinite({x})"
-            conditions.append(f"(({x} {limits[x]}.0) & {finite})" if x in limits else finite)
-        every.append(
-            Function(
-                program(form.name, names, form.result, let=form.let),
-                form.summary,
-                form.formula,
-                f"eq. ({form.equation}) of {PAPER}",
-                tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
-                "Dimensionless.",
-                f"{domain}, until the solution runs to infinity" if timed else domain,
-                dynamics.ACCURACY,
-                " & ".join(conditions),
-                (1.0, 1.0, 0.0, 0.5) if timed else (-1.0, 1.0, 0.5),
-            )
-        )
+        every.append(Function(best, *words, _ARC, returns, _ARC_DOMAIN, accuracy, given=(4.0, 5.0), tiers=tiers))
     return every
 
 

@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 
-from sympy import Expr, __version__, degree
+from sympy import Expr, __version__
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
@@ -19,8 +19,7 @@ from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
 from derive.check.records import Record, promised
 from derive.code import emit
-from derive.declare.quantities import MOMENTS, QUOTIENTS
-from derive.declare.symbols import r, theta
+from derive.declare.quantities import QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
 
@@ -46,7 +45,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "flow.py": module.module(),
         "kernels.pyi": emit.stub(kernels),
         "kernels.py": emit.module(
-            "Moments, weights and quotients of the arc, from their definitions.", kernels, parts=parts_of_ends()
+            "Moments, weights and quotients of the arc, from their definitions.", kernels, parts_of_ends()
         ),
         "_flow.c": c_flow,
         "_kernels.c": c_kernels,
@@ -70,12 +69,6 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
     """The modules that are programs with a docstring each."""
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     return {
-        "motion.py": emit.module(
-            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.",
-            functions.motion(),
-            "generated.motion",
-        ),
-        "motion.pyi": emit.stub(functions.motion()),
         "printed.py": emit.raw_module(
             "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
             printed,
@@ -120,7 +113,6 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
         f'DIGEST = "{digest}"\nLIMIT = {LIMIT!r}  # of an end of an arc, rad\n\n'
         "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
-        "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
     )
 
@@ -129,15 +121,13 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
     """The definition of each function of alpha, for comparisons with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
-    integrands = [f"    {m.kernel[0]!r}: ({degree(m.weight, r)}, {m.weight.has(theta)}),\n" for m in MOMENTS]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
-        '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
+        '"""Closed forms and quotients: what the functions of alpha are."""\n\n'
         "from collections.abc import Callable\nfrom typing import Any\n\n"
         "# Over any arithmetic m that has sin, cos and atanh.\n"
         f"CLOSED: dict[str, Callable[[Any, Any], Any]] = {{\n{''.join(forms)}}}\n\n"
-        "# The power of r, and whether cos(u) turns it, u from -alpha to alpha and r from cos(alpha)/cos(u) to 1.\n"
-        f"INTEGRANDS = {{\n{''.join(integrands)}}}\n\nQUOTIENTS = {{\n{''.join(quotients)}}}\n"
+        f"QUOTIENTS = {{\n{''.join(quotients)}}}\n"
     )
 
 

@@ -3,10 +3,9 @@
 import sys
 import time
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import find_spec
-from threading import Event, Lock, Thread
+from threading import Timer
 from typing import IO, Any, ClassVar, Self, TypeVar
 
 T = TypeVar("T")
@@ -83,7 +82,6 @@ class Progress:
 
     def _draw_bar(self) -> None:
         if self.bar is None:
-            clear_line()
             rich = import_module("rich.progress")
             console = import_module("rich.console").Console(file=self.stream)
             columns = rich.BarColumn(), rich.TextColumn("{task.description}", markup=False)
@@ -113,56 +111,14 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
             progress()
 
 
-# --- work that is not counted ----------------------------------------------------------------------------------------
-
-_hushed, _lock = Event(), Lock()
-_hushed.set()
-_has_line = False  # whether a heartbeat stands on the line of the terminal
-
-
-@contextmanager
-def heartbeat(seconds: float) -> Iterator[None]:
-    """Say that work goes on where nothing counts it: on one line of a terminal, elsewhere on lines ever farther apart.
-
-    It ends here, or with `hush`.
-    """
-    start = time.monotonic()
-    is_terminal = sys.stderr is not None and sys.stderr.isatty()
-
-    def beat(wait: float = seconds) -> None:
-        while not _hushed.wait(wait):
-            wait *= 1.0 if is_terminal else 2.0
-            with _lock:
-                if not Progress.is_shown and not _hushed.is_set():
-                    _say_computing(time.monotonic() - start, is_terminal)
-
-    _hushed.clear()
-    Thread(target=beat, daemon=True).start()
-    try:
-        yield
-    finally:
-        hush()
+def say_later(seconds: float) -> Timer:
+    """Say that work goes on if nothing counts it until then; the timer may be cancelled."""
+    timer = Timer(seconds, _say_computing)
+    timer.daemon = True
+    timer.start()
+    return timer
 
 
-def hush() -> None:
-    """End the heartbeat, as results follow."""
-    with _lock:
-        _hushed.set()
-    clear_line()
-
-
-def clear_line() -> None:
-    """Take a heartbeat off the line of the terminal, as something else follows."""
-    global _has_line
-    with _lock:
-        if _has_line:
-            print(_CLEAR, end="", file=sys.stderr, flush=True)
-        _has_line = False
-
-
-def _say_computing(seconds: float, is_terminal: bool) -> None:
-    global _has_line
-    _has_line = is_terminal
-    before, after = (_CLEAR, "\r") if is_terminal else ("", "\n")
-    message = f"slipcircle: computing for {seconds:.0f} s; Ctrl-C stops it"
-    print(f"{before}{message}", end=after, file=sys.stderr, flush=True)
+def _say_computing() -> None:
+    if not Progress.is_shown:
+        print("slipcircle: computing; Ctrl-C stops it", file=sys.stderr, flush=True)

@@ -29,9 +29,10 @@ Point = dict[str, Any]  # numbers and short series of a scene and of a moment of
 
 def cells_at(program: Program, given: Mapping[str, float]) -> Floats:
     """All cells where a phase begins."""
-    cells = program.blank(1)
-    for name in given.keys() & program.places.keys():
-        cells[program.places[name]] = given[name]
+    cells = np.zeros((len(program.cells), 1))
+    known = {**program.constants, **given}
+    for name in known.keys() & program.places.keys():
+        cells[program.places[name]] = known[name]
     scalar_ops(program.scalar, cells)
     return cells
 

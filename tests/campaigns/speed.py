@@ -1,178 +1,281 @@
-"""Our ensembles and single scenes beside heyoka's Taylor integrator, each at its best setting, for every vector width.
+"""How long motions take, in ensembles and alone, beside other integrators, for every width of vectors.
 
-``python -m tests.campaigns.speed`` needs heyoka: pip install heyoka. The slide of Vaiont, turning, with centripetal
-pressure, under three laws of friction: 8,000 frictions on one core, then one. heyoka gets batches of 4 to 32
-neighbouring frictions, of which the fastest counts, and no peak velocity, which would take a call of Python from each
-lane; lanes that have not come to rest with the others of their batch run on. Each kind of processor that our binary has
-runs in a process of its own: AVX-512 in both, or vectors of 256 bits in both. heyoka knows the processor, though, and
-keeps its further registers and instructions; ours is what runs on one with AVX2 alone.
+``python -m tests.campaigns.speed notebooks/speed.png >notebooks/speed.md`` writes what the book includes.
+Needs heyoka, and for records Numba: pip install heyoka numba. A kind of processor that our binary has runs in a process
+of its own: AVX-512 in both, or vectors of 256 bits in both; heyoka knows the processor, though, and keeps its further
+registers and instructions.
 """
 
-import math
+import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
+from importlib.util import find_spec
+from multiprocessing import get_context
+from pathlib import Path
 from statistics import median
-from typing import Any
+from typing import Any, NamedTuple
 
 import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ignore]
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import kernels
-from slipcircle import Scene, load, solve
+from slipcircle import Scene, ensemble, load, solve, synthetic_records
+from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.workbench.cost.rows import interleaved
 from slipcircle.workbench.outputs.info import machine
+from slipcircle.workbench.outputs.pictures import render
+from slipcircle.workbench.outputs.plotstyle import SERIES
+from tests.support import blocks, oracle, taylor
 from tests.support.lanes import BINARY
+from tests.support.peers_of_motion import ARC, LAWS, VAIONT, alone, by_scipy, friction, in_batches
 
 Floats = NDArray[np.float64]
 ACCURACY = 1e-9
-LEVEL = os.environ.get("SLIPCIRCLE_COMPILED", "")
-WIDE = ("avx512", "avx2")
-COUNT = 8_000
+COUNT, MANY = 8_000, 1_000_000  # scenes
+SCALES = 64  # of a record
+GEOMETRIES = 2_000
+LAYERED: Scene[Any] = load("layered-slope")
 BATCHES = (4, 8, 16, 32)
-LATEST = 1e3  # standstill, dimensionless
-STANDING = 1e-13  # angular velocity below which a lane has come to rest
-VAIONT: Scene[Any] = load("vaiont")
-RESIDUAL = math.tan(math.radians(8.0))
-LAWS: Mapping[str, Mapping[str, Any]] = {
-    "constant": {},
-    "exponential": {"law": "exponential", "residual": RESIDUAL, "length": 1.0},
-    "rate": {"law": "rate_weakening", "residual": RESIDUAL, "velocity": 5.0},
-}
+WIDE = ("avx512", "avx2")
+LEVEL = os.environ.get("SLIPCIRCLE_COMPILED", "")
+ONE = np.tan(np.radians([14.0]))
+DRAWN, TOLERANCES, CHECKED = "exponential", (1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13), 12  # in the picture
+LEAST = 1e-17  # error that is drawn
+
+
+class Row(NamedTuple):
+    """Time of ours and of what stands beside it, in seconds of one scene, or of one sample of a record."""
+
+    measure: str
+    peer: str
+    ours: float
+    theirs: float
 
 
 def frictions(count: int) -> Floats:
-    """Friction coefficients of an ensemble, or that of one scene."""
-    angles = np.linspace(10.0, 19.5, count) if count > 1 else np.array([14.0])
-    return np.tan(np.radians(angles))
+    """Friction coefficients of an ensemble."""
+    return np.tan(np.radians(np.linspace(10.0, 19.5, count)))
 
 
-def scene(law: str, mu: Any) -> Scene[Any]:
-    """The slide with a friction, or with many."""
-    friction = {**LAWS[law], "peak": mu} if LAWS[law] else mu
-    return replace(VAIONT, friction=friction)
+def outcomes(given: Any, accuracy: float | None, *also: str) -> Floats:
+    """Rotation and time at rest, dimensionless; the peak velocity and these others are computed too."""
+    motion = solve(given, accuracy)
+    for name in ("outcomes", *also):
+        getattr(motion, name)
+    return np.array([np.ravel(motion.run_out) / ARC.radius, np.ravel(motion.duration) / ARC.time_scale])
 
 
-one_scene = cache(scene)
+def together(law: str, accuracy: float, mu: Floats) -> Floats:
+    """An ensemble of frictions by this package."""
+    return outcomes(replace(VAIONT, friction=friction(law, mu)), accuracy)
 
 
-def equation(law: str) -> list[tuple[Any, Any]]:
-    """The equation of motion (3.11) with (2.20), written by hand over heyoka's expressions."""
-    arc: Any = scene(law, 0.1).arc
-    alpha = float(arc.half_angle)
-    weight, radial, polar = (
-        float(getattr(kernels, f"{name}_per_inertia")(alpha))
-        for name in ("weight_moment", "radial_weight", "polar_moment")
+def one_scene(law: str, mu: Floats) -> Floats:
+    """One scene that is built, solved to rounding, and asked for its error."""
+    return outcomes(replace(VAIONT, friction=friction(law, float(mu[0]))), None, "error_estimate")
+
+
+def medians(works: Sequence[Callable[[], object]], count: int = 1) -> list[float]:
+    """Median seconds of one of so many, of each piece of work, in turns."""
+    return [median(taken) / count for taken in interleaved(works)]
+
+
+def ensembles() -> Iterator[Row]:
+    """Ensembles of frictions on one core, beside heyoka's fastest batch."""
+    mu = frictions(COUNT)
+    for law in LAWS:
+        ways = [partial(together, law, ACCURACY), *(in_batches(law, ACCURACY, lanes) for lanes in BATCHES)]
+        ours, *theirs = medians([partial(way, mu) for way in ways], COUNT)
+        fastest = int(np.argmin(theirs))
+        yield Row(f"{COUNT} scenes, {law}", f"heyoka, batches of {BATCHES[fastest]}", ours, theirs[fastest])
+
+
+def single_scenes() -> Iterator[Row]:
+    """One scene with `Scene`, peak velocity and error estimate, beside a call of heyoka."""
+    for law in LAWS:
+        ours, theirs = medians([partial(one_scene, law, ONE), partial(alone(law, ACCURACY), ONE)])
+        yield Row(f"one scene, {law}", "heyoka", ours, theirs)
+
+
+def samples() -> Iterator[Row]:
+    """`ensemble` on one thread, beside `solve` of as many frictions."""
+    uncertain = replace(VAIONT, uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 14, "std": 1}})
+    angles = np.random.default_rng(1).normal(14, 1, MANY)
+    with ThreadPoolExecutor(1) as pool:
+        study = partial(ensemble, uncertain, MANY, 1, pool, accuracy=ACCURACY)
+        solved = partial(together, "constant", ACCURACY, np.tan(np.radians(angles)))
+        yield Row("`ensemble` of a million", "`solve` of as many", *medians([study, solved], MANY))
+
+
+def block(values: Floats, step: float, yields: float, scales: Floats) -> Floats:
+    """Displacements and peak velocities of a rigid block on a record at some scales, by one trapezium a sample."""
+    results = np.zeros((2, scales.size))
+    for k, scale in enumerate(scales):
+        displacement, speed, peak = 0.0, 0.0, 0.0
+        for value in values:
+            rate = scale * value - yields
+            if speed > 0.0 or rate > 0.0:
+                after = max(speed + step * rate, 0.0)
+                displacement += 0.5 * step * (speed + after)
+                speed = after
+                peak = max(peak, speed)
+        results[:, k] = displacement, peak
+    return results
+
+
+def records() -> Iterator[Row]:
+    """A frozen arc under a record at many scales, beside Numba's loop for the rigid block: of one sample."""
+    if find_spec("numba") is None:
+        print("records: not measured, as Numba is not installed", file=sys.stderr)
+        return
+    from numba import njit  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    (record,) = synthetic_records(1, arias=1.5, duration=12.0, seed=1).values()
+    scales = np.linspace(0.5, 3.0, SCALES)
+    shaken = Scene(blocks.ARC, blocks.MU, {"shaking": {"horizontal": record, "scale": scales}})
+    loop = partial(njit(block), record.values, record.time[1], blocks.factor()[1], scales)
+    works = [lambda: solve(shaken, ACCURACY).outcomes["peak_velocity"], loop]
+    yield Row("a sample of a record", "Numba, rigid block", *medians(works, SCALES * record.time.size))
+
+
+def threads() -> Iterator[Row]:
+    """A million scenes by threads on all cores, beside one thread: by the clock, not by the processor's time."""
+    cores = os.cpu_count() or 1
+    parts = np.array_split(frictions(MANY), 64)
+
+    def seconds(workers: int) -> float:
+        start = time.perf_counter()
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(partial(together, "constant", ACCURACY), parts))
+        return (time.perf_counter() - start) / MANY
+
+    turns = [(seconds(cores), seconds(1)) for _ in range(5)]
+    yield Row(f"a million on {cores} cores", "one thread", *map(median, zip(*turns, strict=True)))
+
+
+def layered(name: str) -> object:
+    """An ensemble of layered ground over one number, with what it takes to lay it out."""
+    values = float(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
+    scenes, invalid = with_parameter_arrays(LAYERED, {name: values})
+    return solve(scenes, ACCURACY, invalid=invalid).outcomes["run_out"]
+
+
+def layers() -> Iterator[Row]:
+    """A layered ensemble over its geometry, beside one over a soil's cohesion, which has one geometry."""
+    works = [partial(layered, name) for name in ("radius", "soils.clay.cohesion")]
+    yield Row("layered, over geometry", "over cohesion", *medians(works, GEOMETRIES))
+
+
+MEASURES: Sequence[Callable[[], Iterator[Row]]] = (ensembles, single_scenes, samples, records, layers, threads)
+
+
+def most_memory() -> float:
+    """Gigabytes that solving a million scenes takes at most, with all that is imported."""
+    import resource  # not on Windows
+
+    together("constant", ACCURACY, frictions(MANY))
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024**2
+
+
+def page(levels: Mapping[str, Sequence[Row]], memory: float) -> Iterator[str]:
+    """Lines of Markdown: a table with a measure in each line, and all processors."""
+    yield "| us a scene | " + " | ".join(f"{level}: ours | beside | ratio" for level in levels) + " |"
+    yield "|---" * (1 + 3 * len(levels)) + "|"
+    for rows in zip(*levels.values(), strict=True):
+        cells = [f"{1e6 * r.ours:.3g} | {r.peer} {1e6 * r.theirs:.3g} | {r.ours / r.theirs:.2f}" for r in rows]
+        yield f"| {rows[0].measure} | {' | '.join(cells)} |"
+    yield f"\nA million scenes take {memory:.2f} GB of memory. {machine()}, heyoka {hy.__version__}."
+
+
+def exact_run_outs(mu: Floats) -> Floats:
+    """Rotations at rest by Taylor series in ball arithmetic."""
+    given = {"arc": oracle.plain(ARC), "effects": dict(VAIONT.called), "initial_velocity": 0.0, "end_time": None}
+    solved = [taylor.solve(given | {"friction": friction(DRAWN, x)}, digits=24) for x in mu.tolist()]
+    return np.array([float(found["run_out"]) / float(ARC.radius) for found in solved])
+
+
+def curve(ways: Iterable[Callable[[Floats], Floats]], mu: Floats, checked: int) -> list[tuple[float, float]]:
+    """Seconds of one scene by each way, and the largest relative error of the run-out of so many of them."""
+    lanes = np.unique(np.linspace(0, mu.size - 1, checked).astype(int))
+    exact = exact_run_outs(mu[lanes])
+    errors = [float(np.max(np.abs(way(mu)[0, lanes] / exact - 1))) for way in ways]
+    return list(zip(medians([partial(way, mu) for way in ways], mu.size), errors, strict=True))
+
+
+def panels() -> Iterator[tuple[str, dict[str, list[tuple[float, float]]]]]:
+    """Title, and points by name of the way, each for all tolerances; ours alone is always solved to rounding."""
+    others = {
+        "heyoka, one by one": partial(alone, DRAWN),
+        "DOP853 (SciPy)": partial(by_scipy, "DOP853", DRAWN),
+        "LSODA (SciPy)": partial(by_scipy, "LSODA", DRAWN),
+    }
+    mu = frictions(COUNT)
+    yield (
+        f"one of {COUNT} scenes",
+        {
+            "slipcircle": curve([partial(together, DRAWN, x) for x in TOLERANCES], mu, CHECKED),
+            f"heyoka, batches of {BATCHES[-1]}": curve(
+                [in_batches(DRAWN, x, BATCHES[-1]) for x in TOLERANCES], mu, CHECKED
+            ),
+            **{name: curve([way(x) for x in TOLERANCES], frictions(CHECKED), CHECKED) for name, way in others.items()},
+        },
     )
-    phi, omega = hy.make_vars("phi", "omega")
-    psi = float(arc.dip) - phi
-    mu = hy.par[0]
-    if law == "exponential":
-        mu = RESIDUAL + (mu - RESIDUAL) * hy.exp(-float(arc.radius) / LAWS[law]["length"] * phi)
-    if law == "rate":
-        speed = float(arc.radius) / float(arc.time_scale)
-        mu = RESIDUAL + (mu - RESIDUAL) / (1.0 + speed / LAWS[law]["velocity"] * omega)
-    return [(phi, omega), (omega, weight * hy.sin(psi) - mu * (radial * hy.cos(psi) + polar * omega * omega))]
-
-
-def in_batches(law: str, tolerance: float, lanes: int) -> Callable[[Floats], Floats]:
-    """A function from frictions to rotation and time at rest, dimensionless, compiled for batches of so many lanes."""
-    standstill = hy.t_event_batch(equation(law)[1][0], direction=hy.event_direction.negative)
-    start = np.zeros((2, lanes))
-    integrator = hy.taylor_adaptive_batch(
-        equation(law),
-        start,
-        pars=np.zeros((1, lanes)),
-        tol=tolerance,
-        t_events=[standstill],
-        force_avx512=LEVEL == "avx512",
-        fast_math=True,
+    yield (
+        "one scene, with its peak and error estimate",
+        {
+            "slipcircle": curve([partial(one_scene, DRAWN)], ONE, 1),
+            **{name: curve([way(x) for x in TOLERANCES], ONE, 1) for name, way in others.items()},
+        },
     )
-    state, parameters = integrator.state, integrator.pars
-    omega = state[1]
-    latest = [LATEST] * lanes
-
-    def run(mu: Floats) -> Floats:
-        padded = np.resize(mu, (-(-mu.size // lanes), lanes))
-        results = np.empty((2, *padded.shape))
-        for k, batch in enumerate(padded):
-            integrator.set_time(0.0)
-            integrator.reset_cooldowns()
-            state[:] = 0.0
-            parameters[0] = batch
-            integrator.propagate_until(latest)
-            while omega.max() > STANDING:  # it returns as soon as one lane rests
-                until = np.where(omega > STANDING, LATEST, integrator.time)
-                integrator.propagate_until(until)
-            results[0, k] = state[0]
-            results[1, k] = integrator.time
-        return results.reshape(2, -1)[:, : mu.size]
-
-    return run
 
 
-def alone(law: str, tolerance: float) -> Callable[[Floats], Floats]:
-    """The same for one friction at a time."""
-    standstill = hy.t_event(equation(law)[1][0], direction=hy.event_direction.negative)
-    integrator = hy.taylor_adaptive(
-        equation(law), [0.0, 0.0], pars=[0.0], tol=tolerance, t_events=[standstill], fast_math=True
-    )
-    state, parameters = integrator.state, integrator.pars
+def picture(path: Path) -> None:
+    """Error against time, for an ensemble and for one scene."""
 
-    def run(mu: Floats) -> Floats:
-        integrator.time = 0.0
-        integrator.reset_cooldowns()
-        state[:] = 0.0
-        parameters[0] = mu[0]
-        integrator.propagate_until(LATEST)
-        return np.array([[state[0]], [integrator.time]])
+    def draw(figure: Any) -> None:
+        styles: dict[str, Any] = {}
+        for axes, (title, ways) in zip(figure.subplots(1, 2, sharey=True), panels(), strict=True):
+            for name, points in ways.items():
+                colour, dashes, marker = styles.setdefault(name, SERIES[len(styles)])
+                seconds, errors = np.transpose(points)
+                axes.plot(seconds, np.maximum(errors, LEAST), color=colour, ls=dashes, marker=marker, label=name)
+            axes.set(title=title, xscale="log", yscale="log", xlabel="processor time (s)")
+            axes.grid(alpha=0.3)
+        figure.axes[0].set_ylabel("largest relative error of the run-out")
+        figure.legend(*figure.axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=9)
 
-    return run
-
-
-def ours(law: str, tolerance: float, mu: Floats) -> Floats:
-    """By this package, with the peak velocity."""
-    solved = scene(law, mu) if mu.size > 1 else one_scene(law, float(mu[0]))
-    outcomes = solve(solved, tolerance).outcomes
-    _ = outcomes["peak_velocity"]
-    units = float(np.asarray(solved.arc.radius)), float(np.asarray(solved.arc.time_scale))
-    rows = [np.ravel(outcomes[name]) / unit for name, unit in zip(("run_out", "duration"), units, strict=True)]
-    return np.array(rows)
+    path.write_bytes(render(draw, (10.0, 4.5), str(path)))
 
 
-def compare(law: str, count: int) -> None:
-    """Print the times of both, and their largest errors against our 1e-15."""
-    mu = frictions(count)
-    exact = ours(law, 1e-15, mu)
-    ways: dict[str, Callable[[Floats], Floats]] = {"ours": partial(ours, law, ACCURACY)}
-    if count == 1:
-        ways["heyoka"] = alone(law, ACCURACY)
-    else:
-        ways |= {f"heyoka, {lanes} lanes": in_batches(law, ACCURACY, lanes) for lanes in BATCHES}
-    samples = interleaved([partial(way, mu) for way in ways.values()])
-    seconds = dict(zip(ways, map(median, samples), strict=True))
-    best = min(taken for name, taken in seconds.items() if name != "ours")
-    for name, way in ways.items():
-        error = float(np.max(np.abs(way(mu) / exact - 1)))
-        print(f"{LEVEL:<8}{law:<12}{count:>6}  {name:<18}{1e6 * seconds[name] / count:>9.3f} us  error {error:.1e}")
-    print(f"{LEVEL:<8}{law:<12}{count:>6}  ours takes {seconds['ours'] / best:.2f} times as long as heyoka at its best")
+def measured(level: str) -> list[Row]:
+    """The rows by the binary of a level."""
+    environment = {**os.environ, "SLIPCIRCLE_COMPILED": level}
+    command = [sys.executable, "-m", "tests.campaigns.speed"]
+    done = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)
+    return [Row(*row) for row in json.loads(done.stdout)]
 
 
 def main() -> None:
-    """Print the comparison, for the level that is asked for or for one after the other."""
-    if LEVEL not in WIDE:
-        for level in (x for x in WIDE if x in BINARY.LEVELS):
-            environment = {**os.environ, "SLIPCIRCLE_COMPILED": level}
-            subprocess.run([sys.executable, "-m", "tests.campaigns.speed"], env=environment, check=True)
+    """Print the page, or what one level measures."""
+    if LEVEL in WIDE:
+        rows = []
+        for measure in MEASURES:
+            print(f"{LEVEL}: {measure.__name__}", file=sys.stderr)
+            rows += measure()
+        print(json.dumps(rows))
         return
-    for count in (COUNT, 1):
-        for law in LAWS:
-            compare(law, count)
-    print(f"medians of turns on one core, accuracy {ACCURACY:g}; {machine()}, heyoka {hy.__version__}")
+    levels = {level: measured(level) for level in WIDE if level in BINARY.LEVELS}
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        memory = pool.submit(most_memory).result()
+    print("\n".join(page(levels, memory)))
+    if len(sys.argv) > 1:
+        picture(Path(sys.argv[1]))
 
 
 if __name__ == "__main__":

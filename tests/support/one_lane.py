@@ -5,8 +5,8 @@ Programs are run by the definitions of their operations, of which generated text
 
 import math
 import operator
-from collections.abc import Mapping, Sequence
-from functools import reduce
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, reduce
 from types import SimpleNamespace
 from typing import Any
 
@@ -35,24 +35,31 @@ CELLS: dict[str, Any] = {
 }  # fmt: skip
 
 
-def evaluate(e: Expr, known: Mapping[str, Any]) -> Any:
-    """A SymPy expression in the arithmetic of its numbers."""
+@cache
+def evaluated(e: Expr) -> Callable[[Mapping[str, Any]], Any]:
+    """A SymPy expression as a function of what is known, in the arithmetic of those numbers."""
+    parts, name = [evaluated(x) for x in e.args if isinstance(x, Expr)], str(e)
     if isinstance(e, Indexed):
-        return known[str(e.base)][int(evaluate(e.indices[0], known))]
+        base, index = str(e.base), parts[-1]
+        return lambda known: known[base][int(index(known))]
     if isinstance(e, Sum):
         ((k, first, last),) = e.limits
-        bounds = range(int(evaluate(first, known)), int(evaluate(last, known)) + 1)
-        return sum((evaluate(e.function, {**known, str(k): x}) for x in bounds), 0.0)
+        term, low, high, counter = parts[0], evaluated(first), evaluated(last), str(k)
+        return lambda known: sum(
+            (term({**known, counter: x}) for x in range(int(low(known)), int(high(known)) + 1)), 0.0
+        )
     if e.is_Symbol:
-        return known[str(e)]
+        return lambda known: known[name]
     if e.is_Rational:
-        return int(e) if e.is_Integer else e.p / e.q
-    values = [evaluate(x, known) for x in e.args]
+        value = int(e) if e.is_Integer else e.p / e.q
+        return lambda known: value
     if e.is_Add or e.is_Mul:
-        return reduce(operator.add if e.is_Add else operator.mul, values)
+        joined = operator.add if e.is_Add else operator.mul
+        return lambda known: reduce(joined, [part(known) for part in parts])
     if e.is_Pow:
-        return values[0] ** values[1]
-    return function(type(e).__name__.lower(), values[0])
+        return lambda known: parts[0](known) ** parts[1](known)
+    called = type(e).__name__.lower()
+    return lambda known: function(called, parts[0](known))
 
 
 class Entries:
@@ -118,7 +125,7 @@ class Lane(Entries):
         places = dict(zip((*o.results, *o.arguments, *o.numbers), names, strict=True))
         known = {str(x): self.cells[k] if x in o.numbers else self.registers[k] for x, k in places.items()}
         for result, start, step in zip(o.results, o.start, o.step, strict=True):
-            self.registers[places[result]][n] = evaluate(step if n else start, {**known, "n": n})
+            self.registers[places[result]][n] = evaluated(step if n else start)({**known, "n": n})
 
 
 class Window:

@@ -1,13 +1,13 @@
-"""Independent references: quadrature of the raw definitions in ball arithmetic, and the equation of motion in mpmath.
+"""Independent references: quadrature of the raw definitions in ball arithmetic.
 
 Nothing here knows more than the declared weights: no closed form, no stable form, no line of generated text. Arguments
 are floats, taken as the exact numbers that they are.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -143,129 +143,3 @@ def numbers(arc: Any) -> dict[str, mpf]:
         found = {k: mpf(v.mid().str(50, radius=False)) for k, v in moments(given).items()}
         radius, gravity = mpf(given["radius"]), mpf(given["gravity"])
         return found | {"radius": radius, "scale": mpmath.sqrt(radius / gravity)}
-
-
-# --- the motion ----------------------------------------------------------------------------------------------------
-
-
-class Reference(NamedTuple):
-    """A value, and the sum of |x df/dx| over the arguments: |value| times the condition number."""
-
-    value: mpf
-    sensitivity: mpf
-
-
-def growth(a: arb, b: arb, omega_0: arb, t: arb) -> tuple[arb, arb, arb]:
-    """Of y'' = a b y with y(0) = 1 and y'(0) = b omega_0, without their common factor: y, y'/b, and its logarithm.
-
-    The factor is exp(k t)/2 with k**2 = a b > 0, else 1.
-    """
-    k = abs(a * b).sqrt()
-    if k == 0:
-        return 1 + b * omega_0 * t, omega_0 + a * t, arb(0)
-    if a * b > 0:
-        q = (-2 * k * t).exp()
-        c, s, factor = 1 + q, (1 - q) / k, k * t - arb(2).log()
-    else:
-        c, s, factor = (k * t).cos(), (k * t).sin() / k, arb(0)
-    return c + b * omega_0 * s, omega_0 * c + a * s, factor
-
-
-def alive(a: arb, b: arb, omega_0: arb, t: arb) -> bool | None:
-    """Whether the solution reaches t: y, which starts at 1, has not crossed zero; None if more digits must say."""
-    if a * b < 0 and (-a * b).sqrt() * t >= arb.pi():
-        return False
-    y, _, _ = growth(a, b, omega_0, t)
-    return True if y > 0 else False if y <= 0 else None
-
-
-def angular_velocity(a: arb, b: arb, omega_0: arb, t: arb) -> arb:
-    """omega = y'/(b y), the Riccati equation made linear."""
-    y, slope, _ = growth(a, b, omega_0, t)
-    return slope / y
-
-
-def rotation(a: arb, b: arb, omega_0: arb, t: arb) -> arb:
-    """The integral of omega, ln(y)/b."""
-    if b == 0:
-        return omega_0 * t + a * t**2 / 2
-    y, _, factor = growth(a, b, omega_0, t)
-    return (factor + y.log()) / b
-
-
-def angular_acceleration(a: arb, b: arb, omega_0: arb, t: arb) -> arb:
-    """The equation of motion itself, as its solution solves it: a - b omega**2, and (a - b omega_0**2)/y**2."""
-    y, _, factor = growth(a, b, omega_0, t)
-    return (a - b * omega_0**2) * (-2 * factor).exp() / y**2
-
-
-def arrest_time(a: arb, b: arb, omega_0: arb) -> arb:
-    """The integral of d(omega)/(-a + b omega**2) from 0 to omega_0."""
-    if b == 0:
-        return omega_0 / -a
-    k = (-a * b).sqrt() if a * b < 0 else (a * b).sqrt()
-    return arb.atan(b * omega_0 / k) / k if a * b < 0 else arb.atanh(b * omega_0 / k) / -k
-
-
-def arrest_rotation(a: arb, b: arb, omega_0: arb) -> arb:
-    """The integral of omega d(omega)/(-a + b omega**2) from 0 to omega_0."""
-    if b == 0:
-        return omega_0**2 / (-2 * a)
-    return (1 - b * omega_0**2 / a).log() / (2 * b)
-
-
-MOTION: dict[str, Callable[..., arb]] = {
-    "frozen_angular_velocity": angular_velocity,
-    "frozen_rotation": rotation,
-    "frozen_angular_acceleration": angular_acceleration,
-    "frozen_arrest_time": arrest_time,
-    "frozen_arrest_rotation": arrest_rotation,
-}
-_STEP = arb(2) ** -90  # relative, for the derivatives: 27 digits
-
-
-def digits_of(ball: arb) -> mpf:
-    """The middle of a ball as mpmath's number of 50 digits."""
-    mantissa, exponent = ball.mid().man_exp()
-    with mpmath.workdps(50):
-        return mpmath.ldexp(mpf(int(mantissa)), int(exponent))
-
-
-@cache
-def motion(name: str, *arguments: float) -> Reference | None:
-    """A motion formula at exact arguments to 30 digits, with its conditioning; None after the solution has ended.
-
-    The working precision grows until the balls are as small as that, or nothing beside the smallest double.
-    """
-    function = MOTION[name]
-    for bits in (2**k for k in range(9, 17)):
-        with ctx.workprec(bits):
-            x = [exact(v) for v in arguments]
-            lives = "arrest" in name or alive(*x)
-            if lives is False:
-                return None
-            value = function(*x)
-            moved = [function(*x[:i], v * (1 + _STEP), *x[i + 1 :]) for i, v in enumerate(x) if v != 0]
-            sensitivity = sum((abs(m - value) for m in moved), arb(0)) / _STEP
-            size = abs(value.mid())
-            small = max(size * arb(2) ** -105, arb(2) ** -1300)
-            if lives and value.rad() <= small and sensitivity.rad() <= max((size + sensitivity.mid()) / 1000, small):
-                return Reference(digits_of(value), digits_of(sensitivity))
-    raise ArithmeticError(f"{name}{arguments}: no 30 digits")
-
-
-MOTION_BOUND = 8.0  # ulp times (1 + condition number)
-
-
-def motion_error(value: float, reference: Reference) -> float:
-    """Error in ulp over (1 + condition number); where the reference is 0, in eps times its sensitivity."""
-    if not np.isfinite(value):
-        return float("inf")
-    with mpmath.workdps(60):
-        error = abs(mpf(float(value)) - reference.value)
-        if error == 0:
-            return 0.0
-        unit = mpf(float(np.spacing(abs(float(reference.value)))))
-        if reference.value == 0:
-            return float(error / max(unit, reference.sensitivity * mpf(2) ** -52))
-        return float(error / (unit * (1 + reference.sensitivity / abs(reference.value))))

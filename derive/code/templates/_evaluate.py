@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Out = NDArray[Any] | None  # where a result goes
-EPS = 2.0**-52  # of float64
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
@@ -60,8 +59,6 @@ def evaluate(
     arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them; ``name``
     is that of the function.
     """
-    if where is True and out is None and all(type(x) is float for x in args):
-        return _evaluate_numbers(name, body, inside, args)
     items, kind = real(name, args)
     eps = float(np.finfo(kind).eps)
     arrays = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
@@ -93,18 +90,6 @@ def _raise_invalid(name: str) -> None:
         warnings.warn(said, RuntimeWarning, stacklevel=4)
     else:
         np.subtract(np.inf, np.inf)
-
-
-def _evaluate_numbers(
-    name: str, body: Callable[..., Array], inside: Callable[..., Any], args: tuple[float, ...]
-) -> Any:
-    """Of Python's numbers the same without arrays, which would take most of the time."""
-    values = [np.float64(x) for x in args]
-    with np.errstate(invalid="ignore", under="ignore"):
-        result = np.float64(body(*values) if inside(EPS, *values) else np.nan)
-    if result != result and all(x == x for x in args):
-        _raise_invalid(name)
-    return result
 
 
 def _block(

@@ -19,7 +19,6 @@ from derive.flow.walk.one_lane import (
     break_of,
     coefficients_of,
     integer,
-    jump_of,
     maximum,
     minimum,
     number,
@@ -35,11 +34,24 @@ ROUNDINGS = 2.0**27  # of its terms, which a margin exceeds
 
 
 def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
-    """Whether a piece ends before the end time, without a jump, and is followed by another one that ends."""
+    """Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump."""
     last: N = t.pieces - 1
     following = minimum(piece + 1, last)
-    in_time = break_of(lane, t, following) < lane.end_time * t.scale * (1.0 - 4.0 * EPS)
-    return following < last and in_time and jump_of(lane, t, following) == 0.0
+    return following < last and break_of(lane, t, following) < lane.end_time * t.scale * (1.0 - 4.0 * EPS)
+
+
+def value_at_break(lane: Lane, t: T, piece: int) -> float:
+    """A function of time in straight lines where a piece begins."""
+    terms = numbers()
+    coefficients_of(lane, t, piece, terms)
+    return t.scaled_by * terms[0]
+
+
+def stand_before(lane: Lane, t: T, piece: int, now: float) -> None:
+    """The lane is where a piece begins, which it has yet to enter."""
+    lane.time = now
+    t.piece = number(piece - 1)
+    t.way = INFINITY
 
 
 # --- at rest ---------------------------------------------------------------------------------------------------------
@@ -62,7 +74,7 @@ def look_for_quiet(s: Lanes, here: M) -> None:
     """Between which values of one function of time the mass certainly rests on, the way it faces."""
     terms_of_normal = EPS * (abs(s.normal_load) + abs(s.normal_load_slope))
     for t in s.tables:
-        if s.timed == 1 and t.kind == Kind.TIME and t.terms == 2:
+        if t.kind == Kind.TIME and t.terms == 2:
             keep_quiet(s, here, t, s.series.net, -1.0, s.drive_scale)
             if s.has.normal:
                 keep_quiet(s, here, t, s.series.normal, 1.0, terms_of_normal)
@@ -71,9 +83,7 @@ def look_for_quiet(s: Lanes, here: M) -> None:
 def rests_on(lane: Lane, t: T, piece: int) -> bool:
     """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
     last: N = t.pieces - 1
-    terms = numbers()
-    coefficients_of(lane, t, minimum(piece + 1, last), terms)
-    value = t.scaled_by * terms[0]
+    value = value_at_break(lane, t, minimum(piece + 1, last))
     return lane.quiet_from <= value and value <= lane.quiet_to and passes_quietly(lane, t, piece)
 
 
@@ -86,24 +96,22 @@ def rest_through(lane: Lane, t: T) -> None:
         now = break_of(lane, t, piece) / t.scale
         if lane.samples:
             read_samples(lane, lane.time, now, 0, 0)
-        lane.time = now
-        t.piece = number(piece - 1)
-        t.way = INFINITY
+        stand_before(lane, t, piece, now)
 
 
 # --- in motion -------------------------------------------------------------------------------------------------------
 
 
-def glides_on(lane: Lane, t: T, slope: float, grip: float) -> bool:
-    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it."""
-    length = t.upper - lane.time
-    net = lane.drive + slope * t.inc
-    after = lane.drive + slope * t.lower
-    slowest = lane.omega + length * minimum(minimum(net, after), 0.0)
-    presses = lane.normal0 + minimum(grip * t.inc, grip * t.lower)
-    peaks = net >= 0.0 and after < 0.0 and lane.omega + length * net >= abs(lane.peak_omega)
-    moves = slowest > (1.0 - SURE) * lane.omega and presses > (1.0 - SURE) * abs(lane.normal0)
-    return moves and not peaks and passes_quietly(lane, t, integer(t.piece))
+def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: float, by_load: float) -> bool:
+    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it.
+
+    At the end net moment and normal force are by so much more than where the phase began.
+    """
+    after = lane.drive + by_drive
+    slowest = omega + length * minimum(minimum(net, after), 0.0)
+    peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
+    moves = slowest > (1.0 - SURE) * omega and lane.normal0 + by_load > (1.0 - SURE) * abs(lane.normal0)
+    return moves and not peaks
 
 
 def glide(lane: Lane, t: T) -> None:
@@ -117,12 +125,26 @@ def glide(lane: Lane, t: T) -> None:
         grip = 0.0 * slope
         if lane.has.normal:
             grip = lane.series.normal[1] / rise
-        while glides_on(lane, t, slope, grip):
-            length = t.upper - lane.time
-            net = lane.drive + slope * t.inc
-            after = lane.drive + slope * t.lower
-            lane.x = lane.x + length * (lane.omega + length * (2.0 * net + after) / 6.0)
-            lane.omega = lane.omega + length * (net + after) / 2.0
-            lane.time = t.upper
+        piece = integer(t.piece)
+        x = lane.x
+        omega = lane.omega
+        now = lane.time
+        net = lane.drive + slope * t.inc
+        until = t.upper
+        inc = t.lower
+        while passes_quietly(lane, t, piece) and glides_on(lane, omega, until - now, net, slope * inc, grip * inc):
+            length = until - now
+            after = lane.drive + slope * inc
+            x = x + length * (omega + length * (2.0 * net + after) / 6.0)
+            omega = omega + length * (net + after) / 2.0
+            now = until
+            net = after
+            piece = piece + 1
+            until = break_of(lane, t, piece + 1) / t.scale
+            inc = value_at_break(lane, t, piece + 1) - t.value
+        if piece > integer(t.piece):
+            lane.x = x
+            lane.omega = omega
+            stand_before(lane, t, piece, now)
             pass_break(lane, t)
-        update_peak(lane, lane.drive + slope * t.inc)
+            update_peak(lane, net)

@@ -3,7 +3,7 @@
 Equal operations are computed once, and sums of sums are flattened.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import Names
@@ -36,9 +36,9 @@ class Linked(NamedTuple):
 
 def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
     """The operations that compute what the integrator reads, and further registers, from cells that are given."""
-    linker = Linker(definitions, given)
     arguments = [table.argument for table in definitions.tables]
     read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
+    linker = Linker(definitions, given)
     linker.mark_shared(read)
     registers = {name: linker.register(name) for name in read}
     for name in registers:
@@ -47,25 +47,19 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # it is read, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
-    series = needed(linker.series, {*definitions.states, *registers.values()}, lambda operation: operation.registers)
-    lasting = set(outputs.values())
-    for operation, _ in series:
-        lasting.update(operation.cells)
-    scalar = needed(linker.scalar, lasting, lambda operation: operation[1:])
-    return Linked(scalar, series, registers, outputs)
+    pending = {*definitions.states, *registers.values(), *outputs.values()}
+    series = _needed(linker.series, pending)
+    return Linked(_needed(linker.scalar, pending), series, registers, outputs)
 
 
-def needed(
-    operations: Mapping[Any, Names], outputs: Iterable[str | None], taken: Callable[[Any], Iterable[str]]
-) -> list[tuple[Any, Names]]:
-    """The operations on which some results depend, in order; ``taken`` says what one takes."""
-    pending = set(outputs)
+def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:
+    """The operations on which results depend that are pending, in order; what these take is pending, too."""
     selected = []
-    for operation in reversed([*operations]):
-        results = operations[operation]
+    for operation, results in reversed(operations.items()):
         if not pending.isdisjoint(results):
             selected.append((operation, results))
-            pending.update(taken(operation))
+            of_series = isinstance(operation, OnSeries)
+            pending.update(operation.registers + operation.cells if of_series else operation[1:])
     return selected[::-1]
 
 

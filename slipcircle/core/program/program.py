@@ -1,17 +1,14 @@
 """Flow programs: operations on the cells and registers of a lane, and those that the integrator reads."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from generated.flow import FRAGMENTS
-from generated.layout import CELLS
+from generated.layout import CELLS, TABLE
 from slipcircle.base.kinds import Floats, Names
-from slipcircle.core.program.definitions import ZERO, DeclaredTable, Definitions, definitions_of
+from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, definitions_of
 from slipcircle.core.program.linker import EVENTS, Linked, link
 
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
@@ -62,13 +59,6 @@ class Program:
         """Where the cells are, by name."""
         return {name: k for k, name in enumerate(self.cells)}
 
-    def blank(self, lanes: int) -> NDArray[np.float64]:
-        """Cells of lanes with the constants of the program, otherwise zero."""
-        cells = np.zeros((len(self.cells), lanes))
-        for name, value in self.constants.items():
-            cells[self.places[name]] = value
-        return cells
-
 
 @lru_cache(maxsize=256)
 def build_program(effects: Names, laws: Names, moving: Names = (), absent: Names = (), outputs: Names = ()) -> Program:
@@ -98,100 +88,97 @@ def build_program(effects: Names, laws: Names, moving: Names = (), absent: Names
     definitions = definitions_of(effects, laws, moving, absent, further)
     given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
     linked = link(definitions, given, asked)
-    return _Encoder(definitions, linked, given).program(asked)
+    return _encoded(definitions, linked, _places(definitions, linked, given), asked)
 
 
-class _Encoder:
-    """Writes a program with places of cells and registers instead of their names."""
+class _Places(NamedTuple):
+    """Where a program has its cells, its registers and its tables, by name; how many cells are given; its constants."""
 
-    def __init__(self, definitions: Definitions, linked: Linked, given: Names) -> None:
-        self._definitions = definitions
-        self._linked = linked
-        self._given = given
-        computed = [result for _, (result,) in linked.scalar]
-        self._constants = sorted(_constants(linked))
-        cells = (*given, *computed, *self._constants)
-        self._cells = {name: k for k, name in enumerate(cells)}
-        registers = [*definitions.states]
-        for _, results in linked.series:
-            registers += results
-        self._registers = {name: k for k, name in enumerate(registers)}
-
-    def program(self, asked: Names) -> Program:
-        """The whole program; the registers ``asked`` for have roles, too."""
-        taken = set[str]()
-        for operation, _ in self._linked.series:
-            taken.update(operation.registers)
-        states = self._definitions.states
-        still = "omega" not in taken and all(table.kind == "time" for table in self._definitions.tables)
-        return Program(
-            cells=tuple(self._cells),
-            given=len(self._given),
-            registers=tuple(self._registers),
-            scalar=tuple(self._on_cells()),
-            series=tuple(self._on_series()),
-            states=tuple(
-                (self._cells[state], self._registers[state], self._read(rate)) for state, rate in states.items()
-            ),
-            tables=tuple(map(self._table, self._definitions.tables)),
-            roles=self._roles(asked),
-            autonomous=(len(states) == 2 and "x" not in taken) * (1 + still),
-            constants={name: float(name[1:]) for name in self._constants},
-        )
-
-    def _on_cells(self) -> Iterator[tuple[Any, ...]]:
-        """Operations on cells: their results, then their arguments."""
-        for (kind, *names), (result,) in self._linked.scalar:
-            arguments = [self._cells[name] for name in names]
-            yield kind, self._cells[result], *arguments
-
-    def _on_series(self) -> Iterator[tuple[Any, ...]]:
-        """Operations on series: their results, then registers, then cells or the table."""
-        tables = [table.name for table in self._definitions.tables]
-        for operation, results in self._linked.series:
-            made = [self._registers[name] for name in results]
-            registers = [self._registers[name] for name in operation.registers]
-            if operation.kind == "ramp":
-                number = tables.index(operation.table)
-                yield operation.kind, *made, number
-            elif operation.kind == "lin":
-                yield operation.kind, *made, *self._sum(registers, *operation.cells)
-            else:
-                cells = [self._cells[name] for name in operation.cells]
-                yield operation.kind, *made, *registers, *cells
-
-    def _sum(self, registers: list[int], constant: str, *factors: str) -> tuple[Any, ...]:
-        """The cell of a sum's constant, and its terms in the order in which their registers are ready.
-
-        So a sum waits for the last one only.
-        """
-        start = -1 if constant == ZERO else self._cells[constant]
-        cells = [self._cells[name] for name in factors]
-        in_order = sorted(zip(registers, cells, strict=True))
-        return start, tuple((cell, register) for register, cell in in_order)
-
-    def _roles(self, asked: Names) -> dict[str, int]:
-        """The places of the registers and cells that the integrator reads."""
-        roles = {name: self._read(name) for name in ("x", "omega", "net", *EVENTS, *asked)}
-        for role, name in self._linked.outputs.items():
-            roles[role] = self._cells[name]
-        return roles
-
-    def _table(self, table: DeclaredTable) -> Table:
-        first_cell = self._cells[table.cells[0]]
-        return Table(table.name, table.kind, self._read(table.argument), first_cell, table.degree)
-
-    def _read(self, name: str) -> int:
-        """The place of the register that holds what is read; -1 if there is none."""
-        register = self._linked.registers[name]
-        return -1 if register is None else self._registers[register]
+    cells: dict[str, int]
+    registers: dict[str, int]
+    tables: dict[str, int]
+    given: int
+    constants: dict[str, float]
 
 
-def _constants(linked: Linked) -> set[str]:
-    """The constants that operations take, or that are read."""
-    used = {*linked.outputs.values()}
-    for (_, *arguments), _ in linked.scalar:
-        used.update(arguments)
-    for operation, _ in linked.series:
-        used.update(operation.cells)
-    return {name for name in used if name.startswith("=")}
+def _numbered(names: Iterable[str]) -> dict[str, int]:
+    """Names with their places."""
+    return {name: place for place, name in enumerate(names)}
+
+
+def _places(definitions: Definitions, linked: Linked, given: Names) -> _Places:
+    """Cells that are given, computed and constant, and registers of the states and of what is computed."""
+    cells = [*given]
+    taken = {*linked.outputs.values()}
+    for operation, results in linked.scalar:
+        taken.update(operation[1:])
+        cells += results
+    registers = [*definitions.states]
+    for on_series, results in linked.series:
+        taken.update(on_series.cells)
+        registers += results
+    constants = {}
+    for name in sorted(taken):
+        if name.startswith("="):
+            constants[name] = float(name[1:])
+    tables = [table.name for table in definitions.tables]
+    return _Places(_numbered([*cells, *constants]), _numbered(registers), _numbered(tables), len(given), constants)
+
+
+def _encoded(definitions: Definitions, linked: Linked, places: _Places, asked: Names) -> Program:
+    """A program with places instead of names; registers ``asked`` for have roles, too."""
+    cells = places.cells
+    registers = places.registers
+    read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
+    roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *asked)}
+    for role, name in linked.outputs.items():
+        roles[role] = cells[name]
+    tables = []
+    for name, kind, argument, degree in definitions.tables:
+        first_cell = cells[f"{name}.{TABLE[0]}"]
+        tables.append(Table(name, kind, read[argument], first_cell, degree))
+    scalar = []
+    for (kind, *arguments), (result,) in linked.scalar:
+        operands = [cells[argument] for argument in arguments]
+        scalar.append((kind, cells[result], *operands))
+    states = []
+    for state, rate in definitions.states.items():
+        states.append((cells[state], registers[state], read[rate]))
+    return Program(
+        cells=tuple(cells),
+        given=places.given,
+        registers=tuple(registers),
+        scalar=tuple(scalar),
+        series=tuple(_on_series(operation, results, places) for operation, results in linked.series),
+        states=tuple(states),
+        tables=tuple(tables),
+        roles=roles,
+        autonomous=_autonomous(definitions, linked),
+        constants=places.constants,
+    )
+
+
+def _on_series(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
+    """An operation on series: its results, then registers, then cells or the table.
+
+    The terms of a sum are in the order in which their registers are ready, so that it waits for the last one only.
+    """
+    made = [places.registers[name] for name in results]
+    taken = [places.registers[name] for name in operation.registers]
+    if operation.kind == "ramp":
+        return operation.kind, *made, places.tables[operation.table]
+    cells = [places.cells[name] for name in operation.cells]
+    if operation.kind != "lin":
+        return operation.kind, *made, *taken, *cells
+    constant, *factors = cells
+    in_order = sorted(zip(taken, factors, strict=True))
+    if operation.cells[0] == ZERO:
+        constant = -1
+    return operation.kind, *made, constant, tuple((cell, register) for register, cell in in_order)
+
+
+def _autonomous(definitions: Definitions, linked: Linked) -> int:
+    """What d(omega)/dt depends on between breaks in time, as `Program` has it."""
+    taken = {register for operation, _ in linked.series for register in operation.registers}
+    still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
+    return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)

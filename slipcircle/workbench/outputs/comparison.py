@@ -31,6 +31,7 @@ from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.ladder import Rung
 
 _MOST_BARS = 24  # further ones are summarised in text
+STILL = "does not move"
 _SECTION = 3.6  # heights in inches
 _CURVES = 2.8
 _BAR = 0.3
@@ -130,27 +131,29 @@ def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None
 def _bars(motions: Sequence[Motion], ax: Any) -> None:
     """Run-outs with peak velocities and durations; the greatest ones if there are too many."""
     order = sorted(range(len(motions)), key=lambda k: -abs(motions[k].run_out))
-    shown = sorted(order[:_MOST_BARS])
-    lines(ax, [motions[k].plan.scene.name for k in shown])
-    for place, k in enumerate(shown):
-        motion = motions[k]
-        ax.barh(place, motion.run_out, height=0.62, **AREAS["rests" if motion.arrested else "moves on"])
-    side = ax.secondary_yaxis("right")
-    side.set_yticks(range(len(shown)), [_outcome(motions[k]) for k in shown])
-    side.tick_params(length=0, labelsize="small")
-    words = "run-out along the arc (m)"
+    shown = [motions[k] for k in sorted(order[:_MOST_BARS])]
+    words = []
+    for m in shown:
+        speed = abs(float(m.peak.velocity))
+        words.append(_words(m.run_out, speed, f"{ending(m)} after", m.settling_time) if m.moves else STILL)
+    names = [motion.plan.scene.name for motion in shown]
+    _draw_bars(ax, names, [(motion.run_out, motion.arrested) for motion in shown], words)
+    scale = "run-out along the arc (m)"
     hidden = order[_MOST_BARS:]
     if hidden:
         farthest = abs(motions[hidden[0]].run_out)
-        words += f"; {len(hidden)} more, each at most {number(farthest)} m"
-    ax.set_xlabel(words)
+        scale += f"; {len(hidden)} more, each at most {number(farthest)} m"
+    ax.set_xlabel(scale)
 
 
-def _outcome(motion: Motion) -> str:
-    """Run-out, peak velocity and duration in words."""
-    if not motion.moves:
-        return "does not move"
-    return _words(motion.run_out, abs(float(motion.peak.velocity)), f"{ending(motion)} after", motion.settling_time)
+def _draw_bars(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:
+    """A bar of each run-out, by whether the mass is at rest, between a name and what happened."""
+    lines(ax, names)
+    for place, (run_out, arrested) in enumerate(outcomes):
+        ax.barh(place, run_out, height=0.62, **AREAS["rests" if arrested else "moves on"])
+    side = ax.secondary_yaxis("right")
+    side.set_yticks(range(len(words)), words)
+    side.tick_params(length=0, labelsize="small")
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
@@ -161,25 +164,12 @@ def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
     ax = axis(ax, (9.0, 3.5))
     rungs = list(rungs)
-    names = []
+    names = [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs]
+    words = []
     for r in rungs:
-        effect = r.added.replace("_", " ")
-        names.append(f"+ {effect}" if effect else "no effect")
-    lines(ax, names)
-    for place, r in enumerate(rungs):
-        style = "rests" if r.arrested else "moves on"
-        ax.barh(place, r.run_out, height=0.62, **AREAS[style])
+        end = "at rest after" if r.arrested else "still moving at"
+        words.append(_words(r.run_out, r.peak_velocity, end, r.duration) if r.peak_velocity else STILL)
+    _draw_bars(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
     ax.axvline(rungs[-1].run_out, **LINES["help"])
     ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
-    side = ax.secondary_yaxis("right")
-    side.set_yticks(range(len(rungs)), [_rung_words(r) for r in rungs])
-    side.tick_params(length=0, labelsize="small")
     return ax
-
-
-def _rung_words(rung: Rung) -> str:
-    """Run-out, peak velocity and duration of a rung in words."""
-    if not rung.peak_velocity:
-        return "does not move"
-    end = "at rest after" if rung.arrested else "still moving at"
-    return _words(rung.run_out, rung.peak_velocity, end, rung.duration)

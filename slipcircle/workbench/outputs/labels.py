@@ -20,11 +20,10 @@ from slipcircle.base.kinds import Floats
 _DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of a label from an anchor, in points
 _NEAR = 15.0  # points, within which a label needs no leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
-_SPACING = 4.0  # of the points that stand for lines, in pixels
+_SPACING, _MOST = 4.0, 1000  # of the points that stand for a line, in pixels; how many of them
 _GAP = 2.0  # around labels, in pixels
 # Costs: a covered point, a pixel outside the axis, an overlap with a label, a pixel of distance.
 _COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.25
-_CELL, _AROUND = 2.0, 60.0  # of the grid that counts points, and its margin around an axis, in pixels
 BACK = 1.5  # `zorder` below which artists may be covered
 _HALO = 2.5  # points of white around a label
 
@@ -66,22 +65,16 @@ class Label(Annotation):
         self.leader.set_visible(False)
         box = Text.get_window_extent(self, renderer)
         half = np.array([box.width, box.height]) / 2
-        anchors = self.parent.transData.transform(self.anchors)
-        self._covered = _Covered(np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)]), self.parent.bbox)
         distances, offsets = self._offsets(half, pixels)
-        count = len(anchors)
-        which = np.repeat(np.arange(count), len(offsets))
-        far = np.tile(distances, count)
-        at = anchors[which]
-        centres = at + np.tile(offsets, (count, 1))
-        cost = self._cost(centres, half + _GAP, renderer)
-        cost += _FAR * far + self._crossed_words(centres, at)
-        best = int(np.argmin(cost))
-        anchor = self.anchors[which[best]]
-        offset = centres[best] - at[best]
-        self.xy = tuple(anchor)
-        self.set_position(tuple(offset))
-        self.leader.set_visible(far[best] > _NEAR * pixels)
+        anchors = self.parent.transData.transform(self.anchors)
+        centres = anchors[:, None] + offsets
+        cost = _FAR * distances + self._cost(centres, half + _GAP)
+        for words in self._other_words(renderer):
+            cost += _WORDS * (_overlaps(centres, half + _GAP, words) + _crosses(anchors, centres, words) / 4)
+        anchor, place = np.unravel_index(np.argmin(cost), cost.shape)
+        self.xy = tuple(self.anchors[anchor])
+        self.set_position(tuple(offsets[place]))
+        self.leader.set_visible(distances[place] > _NEAR * pixels)
 
     def _offsets(self, half: Floats, pixels: float) -> tuple[Floats, Floats]:
         """Distances of a label from an anchor, and offsets of its centre, (places,) and (places, 2)."""
@@ -92,31 +85,18 @@ class Label(Annotation):
         directions = np.tile(away, (len(_DISTANCES), 1))
         return distances, (distances[:, None] + half) * directions
 
-    def _cost(self, centres: Floats, half: Floats, renderer: Any) -> Floats:
-        """Costs of a label of a half size at centres, (candidates, 2) in pixels."""
-        low = centres - half
-        high = centres + half
-        cost = _COVERED * self._covered(low, high)
+    def _cost(self, centres: Floats, half: Floats) -> Floats:
+        """Costs of what a label of a half size covers at centres, (anchors, places, 2) in pixels."""
         frame = self.parent.bbox
-        too_low = np.maximum(frame.min - low, 0.0)
-        too_high = np.maximum(high - frame.max, 0.0)
-        cost += _OUTSIDE * (too_low + too_high).sum(axis=1)
-        for box in self._other_words(renderer):
-            first = np.maximum(low, box.min)
-            last = np.minimum(high, box.max)
-            overlaps = np.all(last > first, axis=1)
-            cost += _WORDS * overlaps
+        too_low = np.maximum(frame.min - centres + half, 0.0)
+        too_high = np.maximum(centres + half - frame.max, 0.0)
+        cost = _OUTSIDE * (too_low + too_high).sum(axis=-1)
+        x, y = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)]).T
+        for of_anchor, at in zip(cost, centres, strict=True):
+            beside = np.abs(x[:, None] - at[:, 0]) < half[0]
+            above = np.abs(y[:, None] - at[:, 1]) < half[1]
+            of_anchor += _COVERED * np.count_nonzero(beside & above, axis=0)
         return np.asarray(cost)
-
-    def _crossed_words(self, centres: Floats, anchors: Floats) -> Floats:
-        """Costs of leaders that cross other labels."""
-        share = np.linspace(0.1, 0.9, 9)[:, None, None]
-        points = anchors + share * (centres - anchors)
-        cost = np.zeros(len(centres))
-        for box in self._other_words(None):
-            inside = np.all((points > box.min) & (points < box.max), axis=-1)
-            cost += _WORDS / 4 * np.any(inside, axis=0)
-        return cost
 
     def _placed(self) -> Iterator[Any]:
         """The labels that have been placed, and all other texts."""
@@ -133,34 +113,16 @@ class Label(Annotation):
             yield Text.get_window_extent(text, renderer)
 
 
-class _Covered:
-    """Counts of points in boxes, by sums over the cells of a grid around a frame."""
+def _overlaps(centres: Floats, half: Floats, box: Any) -> Any:
+    """Whether a label of a half size overlaps a box, at centres (..., 2)."""
+    return np.all((centres - half < box.max) & (centres + half > box.min), axis=-1)
 
-    def __init__(self, points: Floats, frame: Any) -> None:
-        self._corner = frame.min - _AROUND
-        size = frame.max + _AROUND - self._corner
-        cells = np.ceil(size / _CELL).astype(int)
-        ends = np.stack([self._corner, self._corner + cells * _CELL], axis=1)
-        counts, _, _ = np.histogram2d(points[:, 0], points[:, 1], bins=cells.tolist(), range=ends.tolist())
-        sums = counts.cumsum(axis=0).cumsum(axis=1)
-        self._sums = np.pad(sums, ((1, 0), (1, 0)))
 
-    def __call__(self, low: Floats, high: Floats) -> Floats:
-        """Number of points in each box, (...,), from its corners, (..., 2)."""
-        last = np.array(self._sums.shape) - 1
-        first_cells = self._cells(low, last)
-        last_cells = self._cells(high, last)
-        left, bottom = np.moveaxis(first_cells, -1, 0)
-        right, top = np.moveaxis(last_cells, -1, 0)
-        sums = self._sums
-        below_top = sums[right, top] - sums[left, top]
-        below_bottom = sums[right, bottom] - sums[left, bottom]
-        return np.asarray(below_top - below_bottom)
-
-    def _cells(self, corners: Floats, last: Any) -> Any:
-        cells = (corners - self._corner) / _CELL
-        nearest = np.rint(cells).astype(int)
-        return np.clip(nearest, 0, last)
+def _crosses(anchors: Floats, centres: Floats, box: Any) -> Any:
+    """Whether the way from anchors (n, 2) to centres (n, places, 2) crosses a box."""
+    share = np.linspace(0.1, 0.9, 9)[:, None, None, None]
+    points = anchors[:, None] + share * (centres - anchors[:, None])
+    return np.any(np.all((points > box.min) & (points < box.max), axis=-1), axis=0)
 
 
 def _beside(ax: Any) -> list[Any]:
@@ -175,26 +137,24 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
         for artist in ax.get_children():
             if not artist.get_visible() or artist is ax.patch or artist.get_zorder() < BACK:
                 continue
-            if isinstance(artist, Line2D):
-                points = artist.get_transform().transform(np.column_stack(artist.get_data(orig=False)))
-                if artist.get_marker() not in ("None", "", None):
-                    yield _about(points, artist.get_markersize())
-                if artist.get_linestyle() != "None":
-                    yield _along(points, frame)
-            elif isinstance(artist, Patch):
-                path = artist.get_path().transformed(artist.get_transform())
-                for polygon in path.to_polygons():
-                    yield _along(np.asarray(polygon, dtype=np.float64), frame)
-                if artist.get_hatch():
-                    yield _inside(path, frame)
+            if not isinstance(artist, Line2D | Patch):
+                continue
+            path = artist.get_path().transformed(artist.get_transform())
+            if isinstance(artist, Line2D) and artist.get_marker() not in ("None", "", None):
+                yield _about(np.asarray(path.vertices), artist.get_markersize() * axes.figure.dpi / 72)
+            if artist.get_linestyle() != "None":
+                for line in path.to_polygons(closed_only=isinstance(artist, Patch)):
+                    yield _along(np.asarray(line, dtype=np.float64), frame)
+            if isinstance(artist, Patch) and artist.get_hatch():
+                yield _inside(path, frame)
 
 
 def _about(points: Floats, size: float) -> Floats:
-    """Points that stand for marks."""
-    shares = (-0.6, 0.0, 0.6)
+    """Points that stand for marks of a size in pixels."""
+    shares = (-0.5, 0.0, 0.5)
     offsets = size * np.array([(across, up) for across in shares for up in shares])
     around = points[:, None] + offsets
-    return np.asarray(np.repeat(around.reshape(-1, 2), 2, axis=0))
+    return np.asarray(np.repeat(around.reshape(-1, 2), 5, axis=0))
 
 
 def _along(points: Floats, frame: Any) -> Floats:
@@ -207,7 +167,7 @@ def _along(points: Floats, frame: Any) -> Floats:
     steps = np.diff(points, axis=0)
     lengths = np.hypot(*steps.T)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
-    at = np.arange(0.0, along[-1], _SPACING)
+    at = np.arange(0.0, along[-1], max(_SPACING, along[-1] / _MOST))
     x, y = points.T
     x_at = np.interp(at, along, x)
     y_at = np.interp(at, along, y)

@@ -1,5 +1,6 @@
 """Pictures of a suite of records: displacements by record and scale, fragility, histories of the median record."""
 
+from functools import partial
 from itertools import cycle
 from typing import TYPE_CHECKING, Any
 
@@ -120,8 +121,8 @@ def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -
     ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
 
 
-def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
-    """A quantity over time under the record of median displacement, at the scale next to the records' own."""
+def _history(study: "SuiteStudy", ax: Any = None, what: str = "velocity") -> Any:
+    """A quantity over time, in each polarity, under the record of median displacement at the scale next to its own."""
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
     ax.set_title(_shortened(f"median: {study.suite.entries[record].name}"), loc="right", fontsize="small")
@@ -149,22 +150,12 @@ def _shortened(text: str) -> str:
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 
-def velocity(study: "SuiteStudy", ax: Any = None) -> Any:
-    """Velocity along the arc over time under the record of median displacement, in each polarity."""
-    return _history(study, "velocity", ax)
-
-
-def displacement(study: "SuiteStudy", ax: Any = None) -> Any:
-    """Displacement along the arc over time under the record of median displacement, in each polarity."""
-    return _history(study, "displacement", ax)
-
-
 PANELS = {
     "displacements": displacements,
     "incremental": incremental,
     "fragility": fragility,
-    "velocity": velocity,
-    "displacement": displacement,
+    "velocity": partial(_history, what="velocity"),
+    "displacement": partial(_history, what="displacement"),
 }
 
 
@@ -178,8 +169,8 @@ def overview(study: "SuiteStudy", figure: Any) -> Any:
         fragility(study, figure.add_subplot(grid[1, 1]))
     elif _has_cloud(study):
         fragility(study, figure.add_subplot(grid[1, :]))
-    velocity(study, figure.add_subplot(grid[-1, 0]))
-    displacement(study, figure.add_subplot(grid[-1, 1]))
+    _history(study, figure.add_subplot(grid[-1, 0]), "velocity")
+    _history(study, figure.add_subplot(grid[-1, 1]), "displacement")
     letter(figure.axes)
     name = study.scene.name
     title = f"{name[:1].upper()}{name[1:]}: {len(study.suite)} records"

@@ -10,7 +10,6 @@ from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from slipcircle.base.progress import clear_line
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan
 from slipcircle.workbench.common.quantities import (
@@ -265,7 +264,6 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 
 def say(message: str) -> None:
     """Print a message on stderr."""
-    clear_line()
     print(f"slipcircle: {clean(message)}", file=sys.stderr)
 
 

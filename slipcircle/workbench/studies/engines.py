@@ -17,8 +17,8 @@ import logging
 import os
 import signal
 import zipfile
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Event
@@ -130,7 +130,7 @@ def _blocked_interrupt() -> Iterator[None]:
 
 @contextmanager
 def _deferred_interrupt() -> Iterator[None]:
-    """A Ctrl-C that `_finished` raises: raised at once in one of Dask's own callbacks it would be swallowed there."""
+    """A Ctrl-C that `_result` raises: raised at once in one of Dask's own callbacks it would be swallowed there."""
     try:
         before = signal.signal(signal.SIGINT, lambda *_: _INTERRUPTED.set())
     except ValueError:  # outside the main thread, which alone hears signals
@@ -143,14 +143,13 @@ def _deferred_interrupt() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
-def _finished(running: Iterable[Future[Result]]) -> set[Future[Result]]:
-    """Those that are done, as soon as there are some."""
-    while True:
-        done = wait(running, timeout=0.1, return_when=FIRST_COMPLETED).done
-        if _INTERRUPTED.is_set():
-            raise KeyboardInterrupt
-        if done:
-            return done
+def _result(future: Future[Result]) -> Result:
+    """The result of a block, waited for so that Ctrl-C is heard meanwhile."""
+    while not wait([future], timeout=0.1).done and not _INTERRUPTED.is_set():
+        pass
+    if _INTERRUPTED.is_set():
+        raise KeyboardInterrupt
+    return future.result()
 
 
 class Folder:
@@ -220,37 +219,27 @@ class Blocks(Protocol):
 def run_blocks(
     design: Blocks, executor: Executor, folder: Folder | None = None, progress: Callable[[int, int], None] | None = None
 ) -> Iterator[Result]:
-    """Results of all blocks of a design, in their order; `Progress` is called with each that is finished."""
-    finished: dict[int, Result] = {}
-    running: dict[Future[Result], int] = {}
-
-    def finish(index: int, result: Result, computed: bool) -> None:
-        finished[index] = result
-        if folder and computed:
-            folder.save(index, result)
-        if progress:
-            scenes = design.scenes(index)
-            progress(scenes, 0 if computed else scenes)
-
-    def begin(index: int) -> None:
-        kept = folder.load(index) if folder else None
-        if kept is not None:
-            finish(index, kept, computed=False)
-        else:
-            work, argument = design.task(index)
-            running[executor.submit(work, argument)] = index
-
+    """Results of all blocks of a design, in their order; `Progress` is called with each."""
+    under_way: dict[int, Result | Future[Result]] = {}
     begun = 0
     try:
         for index in range(design.blocks):
             while begun < min(index + _AHEAD, design.blocks):
-                begin(begun)
+                kept = folder.load(begun) if folder else None
+                work, argument = design.task(begun)
+                under_way[begun] = executor.submit(work, argument) if kept is None else kept
                 begun += 1
-            while index not in finished:
-                for future in _finished(running):
-                    finish(running.pop(future), future.result(), computed=True)
-            yield finished.pop(index)
+            found = under_way.pop(index)
+            is_new = isinstance(found, Future)
+            result = _result(found) if isinstance(found, Future) else found
+            if folder and is_new:
+                folder.save(index, result)
+            if progress:
+                scenes = design.scenes(index)
+                progress(scenes, 0 if is_new else scenes)
+            yield result
     finally:
-        for future in running:  # what was finished meanwhile is kept as well
-            if folder and future.done() and not future.cancelled() and future.exception() is None:
-                folder.save(running[future], future.result())
+        ended = {index: found for index, found in under_way.items() if isinstance(found, Future) and found.done()}
+        for index, future in ended.items():  # what was finished meanwhile is kept as well
+            if folder and not future.cancelled() and future.exception() is None:
+                folder.save(index, future.result())

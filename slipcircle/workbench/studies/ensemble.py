@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import nullcontext
 from dataclasses import fields, replace
-from typing import IO, Any, TypeVar, Unpack, cast, overload
+from typing import IO, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, liste
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design, Result
 from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, engine, run_blocks, stored
-from slipcircle.workbench.studies.settings import OF_ARRAYS, OfSamples, OfSuite, setting_mistakes, whole
+from slipcircle.workbench.studies.settings import OF_ARRAYS, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitedesign import OfRecords, SuiteDesign, suite_design
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -66,14 +66,6 @@ def _seed(rng: Any, folder: Any) -> int:
         ) from error
 
 
-@overload
-def ensemble(
-    scene: Scene, n: int = 1, rng: Any = None, executor: Any = None, *, records: None = None, **of: Unpack[OfSamples]
-) -> Study: ...
-@overload
-def ensemble(
-    scene: Scene, n: int = 1, rng: Any = None, executor: Any = None, *, records: Any, **of: Unpack[OfSuite]
-) -> SuiteStudy: ...
 def ensemble(
     scene: Scene,
     n: int = 1,
@@ -92,7 +84,7 @@ def ensemble(
     search_each: bool = False,
     records: Any = None,
     **of_records: Any,
-) -> Study | SuiteStudy:
+) -> Any:
     """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
 
     Parameters
@@ -128,11 +120,12 @@ def ensemble(
     1.0
     """
     settings = method, sensitivity, keep, size, search_each
-    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, of_records))
+    shaken = OfRecords(**of_records)
+    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, shaken))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
     if records is None:
         return conduct(design, executor, confidence, folder, progress)
-    return _over_records(design, records, cast(OfRecords, of_records), executor, folder, progress)
+    return _over_records(design, records, shaken, executor, folder, progress)
 
 
 def _design(

@@ -1,9 +1,7 @@
-"""The settings of an ensemble: their names, their types, and a sentence for each mistake in them."""
+"""The settings of an ensemble: a sentence for each mistake in them."""
 
-import os
 from collections.abc import Mapping, Sequence
-from difflib import get_close_matches
-from typing import IO, Any, TypedDict
+from typing import Any
 
 import numpy as np
 
@@ -20,55 +18,22 @@ _Flag = bool | np.bool_ | None  # None where it is not given
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
-class OfSamples(TypedDict, total=False):
-    """Settings of `ensemble` with records or without, which its docstring explains."""
-
-    method: str
-    sensitivity: int | None
-    keep: bool | None
-    size: int | None
-    confidence: float
-    accuracy: float | None
-    folder: str | os.PathLike[str] | None
-    progress: IO[str] | None
-    correlation: Mapping[tuple[str, str], float] | None
-    search_each: bool
-
-
-class OfSuite(OfSamples, OfRecords, total=False):
-    """Settings of `ensemble` with records."""
-
-
-def _name_mistakes(given: Mapping[str, Any], with_records: bool) -> list[str]:
-    """A sentence for each argument that `ensemble` does not have, or not without records."""
-    known = [*OfSuite.__annotations__] if with_records else [*OfSamples.__annotations__]
-    mistakes = []
-    for name in (name for name in given if name not in known):
-        meant = "".join(f"; did you mean {near}?" for near in get_close_matches(name, known, 1))
-        rule = "is for records; give records as well" if name in OfRecords.__annotations__ else f"is unknown{meant}"
-        mistakes.append(f"{name} = {given[name]!r}: {rule}")
-    return mistakes
-
-
 def setting_mistakes(
-    scene: Scene,
-    n: Any,
-    confidence: Any,
-    settings: Sequence[Any],
-    correlation: Any,
-    records: Any,
-    of_records: Mapping[str, Any],
+    scene: Scene, n: Any, confidence: Any, settings: Sequence[Any], correlation: Any, records: Any, shaken: OfRecords
 ) -> list[str]:
     """A sentence for each mistake."""
     method, points, keep, size, search_each = settings
     with_records = records is not None
-    flags = {"keep": keep, "search_each": search_each} | {k: of_records.get(k) for k in ("polarities", "strict")}
-    of_settings = _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
-    of_settings += [f"{k} = {v!r}: must be True or False" for k, v in flags.items() if not isinstance(v, _Flag)]
-    found = _scene_mistakes(scene, search_each, with_records) + of_settings
+    flags = {"keep": keep, "search_each": search_each, "polarities": shaken.polarities, "strict": shaken.strict}
+    found = _scene_mistakes(scene, search_each, with_records)
+    found += _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
+    found += [f"{k} = {v!r}: must be True or False" for k, v in flags.items() if not isinstance(v, _Flag)]
     if with_records and (search_each or points):
         found.append("search_each and sensitivity do not go with records; leave them out")
-    return _name_mistakes(of_records, with_records) or found or _truncated(uncertain_numbers(scene))
+    for name, value in shaken._asdict().items():
+        if not (with_records or value is None or value is False):
+            found.append(f"{name} = {value!r}: is for records; give records as well")
+    return found or _truncated(uncertain_numbers(scene))
 
 
 def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list[str]:

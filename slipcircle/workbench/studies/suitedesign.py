@@ -7,7 +7,7 @@ of a study does not grow with the records' samples.
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypedDict
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -85,7 +85,7 @@ class SuiteDesign:
         return result | samples
 
 
-class OfRecords(TypedDict, total=False):
+class OfRecords(NamedTuple):
     """How records shake a scene.
 
     Attributes
@@ -100,11 +100,11 @@ class OfRecords(TypedDict, total=False):
         Whether a file that is no record is an error; otherwise it is a warning of the study.
     """
 
-    polarities: bool
-    scales: Any
-    scale_to_pga: Any
-    thresholds: Any
-    strict: bool
+    polarities: bool = False
+    scales: Any = None
+    scale_to_pga: Any = None
+    thresholds: Any = None
+    strict: bool = False
 
 
 def suite_design(sampling: Design, records: Any, shaken: OfRecords) -> SuiteDesign:
@@ -118,16 +118,15 @@ def suite_design(sampling: Design, records: Any, shaken: OfRecords) -> SuiteDesi
     scene = sampling.scene
     scales, to_pga = _scales(shaken)
     gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = Suite.of(records, strict=shaken.get("strict", False), gravity=gravity)
+    suite = Suite.of(records, strict=shaken.strict, gravity=gravity)
     assert isinstance(scene.effects, dict)
     shaking = scene.effects.get("shaking", {})
     still = {effect: given for effect, given in scene.effects.items() if effect != "shaking"}
     sampling = replace(sampling, scene=replace(scene, effects=still, uncertain={}))
     two_way = {key: given for key, given in shaking.items() if key == "two_way"}
     replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
-    polarities = (1.0, -1.0) if shaken.get("polarities") else (1.0,)
-    given = shaken.get("thresholds")
-    thresholds = THRESHOLDS if given is None else _positive("thresholds", given)
+    polarities = (1.0, -1.0) if shaken.polarities else (1.0,)
+    thresholds = THRESHOLDS if shaken.thresholds is None else _positive("thresholds", shaken.thresholds)
     design = SuiteDesign(sampling, two_way, suite, polarities, scales, to_pga, replaces, thresholds)
     mistakes = [*_input_mistakes(sampling.inputs), *_record_mistakes(design)]
     if mistakes:
@@ -138,13 +137,12 @@ def suite_design(sampling: Design, records: Any, shaken: OfRecords) -> SuiteDesi
 
 def _scales(shaken: OfRecords) -> tuple[Floats, bool]:
     """The scales, and whether they are peak accelerations."""
-    factors = shaken.get("scales")
-    peaks = shaken.get("scale_to_pga")
-    if peaks is None:
+    factors = shaken.scales
+    if shaken.scale_to_pga is None:
         return _positive("scales", 1.0 if factors is None else factors), False
     if factors is not None:
         raise ValueError("ensemble: scales and scale_to_pga exclude each other; leave one out")
-    return _positive("scale_to_pga", peaks), True
+    return _positive("scale_to_pga", shaken.scale_to_pga), True
 
 
 def _positive(name: str, values: Any) -> Floats:
