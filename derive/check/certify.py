@@ -1,8 +1,8 @@
 """The checker: proves the error bound of a straight-line float64 program on the whole domain, rounding included.
 
 It reads plain data (`generated/certificates/*.json`) and uses the standard library and python-flint only, for correct
-rounding (`derive.check.midpoints`) sums and products of NumPy's, too; of the generator it knows nothing: each certificate states the definition of its kernel, which `derive.check.truth`
-reads. Per box of alpha,
+rounding (`derive.check.midpoints`) sums and products of NumPy's, too; of the generator it knows nothing: each
+certificate states the definition of its kernel, which `derive.check.truth` reads. Per box of alpha,
 
     |computed - exact| <= |P - F| + sum_i sup |dP/dn_i| d_i + half an ulp,
 
