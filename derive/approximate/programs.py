@@ -289,23 +289,22 @@ def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
     over, under, _ = shapes.rounding_fit(closed, above, below)
     u = code.u
     cube = u * code.x
+    z = (HALF_PI - code.x) * (code.x + HALF_PI) if below else u  # small errors where z is small
+    q = code.horner(z, over)
+    if below:
+        q = q / code.horner(z, under)
     first = 1.0 if below else float(limit(closed))
     lean = 0.51 * math.ulp(math.nextafter(first, 0.0))  # a little more than half an ulp
-    if not below:
-        return cube * (code.fma(code.horner(u, over), u, -lean) + first)
-    z = (HALF_PI - code.x) * (code.x + HALF_PI)  # small errors where z is small
-    q = code.horner(z, over) / code.horner(z, under)
-    return cube * (code.fma(q, u, -lean) + first) * float(limit(closed))
+    value = cube * (code.fma(q, u, -lean) + first)
+    return value * float(limit(closed)) if below else value
 
 
 def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:
     """A kernel at one tier in one form: the best from its pieces, another from its degrees."""
     code = Code(form)
     closed, *others = kernel.closed
-    if tier == "float32":
-        value = rounding(code, closed, *shape)
-    elif tier != "best":
-        value = cheap(code, closed, *shape)
+    if tier != "best":
+        value = (rounding if tier == "float32" else cheap)(code, closed, *shape)
     elif others:  # of parts that have one seam, to the last place or nearly so
         quotient = fused_quotient if code.fused else plain_quotient
         value = quotient(code, kernel.closed, shape)
