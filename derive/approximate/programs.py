@@ -290,9 +290,7 @@ def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
     u = code.u
     cube = u * code.x
     z = (HALF_PI - code.x) * (code.x + HALF_PI) if below else u  # small errors where z is small
-    q = code.horner(z, over)
-    if below:
-        q = q / code.horner(z, under)
+    q = code.horner(z, over) / code.horner(z, under) if below else code.horner(z, over)
     first = 1.0 if below else float(limit(closed))
     lean = 0.51 * math.ulp(math.nextafter(first, 0.0))  # a little more than half an ulp
     value = cube * (code.fma(q, u, -lean) + first)
