@@ -273,7 +273,8 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
     fit = shapes.cheap_fit
     if tier == "float32":
         target = ENOUGH
-        tried = [(n, n if end(closed).log else 0) for n in range(4, 23)]
+        singular = bool(end(closed).log)
+        tried = [(n, n * singular) for n in range(4, 23)]
         fit = shapes.rounding_fit
     for above, below in tried:
         try:

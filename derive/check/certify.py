@@ -234,9 +234,11 @@ def prove_all() -> bool:
     start = time.perf_counter()
     accepted = bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
-    by_kernel = [list(those) for _, those in groupby(records, itemgetter("kernel"))]
+    grouped = groupby(records, itemgetter("kernel"))
+    by_kernel = [list(those) for _, those in grouped]
     with ProcessPoolExecutor(2) as pool:
-        for line, proved in chain.from_iterable(pool.map(checked_together, by_kernel)):
+        outcomes = pool.map(checked_together, by_kernel)
+        for line, proved in chain.from_iterable(outcomes):
             print(line, flush=True)
             accepted &= proved
     outcome = "all proved" if accepted else "NOT all proved"

@@ -38,15 +38,17 @@ def hard_inputs(statement: str) -> tuple[float, ...]:
     with working(BITS):
         (nearest, *_) = SEGMENTS
         model = truth.kernel(statement, nearest)
+        largest = above(model(truth.ball(0.0, 2.0**-40)))  # of F/alpha**3
         exponent = -60
-        while above(model(truth.ball(0.0, 2.0**exponent))) * 2.0 ** (3 * exponent + 3) < 2.0 ** (LEAST - 1):
+        while largest * 8.0 ** (exponent + 1) < 2.0 ** (LEAST - 1):
             exponent += 1  # smaller inputs give less than half of the least float32
         found: list[float] = []
         while exponent <= 0:
             h = 2.0 ** (exponent - 23)
             end = min(SIGNIFICANDS.stop, int(TOP / h) + 1)
             for start in range(SIGNIFICANDS.start, end, BLOCK):
-                found += _near(statement, h, start, min(start + BLOCK, end))
+                stop = min(start + BLOCK, end)
+                found += _near(statement, h, start, stop)
             exponent += 1
     return tuple(found)
 
@@ -62,49 +64,59 @@ def _near(statement: str, h: float, start: int, stop: int) -> Iterator[float]:
         yield from _near(statement, h, start, middle)
         yield from _near(statement, h, middle, stop)
         return
-    half = BLOCK // 2
-    halves = row @ POWERS[:, half + start - middle : half + stop - middle] / 2
+    first = BLOCK // 2 + start - middle
+    last = BLOCK // 2 + stop - middle
+    halves = row @ POWERS[:, first:last] / 2
     distance = 0.5 - np.abs(halves - np.rint(halves))  # from the nearest midpoint, in ulp
     for t in np.flatnonzero(distance <= WIDTH + SLACK).tolist():
         yield (start + t) * h
 
 
-POWERS = np.stack([np.arange(-BLOCK // 2, BLOCK // 2, dtype=np.float64) ** k for k in range(DEGREE + 1)])
+T = np.arange(-BLOCK // 2, BLOCK // 2, dtype=np.float64)
+POWERS = np.stack([T**k for k in range(DEGREE + 1)])
 
 
 def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) -> list[float] | None:
     """F((middle + t) h) over half an ulp, modulo 2, by powers of t; None where it is not that to within SLACK."""
-    segment = next((s for s in SEGMENTS if s.lower <= start * h and (stop - 1) * h <= s.upper), None)
-    if segment is None:
+    lowest = start * h
+    highest = (stop - 1) * h
+    around = [s for s in SEGMENTS if s.lower <= lowest and highest <= s.upper]
+    if not around:
         return None
     radius = middle - start
-    terms, rest = _about(statement, segment, middle * h, h, radius)
-    ball = arb(0, radius)
-    values = terms(ball) + rest
-    units = {_half_ulp(below(values)), _half_ulp(above(values))}
-    if len(units) > 1:
+    terms, rest = _about(statement, around[0], middle * h, h, radius)
+    t = arb(0, radius)
+    values = terms(t) + rest
+    unit = _half_ulp(below(values))
+    if unit < _half_ulp(above(values)):
         return None
-    (unit,) = units
-    first, *others = terms.coeffs()
-    last = above((arb_poly(others[DEGREE:])(ball) * radius ** (DEGREE + 1) + rest) / unit)
-    row = [first / unit, *(c / unit for c in others[:DEGREE])]
+    coefficients = [c / unit for c in terms.coeffs()]
     for k in (0, 1):  # t is an integer
-        row[k] -= 2 * (row[k].mid() / 2).floor()
-    floats = [float(c) for c in row]
-    rounding = sum(abs(c) * float(radius) ** k for k, c in enumerate(floats)) * 2.0**-49
-    return floats if last + rounding < SLACK else None
+        coefficients[k] -= 2 * (coefficients[k].mid() / 2).floor()
+    higher = arb_poly(coefficients[DEGREE + 1 :])
+    lost = above(higher(t) * radius ** (DEGREE + 1) + rest / unit)
+    row = []
+    for k, coefficient in enumerate(coefficients[: DEGREE + 1]):
+        nearest = float(coefficient)
+        row.append(nearest)
+        error = above(coefficient - nearest) + 2.0**-49 * abs(nearest)  # sums and products among it
+        lost += error * float(radius) ** k
+    return row if lost < SLACK else None
 
 
 def _about(statement: str, segment: Segment, x: float, h: float, radius: int) -> tuple[arb_poly, arb]:
     """F(x + t h) as a polynomial in t, and a ball around zero for what that leaves out where |t| <= radius."""
     model: Model = truth.kernel(statement, segment)
-    alpha = arb_poly([x, h])
-    polynomial = model.main(arb_poly([arb(x) - segment.centre, h]))
-    largest = abs(arb(x) - segment.centre) + radius * arb(h)
+    offset = arb(x) - segment.centre
+    reach = radius * arb(h)
+    polynomial = model.main(arb_poly([offset, h]))
+    largest = abs(offset) + reach
     rest = model.last * arb(0, 1) * largest**model.power
     if segment.lower == 0:  # where the model is of F/alpha**3
+        alpha = arb_poly([x, h])
         polynomial *= alpha * alpha * alpha
-        rest *= (arb(x) + radius * arb(h)) ** truth.CUBE
+        most = arb(x) + reach
+        rest *= most * most * most
     return polynomial, rest
 
 
@@ -119,9 +131,10 @@ def prove(record: Record) -> None:
 
     That its bound is proved is assumed. Raises `ProofError` with the name of the check: rounding or hard.
     """
-    stated = hard(record)
-    if stated != record["hard"]:
-        raise rejected("hard", record, " ".join(record["hard"]), " ".join(stated))
+    stated = record["hard"]
+    found = hard(record)
+    if found != stated:
+        raise rejected("hard", record, " ".join(stated), " ".join(found))
 
 
 def hard(record: Record) -> list[str]:
@@ -134,7 +147,9 @@ def hard(record: Record) -> list[str]:
             near = record["bound"] * 2.0**-28 * _half_ulp(above(exact))
             if _rounds_to(exact, np.float32(float(exact)), near):
                 continue
-            significands.add(f"{int(math.ldexp(math.frexp(x)[0], 24)):06x}")
+            significand, _ = math.frexp(x)
+            bits = int(significand * SIGNIFICANDS.stop)
+            significands.add(f"{bits:06x}")
             computed = run(record, x)
             if not _rounds_to(exact, np.float32(computed)):
                 raise rejected("rounding", record, f"{computed.hex()} at {x.hex()}", exact.str(20))
@@ -143,8 +158,12 @@ def hard(record: Record) -> list[str]:
 
 def _rounds_to(exact: arb, value: Any, margin: float = 0.0) -> bool:
     """Whether a float32 is the nearest, by more than a margin: whether the midpoints on its sides enclose."""
-    lower, upper = (float(np.nextafter(value, np.float32(side))) for side in (-math.inf, math.inf))
-    return bool(arb(lower + float(value)) / 2 + margin < exact < arb(upper + float(value)) / 2 - margin)
+    middle = float(value)
+    below_it = float(np.nextafter(value, np.float32(-9)))
+    above_it = float(np.nextafter(value, np.float32(9)))
+    lower = (below_it + middle) / 2
+    upper = (middle + above_it) / 2
+    return bool(lower + arb(margin) < exact < upper - arb(margin))
 
 
 MEANING: dict[str, Callable[..., Any]] = {
@@ -166,5 +185,6 @@ def run(record: Record, x: float) -> float:
         elif kind == "const":
             values.append(float.fromhex(constant))
         else:
-            values.append(MEANING[kind](*(values[k] for k in args)))
+            operands = (values[k] for k in args)
+            values.append(MEANING[kind](*operands))
     return values[record["output"]]
