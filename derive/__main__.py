@@ -24,11 +24,8 @@ def timed(what: str, stage: str, outcome: str, work: Callable[..., T], *args: ob
     return result
 
 
-def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
-    """Derive and prove everything: the text of `generated` by file; progress goes to stderr.
-
-    Shapes of kernels without a record are searched for, or all of them with ``anew``, in so many ``trials``.
-    """
+def derive_all() -> dict[str, str]:
+    """Derive and prove everything: the text of `generated` by file; progress goes to stderr."""
     from derive.algebra import dynamics, integrate, rules, slopes
     from derive.approximate import certificates, search, shapes
     from derive.approximate.programs import variants
@@ -43,7 +40,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-    timed("kernels", "search", "new shapes: {0}", search.complete, anew, trials or search.TRIALS)
+    timed("kernels", "search", "new shapes: {0}", search.complete)
     for name, closed in integrate.closed_forms().items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
         for step in form.steps:
@@ -86,7 +83,7 @@ COMMANDS = {
         "judge every numbered equation, table entry and appendix of the paper",
         _JSON | {"markdown": "a page for a colleague"},
     ),
-    "hard": Command("the hard cases: error of the printed form beside ours", _JSON),
+    "hard": Command("the hard cases: error of the printed form beside ours", {}),
     "prove": Command(
         "prove the error bounds of the kernels again, from their certificates alone",
         {"gappa": "ask Gappa, a program by others, for the rounding in them; its scripts are left in build/gappa"},
@@ -118,8 +115,6 @@ def _parser() -> argparse.ArgumentParser:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
-    parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
-    parser.add_argument("--trials", type=int, metavar="N", help="let a search judge N shapes for one quantity (40)")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, (words, forms) in COMMANDS.items():
         command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
@@ -177,12 +172,12 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "hard":
         from derive.judge import hard
 
-        print(hard.report(options.form))
+        print(hard.report())
         return 0
-    return generate(options.check, options.search, options.trials)
+    return generate(options.check)
 
 
-def generate(check: bool, search: bool, trials: int | None) -> int:
+def generate(check: bool) -> int:
     """Derive everything, and write `generated` and the records of shapes, or compare them with the files there."""
     start = time.perf_counter()
     try:
@@ -191,7 +186,7 @@ def generate(check: bool, search: bool, trials: int | None) -> int:
         from derive.build import build_all, has_binary_alone
         from derive.generate import write
 
-        texts = derive_all(search, trials)
+        texts = derive_all()
         records = {shapes.RECORDS.name: shapes.text()}
         if check:
             expected = {name: text for name, text in texts.items() if not has_binary_alone(name, text)}

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "27e92815294690eed53847d005be447363bec17f9c189e84c379c5e8a7c03eed"
+#define DIGEST "db775cfa772d93fac9d52fbd4d1a93e69da0c9b37a78699d648d4215766346d5"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1123,9 +1123,9 @@ static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which
 }
 
 /* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none. Within a step
- * the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls at first and rises
- * at last has no root there. Where it falls and rises, its least value decides. One that only touches zero does
- * not cross it, and one that is zero has no root. */
+ * the terms fall like 0.2^k: a polynomial that neither has changed its sign at h nor falls at first and rises at
+ * last has no root there. Where it falls and rises, its least value decides. One that only touches zero does not
+ * cross it, and one that is zero has no root. */
 static V first_root(V *p, int n, V h, M which)
 {
     V high = h;
@@ -1515,7 +1515,7 @@ INLINE V normal_force(Batch *b)
 }
 
 /* The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one. It is
- * truncated after such a term times the step over the radius of convergence: over time as much as whole steps are. */
+ * truncated after such a term times the step over the radius of convergence: in time as much as whole steps are. */
 static void find_negligible(Batch *b, unsigned lane)
 {
     V *const c = b->c;

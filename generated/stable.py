@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a70f1e1656bef7e5b3e2f4d929abc9ffde301cc67a8cd1ffbc083084c0e368bd
+# sha256 of the text below: d1e89ebfb0d633555ba7c54bc9fe3662a9b67d48c773f8435c1cd3005d4aca6d
 """The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."""
 
 from __future__ import annotations
@@ -52,24 +52,24 @@ def polar_moment(alpha: Any) -> Any:
     >>> print(f"{polar_moment(0.5):.6f}")
     0.075433
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    t1 = np.cos(alpha_2)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t2 = p1 * (p1 * p1)
-    t3 = 1.0 + t1
-    t4 = p1 / t3 * alpha_2
-    t5 = np.maximum(-0.4, np.minimum(0.4, t4))
-    t6 = t5 * t5
-    p2 = horner(t6, SERIES_2)
-    t7 = np.abs(t4) < 0.4
-    t8 = np.minimum(0.9999999999999999, np.where(t7, 0.4, t4))
-    t9 = np.where(t7, p2, (np.arctanh(t8) - t8) / (t8 * (t8 * t8)))
-    t10 = -(0.6666666666666666 * (t1 * (t1 * t1)) * t2 * t9 / (t3 * (t3 * t3)))
-    t11 = 4.0 * alpha_2 * alpha_2
-    p3 = horner(t11, SERIES_3)
-    t12 = t10 - (1.0 * (t4 * t4) + -3.0) * t1 * t2 / (6.0 * t3) - 2.6666666666666665 * p3
-    return t12 * alpha_2 * alpha_2 * alpha_2
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = np.cos(t1)
+    t3 = t1 * t1
+    p1 = horner(t3, SERIES_1)
+    t4 = p1 * (p1 * p1)
+    t5 = 1.0 + t2
+    t6 = p1 / t5 * t1
+    t7 = np.maximum(-0.4, np.minimum(0.4, t6))
+    t8 = t7 * t7
+    p2 = horner(t8, SERIES_2)
+    t9 = np.abs(t6) < 0.4
+    t10 = np.minimum(0.9999999999999999, np.where(t9, 0.4, t6))
+    t11 = np.where(t9, p2, (np.arctanh(t10) - t10) / (t10 * (t10 * t10)))
+    t12 = -(0.6666666666666666 * (t2 * (t2 * t2)) * t4 * t11 / (t5 * (t5 * t5)))
+    t13 = 4.0 * t1 * t1
+    p3 = horner(t13, SERIES_3)
+    t14 = t12 - (1.0 * (t6 * t6) + -3.0) * t2 * t4 / (6.0 * t5) - 2.6666666666666665 * p3
+    return t14 * t1 * t1 * t1
 
 
 @np.errstate(all="ignore")
@@ -82,13 +82,12 @@ def moment_of_inertia(alpha: Any) -> Any:
     >>> print(f"{moment_of_inertia(0.5):.6f}")
     0.071867
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t1 = 4.0 * alpha_2 * alpha_2
-    p2 = horner(t1, SERIES_4)
-    t2 = (np.cos(alpha_2) * (p1 * (p1 * p1)) / 3.0 - 2.0 * p2) * alpha_2 * alpha_2
-    return t2 * alpha_2
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    t3 = 4.0 * t1 * t1
+    p2 = horner(t3, SERIES_4)
+    return (np.cos(t1) * (p1 * (p1 * p1)) / 3.0 - 2.0 * p2) * t1 * t1 * t1
 
 
 @np.errstate(all="ignore")
@@ -101,21 +100,21 @@ def radial_weight_amplitude(alpha: Any) -> Any:
     >>> print(f"{radial_weight_amplitude(0.5):.6f}")
     0.077223
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t1 = np.cos(alpha_2)
-    t2 = 1.0 + t1
-    t3 = p1 / t2 * alpha_2
-    t4 = p1 * (p1 * p1)
-    t5 = np.maximum(-0.4, np.minimum(0.4, t3))
-    t6 = t5 * t5
-    p2 = horner(t6, SERIES_2)
-    t7 = np.abs(t3) < 0.4
-    t8 = np.minimum(0.9999999999999999, np.where(t7, 0.4, t3))
-    t9 = 2.0 * (t1 * t1) * t4 * np.where(t7, p2, (np.arctanh(t8) - t8) / (t8 * (t8 * t8)))
-    t10 = (-(0.5 * (1.0 * (t3 * t3) + -3.0) * t4 / t2) - t9 / (t2 * (t2 * t2))) * alpha_2
-    return t10 * alpha_2 * alpha_2
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    t3 = np.cos(t1)
+    t4 = 1.0 + t3
+    t5 = p1 / t4 * t1
+    t6 = p1 * (p1 * p1)
+    t7 = np.maximum(-0.4, np.minimum(0.4, t5))
+    t8 = t7 * t7
+    p2 = horner(t8, SERIES_2)
+    t9 = np.abs(t5) < 0.4
+    t10 = np.minimum(0.9999999999999999, np.where(t9, 0.4, t5))
+    t11 = 2.0 * (t3 * t3) * t6 * np.where(t9, p2, (np.arctanh(t10) - t10) / (t10 * (t10 * t10)))
+    t12 = (-(0.5 * (1.0 * (t5 * t5) + -3.0) * t6 / t4) - t11 / (t4 * (t4 * t4))) * t1
+    return t12 * t1 * t1
 
 
 @np.errstate(all="ignore")
@@ -128,10 +127,10 @@ def weight_moment_amplitude(alpha: Any) -> Any:
     >>> print(f"{weight_moment_amplitude(0.5):.6f}")
     0.073464
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    return 0.6666666666666666 * (p1 * (p1 * p1)) * alpha_2 * alpha_2 * alpha_2
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    return 0.6666666666666666 * (p1 * (p1 * p1)) * t1 * t1 * t1
 
 
 @np.errstate(all="ignore")
@@ -144,10 +143,10 @@ def resistance_factor(alpha: Any) -> Any:
     >>> print(f"{resistance_factor(0.5):.6f}")
     0.122417
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    return 2.0 * (p1 * p1) / (1.0 + np.cos(alpha_2)) * alpha_2 * alpha_2 * alpha_2
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    return 2.0 * (p1 * p1) / (1.0 + np.cos(t1)) * t1 * t1 * t1
 
 
 @np.errstate(all="ignore")
@@ -160,25 +159,25 @@ def dynamic_coefficient(alpha: Any) -> Any:
     >>> print(f"{dynamic_coefficient(0.5):.6f}")
     0.616194
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    t1 = np.cos(alpha_2)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t2 = p1 * p1
-    t3 = p1 * t2
-    t4 = 1.0 + t1
-    t5 = p1 / t4 * alpha_2
-    t6 = np.maximum(-0.4, np.minimum(0.4, t5))
-    t7 = t6 * t6
-    p2 = horner(t7, SERIES_2)
-    t8 = np.abs(t5) < 0.4
-    t9 = np.minimum(0.9999999999999999, np.where(t8, 0.4, t5))
-    t10 = np.where(t8, p2, (np.arctanh(t9) - t9) / (t9 * (t9 * t9)))
-    t11 = -(0.6666666666666666 * (t1 * (t1 * t1)) * t3 * t10 / (t4 * (t4 * t4)))
-    t12 = 4.0 * alpha_2 * alpha_2
-    p3 = horner(t12, SERIES_3)
-    t13 = t11 - (1.0 * (t5 * t5) + -3.0) * t1 * t3 / (6.0 * t4) - 2.6666666666666665 * p3
-    return (0.5 + 0.5 * t1) * t13 / t2
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = np.cos(t1)
+    t3 = t1 * t1
+    p1 = horner(t3, SERIES_1)
+    t4 = p1 * p1
+    t5 = p1 * t4
+    t6 = 1.0 + t2
+    t7 = p1 / t6 * t1
+    t8 = np.maximum(-0.4, np.minimum(0.4, t7))
+    t9 = t8 * t8
+    p2 = horner(t9, SERIES_2)
+    t10 = np.abs(t7) < 0.4
+    t11 = np.minimum(0.9999999999999999, np.where(t10, 0.4, t7))
+    t12 = np.where(t10, p2, (np.arctanh(t11) - t11) / (t11 * (t11 * t11)))
+    t13 = -(0.6666666666666666 * (t2 * (t2 * t2)) * t5 * t12 / (t6 * (t6 * t6)))
+    t14 = 4.0 * t1 * t1
+    p3 = horner(t14, SERIES_3)
+    t15 = t13 - (1.0 * (t7 * t7) + -3.0) * t2 * t5 / (6.0 * t6) - 2.6666666666666665 * p3
+    return (0.5 + 0.5 * t2) * t15 / t4
 
 
 @np.errstate(all="ignore")
@@ -191,13 +190,13 @@ def weight_moment_per_inertia(alpha: Any) -> Any:
     >>> print(f"{weight_moment_per_inertia(0.5):.6f}")
     1.022210
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t1 = p1 * (p1 * p1)
-    t2 = 4.0 * alpha_2 * alpha_2
-    p2 = horner(t2, SERIES_4)
-    return 0.6666666666666666 * t1 / (np.cos(alpha_2) * t1 / 3.0 - 2.0 * p2)
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    t3 = p1 * (p1 * p1)
+    t4 = 4.0 * t1 * t1
+    p2 = horner(t4, SERIES_4)
+    return 0.6666666666666666 * t3 / (np.cos(t1) * t3 / 3.0 - 2.0 * p2)
 
 
 @np.errstate(all="ignore")
@@ -210,23 +209,23 @@ def radial_weight_per_inertia(alpha: Any) -> Any:
     >>> print(f"{radial_weight_per_inertia(0.5):.6f}")
     1.074524
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t1 = np.cos(alpha_2)
-    t2 = 1.0 + t1
-    t3 = p1 / t2 * alpha_2
-    t4 = p1 * (p1 * p1)
-    t5 = np.maximum(-0.4, np.minimum(0.4, t3))
-    t6 = t5 * t5
-    p2 = horner(t6, SERIES_2)
-    t7 = np.abs(t3) < 0.4
-    t8 = np.minimum(0.9999999999999999, np.where(t7, 0.4, t3))
-    t9 = 2.0 * (t1 * t1) * t4 * np.where(t7, p2, (np.arctanh(t8) - t8) / (t8 * (t8 * t8)))
-    t10 = 4.0 * alpha_2 * alpha_2
-    p3 = horner(t10, SERIES_3)
-    t11 = -(0.5 * (1.0 * (t3 * t3) + -3.0) * t4 / t2) - t9 / (t2 * (t2 * t2))
-    return t11 / (t1 * t4 / 3.0 - 2.0 * p3)
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    t3 = np.cos(t1)
+    t4 = 1.0 + t3
+    t5 = p1 / t4 * t1
+    t6 = p1 * (p1 * p1)
+    t7 = np.maximum(-0.4, np.minimum(0.4, t5))
+    t8 = t7 * t7
+    p2 = horner(t8, SERIES_2)
+    t9 = np.abs(t5) < 0.4
+    t10 = np.minimum(0.9999999999999999, np.where(t9, 0.4, t5))
+    t11 = 2.0 * (t3 * t3) * t6 * np.where(t9, p2, (np.arctanh(t10) - t10) / (t10 * (t10 * t10)))
+    t12 = 4.0 * t1 * t1
+    p3 = horner(t12, SERIES_3)
+    t13 = -(0.5 * (1.0 * (t5 * t5) + -3.0) * t6 / t4) - t11 / (t4 * (t4 * t4))
+    return t13 / (t3 * t6 / 3.0 - 2.0 * p3)
 
 
 @np.errstate(all="ignore")
@@ -239,24 +238,24 @@ def polar_moment_per_inertia(alpha: Any) -> Any:
     >>> print(f"{polar_moment_per_inertia(0.5):.6f}")
     1.049612
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    t1 = np.cos(alpha_2)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t2 = p1 * (p1 * p1)
-    t3 = 1.0 + t1
-    t4 = p1 / t3 * alpha_2
-    t5 = np.maximum(-0.4, np.minimum(0.4, t4))
-    t6 = t5 * t5
-    p2 = horner(t6, SERIES_2)
-    t7 = np.abs(t4) < 0.4
-    t8 = np.minimum(0.9999999999999999, np.where(t7, 0.4, t4))
-    t9 = np.where(t7, p2, (np.arctanh(t8) - t8) / (t8 * (t8 * t8)))
-    t10 = -(0.6666666666666666 * (t1 * (t1 * t1)) * t2 * t9 / (t3 * (t3 * t3)))
-    t11 = 4.0 * alpha_2 * alpha_2
-    p3 = horner(t11, SERIES_3)
-    t12 = t10 - (1.0 * (t4 * t4) + -3.0) * t1 * t2 / (6.0 * t3) - 2.6666666666666665 * p3
-    return t12 / (t1 * t2 / 3.0 - 2.0 * p3)
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = np.cos(t1)
+    t3 = t1 * t1
+    p1 = horner(t3, SERIES_1)
+    t4 = p1 * (p1 * p1)
+    t5 = 1.0 + t2
+    t6 = p1 / t5 * t1
+    t7 = np.maximum(-0.4, np.minimum(0.4, t6))
+    t8 = t7 * t7
+    p2 = horner(t8, SERIES_2)
+    t9 = np.abs(t6) < 0.4
+    t10 = np.minimum(0.9999999999999999, np.where(t9, 0.4, t6))
+    t11 = np.where(t9, p2, (np.arctanh(t10) - t10) / (t10 * (t10 * t10)))
+    t12 = -(0.6666666666666666 * (t2 * (t2 * t2)) * t4 * t11 / (t5 * (t5 * t5)))
+    t13 = 4.0 * t1 * t1
+    p3 = horner(t13, SERIES_3)
+    t14 = t12 - (1.0 * (t6 * t6) + -3.0) * t2 * t4 / (6.0 * t5) - 2.6666666666666665 * p3
+    return t14 / (t2 * t4 / 3.0 - 2.0 * p3)
 
 
 @np.errstate(all="ignore")
@@ -269,18 +268,18 @@ def weight_moment_per_radial_weight(alpha: Any) -> Any:
     >>> print(f"{weight_moment_per_radial_weight(0.5):.6f}")
     0.951314
     """
-    alpha_2 = np.minimum(1.5707963267948966, alpha)
-    alpha_2_2 = alpha_2 * alpha_2
-    p1 = horner(alpha_2_2, SERIES_1)
-    t1 = p1 * (p1 * p1)
-    t2 = np.cos(alpha_2)
-    t3 = 1.0 + t2
-    t4 = p1 / t3 * alpha_2
-    t5 = np.maximum(-0.4, np.minimum(0.4, t4))
-    t6 = t5 * t5
-    p2 = horner(t6, SERIES_2)
-    t7 = np.abs(t4) < 0.4
-    t8 = np.minimum(0.9999999999999999, np.where(t7, 0.4, t4))
-    t9 = 2.0 * (t2 * t2) * t1 * np.where(t7, p2, (np.arctanh(t8) - t8) / (t8 * (t8 * t8)))
-    t10 = -(0.5 * (1.0 * (t4 * t4) + -3.0) * t1 / t3) - t9 / (t3 * (t3 * t3))
-    return 0.6666666666666666 * t1 / t10
+    t1 = np.minimum(1.5707963267948966, alpha)
+    t2 = t1 * t1
+    p1 = horner(t2, SERIES_1)
+    t3 = p1 * (p1 * p1)
+    t4 = np.cos(t1)
+    t5 = 1.0 + t4
+    t6 = p1 / t5 * t1
+    t7 = np.maximum(-0.4, np.minimum(0.4, t6))
+    t8 = t7 * t7
+    p2 = horner(t8, SERIES_2)
+    t9 = np.abs(t6) < 0.4
+    t10 = np.minimum(0.9999999999999999, np.where(t9, 0.4, t6))
+    t11 = 2.0 * (t4 * t4) * t3 * np.where(t9, p2, (np.arctanh(t10) - t10) / (t10 * (t10 * t10)))
+    t12 = -(0.5 * (1.0 * (t6 * t6) + -3.0) * t3 / t5) - t11 / (t5 * (t5 * t5))
+    return 0.6666666666666666 * t3 / t12

@@ -149,7 +149,7 @@ def both(length: float = 3.0, **changes: Any) -> list[Any]:
     """Motions of Vaiont's mass by a law of its name, and by the same as a function."""
     named: dict[str, Any] = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": length}
     free: Any = partial(falling, length=length)
-    return [solve(replace(load("vaiont"), friction=friction, **changes)) for friction in (named, free)]
+    return [solve(replace(load("vaiont"), friction=friction, **changes), 1e-13) for friction in (named, free)]
 
 
 def falling(slip: Any, length: float = 3.0) -> Any:

@@ -1,6 +1,5 @@
 """The fitted programs: which there are, their exact arithmetic, and the search. What they hold is proved and seen."""
 
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -47,18 +46,3 @@ def factor() -> Kernel:
 def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel) -> None:
     """Nothing in the search is random or timed."""
     assert search.search(factor) == records()[factor.definition]
-
-
-@pytest.mark.parametrize(("more", "stays"), [(1, True), (6, False)])
-def test_a_record_stays_unless_another_is_better_by_the_margin(
-    factor: Kernel, more: int, stays: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A coefficient more is worth less than the margin, six are worth more; nothing found, it stays in any case."""
-    right = records()[factor.definition]
-    (piece,) = right.best
-    known = (replace(piece, count=piece.count + more),)
-    monkeypatch.setitem(records(), factor.definition, replace(right, best=known))
-    monkeypatch.setattr(search, "refined", lambda *_: right.best)
-    assert search.best(factor) == (known if stays else right.best)
-    monkeypatch.setattr(search, "refined", lambda *_: None)
-    assert search.best(factor) == known

@@ -78,7 +78,7 @@ def test_references_together() -> None:
     for members in groups.values():
         first = members[0]["scene"]
         beside = first | {"initial_velocity": first["initial_velocity"] + 1.0}  # one alone is no ensemble
-        found = together([*(r["scene"] for r in members), beside])
+        found = together([*(r["scene"] for r in members), beside], 1e-11)
         for k, wanted in enumerate(r["reference"] for r in members):
             bound = 1e-14 + float(found.error_estimate[k])
             assert (found.moves[k], found.arrested[k]) == (wanted["moves"], wanted["arrested"])

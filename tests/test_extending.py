@@ -98,6 +98,8 @@ from derive.check import certify
 build.build = partial(build.build, flags=("-O0", *build.FLAGS[1:]))
 halve = certify.halve
 certify.halve = lambda *given, **more: halve(*given, **more | {"halvings": 100} if "halvings" in more else more)
+from derive.approximate import search
+search.TRIALS = 4
 from derive.generate import slopes
 slopes.module = lambda: Path("generated/slopes.py").read_text("utf-8").split("\\n", 2)[2]  # nothing is added to it
 """
@@ -107,7 +109,7 @@ def extended(root: Path) -> None:
     """Make the copy. The search judges fewer shapes than it may, as it takes its time."""
     all_weights.copy(root)
     assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS", "RESULTS"]
-    run(root, "-c", QUICKLY + all_weights.DERIVE, "--trials", "4")
+    run(root, "-c", QUICKLY + all_weights.DERIVE)
 
 
 class Extended(taylor.Problem):

@@ -23,11 +23,12 @@ VAIONT = load("vaiont")
 MANY_OF: Scene = VAIONT  # which may hold arrays
 ANGLES = np.array([8.0, 10.0, 40.0])
 TIMES = np.array([0.0, 1.0, 5.0])
+ASKED = 1e-13  # accuracy, where lanes are compared with single scenes
 
 
 def many(**more: Any) -> Motion:
     friction, velocity = np.tan(np.deg2rad(ANGLES)), np.array([[0.0], [1.0]])
-    return solve(replace(VAIONT, **{"friction": friction, "initial_velocity": velocity} | more))
+    return solve(replace(VAIONT, **{"friction": friction, "initial_velocity": velocity} | more), ASKED)
 
 
 def single(angle: float, velocity: float) -> Motion:
@@ -42,7 +43,7 @@ def overturned() -> Motion:
 @pytest.fixture(scope="module")
 def study() -> Study:
     uncertain = {"friction.angle_deg": {"distribution": "normal", "mean": 24, "std": 2}}
-    return ensemble(replace(load("wet-slope"), uncertain=uncertain), 200, 1, sensitivity=0)
+    return ensemble(replace(load("wet-slope"), uncertain=uncertain), 200, 1, sensitivity=0, accuracy=ASKED)
 
 
 # --- shown -----------------------------------------------------------------------------------------------------------
@@ -192,7 +193,9 @@ def test_xarray_keeps_dimensions(study: Study) -> None:
     with pytest.raises(ValueError, match="initial_velocity: its dimension 'push' is on the axis of 'angle'"):
         many(friction=friction, initial_velocity=other).to_xarray()
     assert study.to_xarray()["run_out"].dims == ("sample",)
-    table = grid(VAIONT, {"friction.angle_deg": [8.0, 10.0], "arc.radius_m": [1000.0, 1200.0, 1400.0]}).to_xarray()
+    table = grid(
+        VAIONT, {"friction.angle_deg": [8.0, 10.0], "arc.radius_m": [1000.0, 1200.0, 1400.0]}, accuracy=ASKED
+    ).to_xarray()
     at = table.sel({"friction.angle_deg": 10.0, "arc.radius_m": 1200.0})
     slide = solve(replace(single(10.0, 0.0).plan.scene, arc=replace(VAIONT.arc, radius=1200.0)))
     assert float(at["run_out"]) == pytest.approx(slide.run_out, rel=1e-12)

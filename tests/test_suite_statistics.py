@@ -210,13 +210,6 @@ def test_what_moves_less_than_a_centimetre_counts_as_no_displacement() -> None:
     assert (compared.negligible, flexible.negligible) == pytest.approx((0.0783, 0.0242), abs=1e-4)
 
 
-def test_an_oscillator_without_a_period_is_the_ground() -> None:
-    step = Series(np.linspace(0.0, 2.0, 101), np.full(101, 0.3))
-    assert spectral_acceleration(step, 0.0) == 0.3
-    with pytest.raises(ValueError, match=r"period = -1.0: must be at least 0 s"):
-        spectral_acceleration(step, -1.0)
-
-
 @pytest.mark.parametrize("period", [0.08, 0.5, 3.0])
 def test_a_response_is_that_of_the_oscillator_s_equation(period: float) -> None:
     """u'' + 2 zeta omega u' + omega^2 u = -a of a random record, by SciPy's linear simulation between all samples."""

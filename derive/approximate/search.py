@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 from flint import arb
@@ -33,7 +33,6 @@ HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
-MARGIN = 0.05  # least advantage in price, in ulp, for a shape to replace the recorded one
 STEPS = (-1, 1)  # of whatever is moved to a neighbouring shape
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # most shapes evaluated for one quantity
@@ -214,8 +213,8 @@ def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
         yield replace(part, far=replace(far, scale=3 - far.scale))
 
 
-def refined(kernel: Kernel, trials: int) -> Best | None:
-    """The pieces with the least bound and the fewest operations; None if none keeps its goals.
+def best(kernel: Kernel) -> Best:
+    """The pieces with the least bound and the fewest operations, or `ProofError` if none keeps its goals.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
     """
@@ -223,7 +222,7 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
 
     def ranked(tried: Iterable[Best]) -> list[Best]:
         for shape in tried:
-            if shape not in judged and len(judged) < trials:
+            if shape not in judged and len(judged) < TRIALS:
                 judged[shape] = price(kernel, shape)
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
@@ -232,7 +231,12 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
     while left := [shape for shape in ranking[:2] if shape not in explored]:
         explored.add(left[0])
         ranking = ranked(neighbours(kernel, left[0]))
-    return _first_kept(kernel, ranking[:6])
+    chosen = _first_kept(kernel, ranking[:6])
+    if chosen is None:
+        tier = TIERS["best"]
+        goal = tier.quotient if len(kernel.closed) > 1 else tier.fused
+        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
+    return chosen
 
 
 def _seams(kernel: Kernel) -> list[float]:
@@ -255,24 +259,6 @@ def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
             return shape
         spare = spare or shape
     return spare
-
-
-def best(kernel: Kernel, trials: int = TRIALS) -> Best:
-    """The recorded pieces, unless the search's are better by more than MARGIN.
-
-    So a repeated or a short search changes nothing.
-    """
-    chosen = refined(kernel, trials)
-    known = records().get(kernel.definition)
-    if known and kept(kernel, "best", known.best):
-        recorded = known.best
-        if chosen is None or price(kernel, recorded) <= price(kernel, chosen) + MARGIN:
-            return recorded
-    if chosen is None:
-        tier = TIERS["best"]
-        goal = tier.quotient if len(kernel.closed) > 1 else tier.fused
-        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
-    return chosen
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
@@ -308,7 +294,7 @@ def _cost(degrees: tuple[int, int]) -> tuple[int, int]:
     return above + below + division, -below
 
 
-def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
+def search(kernel: Kernel) -> Shape:
     """Find the shape of a kernel, or raise `ProofError` if none keeps what the tiers promise.
 
     A quotient has the best tier alone.
@@ -316,15 +302,15 @@ def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
     cheap = []
     if len(kernel.closed) == 1:
         cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"]
-    return Shape(best(kernel, trials), tuple(cheap))
+    return Shape(best(kernel), tuple(cheap))
 
 
-def complete(anew: bool, trials: int) -> str:
-    """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
-    missing = {k.definition: k for k in shapes.kernels() if anew or k.definition not in records()}
+def complete() -> str:
+    """Search for the shapes of kernels without a record, and record them for this run; which ones."""
+    missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
     if missing:
         with ProcessPoolExecutor(2) as pool:
-            searched = pool.map(partial(search, trials=trials), missing.values())
+            searched = pool.map(search, missing.values())
             tracked = track(searched, "shapes searched", len(missing))
             records().update(zip(missing, tracked, strict=True))
     names = [" / ".join(definition) for definition in missing]

@@ -6,7 +6,7 @@ The order of operations follows from the expression alone, never from a hash.
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial, reduce
 from typing import Any, TypeVar
 
@@ -39,7 +39,6 @@ class Program:
     inputs: tuple[str, ...]
     ops: tuple[Op, ...]
     outputs: tuple[int, ...]
-    names: Mapping[int, str] = field(default_factory=dict, compare=False)  # names of values
 
     def operations(self) -> Counter[str]:
         """Number of operations of each kind, without inputs and constants."""
@@ -248,9 +247,8 @@ def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Sym
         low.done = {e: v for e, v in low.done.items() if not e.has(symbol)}
         low.done[symbol] = result
     results = tuple(low.add(e).place for e in outputs)
-    names = {low.done[symbol].place: symbol.name for symbol in let or {} if symbol in low.done}
     # Parts of a `let` may be unused.
-    return without_dead(Program(name, inputs, tuple(low.ops), results, names))
+    return without_dead(Program(name, inputs, tuple(low.ops), results))
 
 
 def without_dead(p: Program) -> Program:
@@ -264,8 +262,7 @@ def without_dead(p: Program) -> Program:
     for index in place:
         op = p.ops[index]
         ops.append(replace(op, args=tuple(place[i] for i in op.args)))
-    names = {place[i]: name for i, name in p.names.items() if i in needed}
-    return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs), names=names)
+    return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs))
 
 
 def operations(counts: Mapping[str, int]) -> str:

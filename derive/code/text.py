@@ -167,11 +167,11 @@ class _Text:
 
 
 def _known(program: Program) -> dict[int, str]:
-    """Names of values: those that the program comes with, and what a kernel of alpha is made of."""
+    """Names of what a kernel of alpha is made of."""
     ops = program.ops
-    names = dict(program.names)
+    names: dict[int, str] = {}
     for i, op in enumerate(ops):
-        if i in program.names or op.kind not in ("sub", "mul"):
+        if op.kind not in ("sub", "mul"):
             continue
         first, second = op.args
         if op.kind == "sub":

@@ -4,13 +4,12 @@
 tests run through the same list with quadrature of the definitions instead.
 """
 
-import json
 import math
 import shutil
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, partial
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import mpmath
 import numpy as np
@@ -187,15 +186,9 @@ def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
         return lambdify(symbols, form.exact, "mpmath")(*map(mpmath.mpf, arguments))
 
 
-def report(form: Literal["text", "json"]) -> str:
+def report() -> str:
     """The hard cases, each with the error of the printed form beside ours."""
     results = measured()
-    if form == "json":
-        rows = [x._asdict() for x in results]
-        for row in rows:
-            if not math.isfinite(row["naive_error"]):  # JSON has no inf and no NaN
-                row["naive_error"] = _short(row["naive_error"])
-        return json.dumps(rows, indent=2)
     lines = [
         "Relative error of the printed form, and of ours (also in units of the last place).",
         "",
@@ -209,10 +202,6 @@ def report(form: Literal["text", "json"]) -> str:
             if x.function != name:
                 continue
             arguments = ", ".join(map(repr, x.arguments))
-            lines.append(f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({arguments})")
+            lines.append(f"{x.naive_error:9.0e} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({arguments})")
             lines += textwrap.wrap(f"{x.why}; {x.naive}", width, initial_indent=indent, subsequent_indent=indent)
     return "\n".join(lines)
-
-
-def _short(error: float) -> str:
-    return f"{error:.0e}".replace("nan", "NaN")

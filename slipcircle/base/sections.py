@@ -1,4 +1,4 @@
-"""Where something begins to hold: the first of the sections of intervals."""
+"""Intervals and their sections: which are distinct, and where something begins to hold."""
 
 from collections.abc import Callable
 
@@ -35,3 +35,16 @@ def first_section(
     first = begins.argmax(axis=0)
     every = np.arange(low.size)
     return edges[first, every], edges[first + 1, every], np.any(begins, axis=0)
+
+
+def distinct(edges: Floats, least: float) -> Floats:
+    """Edges of sections, (edges, n), increasing, without those that only rounding, a width up to ``least``, parts.
+
+    The first and the last stay. Where others have more of them, the last is repeated.
+    """
+    inner = edges[1:-1]
+    last = edges[-1]
+    width = np.minimum(inner - edges[:-2], last - inner)
+    in_order = np.sort(np.where(width > least, inner, last), axis=0)
+    used = np.any(in_order < last, axis=1)
+    return np.vstack([edges[:1], in_order[used], last])

@@ -26,7 +26,6 @@ ACCURACY = 1e-13  # of the neighbours; a smaller jump is none
 ROUNDING = 4e-16  # that an outcome has at least, relative
 GOAL = 1e-9  # error times scale, over the most that any number does, below which no other ladder is needed
 KNOWN = 1e-3  # the same, above which nothing is known
-TOGETHER = 6  # numbers of a section's shape in one ensemble: each of its lanes has a section, which takes time
 SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
 SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
@@ -99,33 +98,22 @@ def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> tuple[Floats, Floats]:
     """Outcomes of the motion, (outcomes, numbers, 1), and of its neighbours, (outcomes, numbers, sides, rungs), or NaN.
 
-    Of the numbers of a section's shape only some are in one ensemble.
+    Numbers of a section's shape have an ensemble apart: each of its lanes has a section, which takes time.
     """
     is_section = "ground" in scene.arc.quantities
-    of_shape = list[int]()
-    others = list[int]()
-    for k, number in enumerate(numbers):
-        is_shape = is_section and number.name.startswith(SHAPE)
-        chosen = of_shape if is_shape else others
-        chosen.append(k)
-    parts = [others]
-    for first in range(0, len(of_shape), TOGETHER):
-        parts.append(of_shape[first : first + TOGETHER])
-    here = {}
-    beside = {}
-    for part in filter(None, parts):
+    is_shape = np.array([is_section and number.name.startswith(SHAPE) for number in numbers])
+    parts = [np.flatnonzero(is_shape), np.flatnonzero(~is_shape)]
+    here = []
+    beside = []
+    for part in filter(np.size, parts):
         offsets = steps[part] * SIDES
-        chosen_numbers = [numbers[k] for k in part]
-        values = _neighbours(scene, outcomes, chosen_numbers, offsets)
-        of_others = values[:, 1:]
-        of_others = of_others.reshape(-1, *offsets.shape)
-        for place, k in enumerate(part):
-            here[k] = values[:, :1]
-            beside[k] = of_others[:, place]
-    in_order = range(len(numbers))
-    all_here = [here[k] for k in in_order]
-    all_beside = [beside[k] for k in in_order]
-    return np.stack(all_here, axis=1), np.stack(all_beside, axis=1)
+        values = _neighbours(scene, outcomes, [numbers[k] for k in part.tolist()], offsets)
+        here.append(np.repeat(values[:, :1], len(part), axis=1))
+        beside.append(values[:, 1:].reshape(-1, *offsets.shape))
+    in_order = np.argsort(np.concatenate(parts))
+    all_here = np.concatenate(here, axis=1)
+    all_beside = np.concatenate(beside, axis=1)
+    return all_here[:, in_order, None], all_beside[:, in_order]
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:

@@ -1,7 +1,7 @@
 """The strength of a layered section as piecewise polynomials of the rotation, all with the same pieces."""
 
 from collections.abc import Mapping
-from functools import reduce
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -49,12 +49,7 @@ class RotationTables(NamedTuple):
             farthest = np.broadcast_to(contact_lost, (lanes,))
         last = np.minimum(farthest, reach)
         first = first_rotation(last, self.upslope)
-        if not self.share_geometry:
-            return self._of_each_circle(first, last)
-        tables = self._of_shared_parts(first, last)
-        if lanes == 1:
-            return {name: _of_one(table) for name, table in tables.items()}
-        return tables
+        return self._between(first, last)
 
     @property
     def share_geometry(self) -> bool:
@@ -75,50 +70,36 @@ class RotationTables(NamedTuple):
             names |= dict.fromkeys(function.coefficients)
         return list(names)
 
-    def _of_each_circle(self, first: Floats, last: Floats) -> dict[str, Data]:
-        """Tables of lanes that differ in their circles."""
+    def _between(self, first: Floats, last: Floats) -> dict[str, Data]:
+        """Tables between rotations; of lanes that share one geometry from the tables of its parts."""
         strength = self.section.arc_strength
-        functions = self.functions.values()
+        functions = self.functions
         names = self.names
 
         def values(rotation: Floats) -> Floats:
             parts = strength.parts(rotation, names)
-            rows = [function.combined(parts) for function in functions]
-            return np.stack(rows)
+            if self.share_geometry:
+                return np.concatenate([parts[name] for name in names])
+            return np.stack([function.combined(parts) for function in functions.values()])
 
         kinks = strength.rotation_kinks
         breaks, coefficients = between_kinks(values, kinks, first, last, self.tolerance)
-        by_function = np.moveaxis(coefficients, 2, 0)
+        rows = [*np.moveaxis(coefficients, 2, 0)]
+        if self.share_geometry:
+            breaks = breaks[:, 0]
+            at_first = strength.parts(first[None], names)
+            remaining = iter(rows)
+            parts = {}
+            for name in names:
+                of_part = islice(remaining, len(at_first[name]))
+                parts[name] = np.stack([*of_part])
+            rows = [function.combined(parts) for function in functions.values()]
+            if all(row.shape[-1] == 1 for row in rows):  # of a single lane
+                rows = [row[..., 0] for row in rows]
         tables = {}
-        for name, of_function in zip(self.functions, by_function, strict=True):
-            in_order = np.ascontiguousarray(of_function)
+        for name, row in zip(functions, rows, strict=True):
+            in_order = np.ascontiguousarray(row)
             tables[name] = continuous(breaks, in_order)
-        return tables
-
-    def _of_shared_parts(self, first: Floats, last: Floats) -> dict[str, Data]:
-        """Tables of lanes that share one geometry, from the tables of its parts."""
-        strength = self.section.arc_strength
-        names = self.names
-
-        def values(rotation: Floats) -> Floats:
-            parts = strength.parts(rotation, names)
-            rows = [parts[name] for name in names]
-            return np.concatenate(rows)
-
-        kinks = strength.rotation_kinks
-        breaks, coefficients = between_kinks(values, kinks, first, last, self.tolerance)
-        of_circle = coefficients[..., 0]
-        at_first = strength.parts(first[None], names)
-        rows = dict[str, slice]()
-        begin = 0
-        for name in names:
-            end = begin + len(at_first[name])
-            rows[name] = slice(begin, end)
-            begin = end
-        tables = {}
-        for name, function in self.functions.items():
-            combined = _combined(function, rows, of_circle)
-            tables[name] = continuous(breaks[:, 0], combined)
         return tables
 
     def likely_reach(self, friction: Parameters) -> float:
@@ -146,66 +127,48 @@ class RotationTables(NamedTuple):
         mean_peak = self.section.arc_strength.mean_peak
         count = max(np.size(moments.normal_load), np.size(mean_peak))
         step = 1 + count // _SAMPLE
-        sample = slice(None, None, step)
 
-        def of_sample(value: Any) -> Any:
-            if np.ndim(value) == 0:
-                return value
-            return np.ravel(value)[sample]
+        def of_sample(value: Any) -> Floats:
+            return np.ravel(value)[::step]
 
-        def term(name: str) -> Any:
-            added = self.terms.get(name, 0.0)
-            if isinstance(added, OfRotation):
-                return self._of_sample(added, rotation, sample)
-            return of_sample(added)
-
+        terms = self._terms_of_sample(rotation, step)
         drive = of_sample(moments.driving_moment)
         drive_slope = of_sample(moments.driving_moment_slope)
         load = of_sample(moments.normal_load)
         load_slope = of_sample(moments.normal_load_slope)
-        turned_load = load + term("turning")
-        turned_slope = load_slope + term("turning_slope")
+        turned_load = load + terms.get("turning", 0.0)
+        turned_slope = load_slope + terms.get("turning_slope", 0.0)
         peak = friction.get("peak", friction.get("coefficient"))
         residual = friction.get("residual", peak)
         least = np.minimum(peak, residual)
         cosine = np.cos(rotation)
         sine = np.sin(rotation)
         normal = turned_load * cosine - turned_slope * sine
-        effective = normal + term("normal") - term("lift")
+        effective = normal + terms.get("normal", 0.0) - terms.get("lift", 0.0)
         friction_moment = of_sample(least) * effective
         resisting = np.maximum(friction_moment, 0.0)
         driving = drive * cosine - drive_slope * sine
-        net_moment = driving - resisting - term("strength")
+        net_moment = driving - resisting - terms.get("strength", 0.0)
         return np.asarray(net_moment)
 
-    def _of_sample(self, function: OfRotation, rotation: Floats, sample: slice) -> Floats:
-        """A function of a sample of lanes at rotations, (M, lanes)."""
-        if self.share_geometry:
-            coefficients = {name: values[:, sample] for name, values in function.coefficients.items()}
-            of_lanes = OfRotation(function.strength, coefficients)
-            return of_lanes(rotation)
-        shape = (len(rotation), self.circles)
-        of_every_lane = function(np.broadcast_to(rotation, shape))
-        return of_every_lane[:, sample]
+    def _terms_of_sample(self, rotation: Floats, step: int) -> dict[str, Floats]:
+        """The terms of every so many lanes at rotations, (M, lanes) or (lanes,)."""
+        strength = self.section.arc_strength
+        of_circles = np.broadcast_to(rotation, (len(rotation), self.circles))
+        every_part = strength.parts(of_circles, self.names)
+        parts = {name: part[..., ::step] for name, part in every_part.items()}
+        terms = {}
+        for name, term in self.terms.items():
+            if isinstance(term, OfRotation):
+                every_lane = term.coefficients.items()
+                some = {part: values[:, ::step] for part, values in every_lane}
+                of_sample = term._replace(coefficients=some)
+                terms[name] = of_sample.combined(parts)
+            else:
+                terms[name] = np.ravel(term)[::step]
+        return terms
 
 
 def _lanes(function: OfRotation) -> int:
     """Number of lanes in which a function differs."""
     return max(values.shape[1] for values in function.coefficients.values())
-
-
-def _of_one(table: Data) -> Data:
-    """The table of a single lane."""
-    return table._replace(coefficients=table.coefficients[..., 0])
-
-
-def _combined(function: OfRotation, rows: Mapping[str, slice], parts: Floats) -> Floats:
-    """Coefficients (pieces, TERMS, lanes) of a function from those of its parts (pieces, TERMS, parts)."""
-    pieces, terms, _ = parts.shape
-    products = list[Floats]()
-    for name, coefficients in function.coefficients.items():
-        part = parts[:, :, rows[name]]
-        flat = part.reshape(pieces * terms, -1)
-        products.append(flat @ coefficients)
-    total = reduce(np.add, products)  # of one part no copy
-    return total.reshape(pieces, terms, -1)

@@ -29,7 +29,7 @@ from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.cracks import CrackedSection
 from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
-from slipcircle.layers.profile import HEAD, Profile, profile_of
+from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
 from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
@@ -163,14 +163,22 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return tuple(datums)
 
     @cached_property
-    def datum_levels(self) -> list[Any]:
-        """Heights of the datums above the centre of the circle, over R, (circles,) each; None where there is none."""
+    def datum_levels(self) -> Floats:
+        """Heights of the datums above the centre of the circle, over R, (soils, circles); -1 where there is none."""
         _, centre, radius = self._circle
         centre_y = centre[:, 1]
-        levels: list[Any] = []
+        lowest = np.full_like(radius, -1.0)
+        levels = []
         for datum in self.datums:
-            levels.append(None if datum is None else (datum - centre_y) / radius)
-        return levels
+            levels.append(lowest if datum is None else (datum - centre_y) / radius)
+        return np.stack(levels)
+
+    @cached_property
+    def _datum_crossings(self) -> Floats:
+        """Directions at which these heights cross the circle, at both sides, (soils, circles); 0 where none does."""
+        depth = np.clip(-self.datum_levels, -1.0, 1.0)
+        crossings: Floats = np.arccos(depth)
+        return crossings
 
     def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
@@ -235,7 +243,10 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         centre_x = centre[:, :1]
         size = radius[:, None]
         loads = []
-        cuts = self._datum_crossings_x
+        cuts = []
+        for crossing in filter(np.any, self._datum_crossings):
+            across = np.sin(crossing)[:, None]
+            cuts += [across, -across]
         for x1, x2, _, _ in self.surcharge:
             from_centre = (x1 - centre_x, x2 - centre_x)
             load = [x / size for x in from_centre]
@@ -244,22 +255,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         extra = np.concatenate(cuts, axis=1) if cuts else None
         return cut_into_strips(self._lines_over_radius, surfaces, count, self._ends, extra, loads)
 
-    @property
-    def _datum_crossings_x(self) -> list[Floats]:
-        """x from the centre, over R, where heights below which cohesion grows cross the circle, (circles, 1) each."""
-        crossings = []
-        for level in self.datum_levels:
-            if level is not None:
-                height = np.clip(level, -1.0, 1.0)[:, None]
-                square = (1.0 - height) * (1.0 + height)
-                across = np.sqrt(square)
-                crossings += [across, -across]
-        return crossings
-
     @cached_property
     def profile(self) -> Profile:
-        """Integrals along the arc of a unit weight below each surface, and of unit pressures at ends of surcharges."""
-        return profile_of(self._strips)
+        """Integrals along the arc of unit weights below the surfaces, by columns."""
+        weights, _ = self._columns
+        return profile_of(self._strips, weights)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
         """Integrals of the head of the water level over arcs in space, (..., circles)."""
@@ -286,14 +286,19 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return np.concatenate(steps)
 
     @cached_property
+    def _columns(self) -> tuple[Floats, Floats]:
+        return columns_of(self.weight_steps, len(self._facing))
+
+    @cached_property
     def _moments_of_weight(self) -> Floats:
         """Integrals of `circles.MEASURES` over the mass with its unit weight, sums over surfaces, N/m^3, (7, lanes).
 
         The ground's own are those of a homogeneous mass, so that one soil in many layers gives the numbers of one.
         """
-        whole = self.profile.whole[:HEAD].copy()
+        whole = self.profile.whole[MEASURED]
         whole[:, 0] = list(self._moments.values())
-        return over_circles(whole.transpose(1, 0, 2), self.weight_steps)
+        _, by_lane = self._columns
+        return over_circles(whole.transpose(1, 0, 2), by_lane)
 
     @cached_property
     def _weights_per_area(self) -> Floats:
@@ -381,6 +386,8 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))
+    if np.prod(one.shape) > 1 and not np.array_equal(one.weight_steps, other.weight_steps):
+        return False  # which the profiles of many circles are of
     return same_tops and all(map(np.array_equal, one.datums, other.datums))
 
 

@@ -11,8 +11,8 @@ Written with h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. They 
 there they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from itertools import compress
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -20,26 +20,21 @@ from numpy.polynomial import chebyshev
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.strips import Strips
 
-AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y, HEAD = range(8)  # rows; the head is over beta, not x
+RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
+MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
+PRESSING = 4  # the first of them, which strength takes
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_BLOCK = 2048  # directions
-
-
-def _integrating() -> Floats:
-    """From values at the nodes to the coefficients of the integral from the left end, (`_COUNT` + 1, `_COUNT`)."""
-    integral = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0)
-    from_values: Floats = integral @ _TO_CHEBYSHEV
-    return from_values
-
-
+_DIRECTIONS = 2048  # at once
+_TOGETHER = 120  # pieces
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
-_TO_ENDS = _TO_CHEBYSHEV[[0, 1, -2, -1]]
-_INTEGRAL = _integrating()
+_INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
+# From values at the nodes to the coefficients of the integral, then to their own first two and last two.
+_DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
 class Profile(NamedTuple):
@@ -50,9 +45,9 @@ class Profile(NamedTuple):
     edges : ndarray
         Directions at which pieces begin, and the right end, (pieces + 1, circles).
     before : ndarray
-        The integrals up to there, (pieces + 1, circles, surfaces, integrals).
+        The integrals up to there, (pieces + 1, circles, columns, integrals).
     series : ndarray
-        Chebyshev coefficients of the integral within each piece, (pieces, circles, surfaces, integrals, terms).
+        Chebyshev coefficients of the integral within each piece, (pieces, circles, columns, integrals, terms).
     """
 
     edges: Floats
@@ -60,54 +55,56 @@ class Profile(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (integrals, surfaces, M, circles)."""
-        first_edge, *inner_edges, last_edge = self.edges
-        series = self.series
-        inside = np.clip(beta, first_edge, last_edge)
-        piece = np.zeros(inside.shape, dtype=np.intp)
-        for edge in inner_edges:
-            piece += inside >= edge
-        circle = np.arange(inside.shape[1])
+        """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        directions, circles = beta.shape
+        by_circle = beta.T.ravel()
+        circle = np.repeat(np.arange(circles), directions)
+        parts = list[Floats]()
+        for some in _blocks(beta.size, _DIRECTIONS):
+            of_some = self._up_to(by_circle[some], circle[some])
+            parts.append(of_some)
+        integrals = np.concatenate(parts)
+        _, *rest = integrals.shape
+        by_direction = integrals.reshape(circles, directions, *rest)
+        return by_direction.T
+
+    def _up_to(self, beta: Floats, circle: Integers) -> Floats:
+        """The same of directions each in a circle, (M, columns, integrals)."""
+        pieces, circles, columns, integrals, terms = self.series.shape
+        edges = self.edges[:, circle]
+        inside = np.clip(beta, edges[0], edges[-1])
+        piece = np.sum(inside >= edges[1:-1], axis=0, dtype=np.int16)
         first = self.edges[piece, circle]
         last = self.edges[piece + 1, circle]
         width = last - first
         divisor = np.where(width != 0.0, width, 1.0)
         share = (inside - first) / divisor
         place = 2.0 * share - 1.0
-
-        # The coefficients of each direction are gathered, contiguous, in blocks that a processor's cache holds.
-        pieces, circles, surfaces, integrals, terms = series.shape
-        rows = series.reshape(pieces * circles, -1, terms)
-        up_to_piece = self.before[:pieces].reshape(pieces * circles, -1)
-        row = piece * circles + circle
-        row = row.ravel()
-        place = place.ravel()
-        total = up_to_piece[row]
-        for begin in range(0, row.size, _BLOCK):
-            block = slice(begin, begin + _BLOCK)
-            polynomials = _chebyshev(place[block], terms)
-            of_pieces = rows.take(row[block], axis=0)
-            total[block] += np.einsum("nit,nt->ni", of_pieces, polynomials)
-        by_direction = total.reshape(*inside.shape, surfaces, integrals)
-        return by_direction.transpose(3, 2, 0, 1)
+        polynomials = _chebyshev(place, terms)
+        every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
+        number = piece * circles + circle
+        of_pieces = every_piece.take(number, axis=0)
+        within = np.einsum("nit,nt->ni", of_pieces, polynomials)
+        before = self.before[piece, circle]
+        since = within.reshape(before.shape)
+        return before + since
 
     @property
     def whole(self) -> Floats:
-        """The integrals over the whole arcs, (integrals, surfaces, circles)."""
+        """The integrals over the whole arcs, (integrals, columns, circles)."""
         whole: Floats = self.before[-1].T
         return whole
 
-    def of(self, rows: Sequence[int]) -> "Profile":
-        """Some of the integrals."""
-        before = self.before[..., rows]
-        series = self.series[..., rows, :]
-        return Profile(self.edges, before, series)
-
-    def combined(self, steps: Floats) -> "Profile":
-        """Of one surface that stands for all: their sum with steps of the unit weight, (surfaces, circles)."""
-        before = np.einsum("kcsi,sc->kci", self.before, steps)
-        series = np.einsum("kcsit,sc->kcit", self.series, steps)
+    def combined(self, weights: Floats) -> "Profile":
+        """What presses, of one column that stands for all: their sum with weights, (columns, circles)."""
+        before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
+        series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
         return Profile(self.edges, before[:, :, None], series[:, :, None])
+
+
+def _blocks(count: int, together: int) -> list[slice]:
+    """One or more parts of so many, small enough that their numbers stay in the processor's cache."""
+    return [slice(first, first + together) for first in range(0, max(count, 1), together)]
 
 
 def _chebyshev(place: Floats, terms: int) -> Floats:
@@ -121,25 +118,37 @@ def _chebyshev(place: Floats, terms: int) -> Floats:
     return np.ascontiguousarray(values.T)
 
 
-class _Piece(NamedTuple):
-    """A part of the arcs: its ends, (circles,), and the series of its integrals."""
-
-    first: Floats
-    last: Floats
-    series: Floats
+_Piece = tuple[Floats, Floats, Floats]  # a part of the arcs: its ends, (circles,), and the series of its integrals
 
 
-def profile_of(strips: Strips) -> Profile:
-    """The integrals along the arcs of masses in strips, of a unit weight below each surface.
+def columns_of(steps: Floats, circles: int) -> tuple[Floats, Floats]:
+    """What columns of a profile sum, (columns, surfaces, circles), and what they weigh, (columns, lanes).
+
+    With steps of the unit weight below surfaces, (surfaces, lanes). Of one circle each column is a surface; of many,
+    the first is the ground, and the second, if they weigh anything, all others.
+    """
+    alone = np.eye(len(steps))[..., None]
+    if circles == 1:
+        return alone, steps
+    ground, *_ = alone
+    others = steps / steps[0] - ground
+    count = 2 if np.any(others) else 1
+    both = np.broadcast_arrays(ground, others)
+    weights = np.stack(both[:count])
+    by_lane = np.tile(steps[0], (count, 1))
+    return weights, by_lane
+
+
+def profile_of(strips: Strips, weights: Floats) -> Profile:
+    """The integrals along the arcs of masses in strips, with weights below surfaces, (columns, surfaces, circles).
 
     Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
     """
-    pieces = _converged(strips)
-    pieces.sort(key=_order)
-    firsts = [piece.first for piece in pieces]
-    right_end = pieces[-1].last
-    edges = np.stack([*firsts, right_end])
-    series = np.stack([piece.series for piece in pieces])
+    converged = _converged(strips, weights)
+    pieces = sorted(converged, key=_order)
+    firsts, lasts, by_piece = zip(*pieces, strict=True)
+    edges = np.stack([*firsts, lasts[-1]])
+    series = np.stack(by_piece)
     each = series.sum(axis=-1)  # at the right end every Chebyshev polynomial is 1
     nothing = np.zeros_like(each[:1])
     up_to_ends = np.cumsum(each, axis=0)
@@ -149,11 +158,12 @@ def profile_of(strips: Strips) -> Profile:
 
 def _order(piece: _Piece) -> float:
     """By what pieces are put from left to right: twice the directions of their middles, of all circles."""
-    ends = piece.first + piece.last
+    first, last, _ = piece
+    ends = first + last
     return float(ends.sum())
 
 
-def _converged(strips: Strips) -> list[_Piece]:
+def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
     """Pieces in which the series have converged: strips, or parts of them."""
     beta = strips.beta.T
     first = beta[:-1]
@@ -162,22 +172,14 @@ def _converged(strips: Strips) -> list[_Piece]:
     done = list[_Piece]()
     scale = 0.0
     while len(strip):
-        width = last - first
-        half = width / 2
-        from_first = 1.0 + _NODES[:, None, None]
-        nodes = first + half * from_first
-        values = half * _integrands(strips, strip, nodes)
-        coefficients, tail = _sizes(values)
-        scale = max(scale, coefficients)
+        series, size, tail = _of_pieces(strips, weights, strip, first, last)
+        scale = float(size.max(initial=scale))
         is_truncated = tail > _ACCURACY * scale
-        is_long = width > _SHORTEST
-        rough = is_truncated.any(axis=1) & is_long.any(axis=1)
-        smooth = ~rough
-
-        smooth_values = values[..., smooth, :]
-        series = np.tensordot(_INTEGRAL, smooth_values, (1, 2))
-        by_piece = series.transpose(3, 4, 2, 1, 0)
-        done += map(_Piece, first[smooth], last[smooth], by_piece)
+        is_long = last - first > _SHORTEST
+        is_rough = is_truncated & is_long
+        rough = np.logical_or.reduce(is_rough, axis=1)
+        pieces = zip(first, last, series, strict=True)
+        done += compress(pieces, ~rough)
         left = first[rough]
         right = last[rough]
         middle = (left + right) / 2
@@ -187,45 +189,84 @@ def _converged(strips: Strips) -> list[_Piece]:
     return done
 
 
-def _sizes(values: Floats) -> tuple[float, Floats]:
-    """Sizes of the Chebyshev coefficients of values at nodes: the greatest one, and those of the tails.
+def _of_pieces(strips: Strips, weights: Floats, strip: Integers, first: Floats, last: Floats) -> list[Floats]:
+    """Series of pieces in all circles, and sizes of their coefficients, (pieces, circles, ...)."""
+    count, circles = first.shape
+    every_circle = np.tile(np.arange(circles), count)
+    every_strip = np.repeat(strip, circles)
+    lefts = first.ravel()
+    rights = last.ravel()
+    parts = []
+    for some in _blocks(first.size, _TOGETHER):
+        developed = _developed(
+            strips, weights, strip=every_strip[some], circle=every_circle[some], first=lefts[some], last=rights[some]
+        )
+        parts.append(developed)
+    results = []
+    for column in zip(*parts, strict=True):
+        every = np.concatenate(column)
+        _, *rest = every.shape
+        by_circle = every.reshape(count, circles, *rest)
+        results.append(by_circle)
+    return results
 
-    The greatest is one of the first two; a tail is the last two terms of a piece in a circle, (pieces, circles).
+
+def _developed(
+    strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Series of pieces, each of a circle, (pieces, columns, integrals, terms), and sizes of coefficients, (pieces,).
+
+    The greatest is one of the first two; a tail is the last two terms.
     """
-    coefficients = np.tensordot(_TO_ENDS, values, (1, 2))  # terms, integrals, surfaces, pieces, circles
-    size = np.abs(coefficients)
-    greatest = size[:2].max(initial=0.0)
-    last_terms = size[-2:]
-    return float(greatest), last_terms.max(axis=(0, 1, 2))
+    width = last - first
+    half = width / 2
+    from_first = 1.0 + _NODES[:, None]
+    nodes = first + half * from_first
+    integrands = _integrands(strips, weights, strip, circle, nodes)
+    values = half * integrands
+    flat = values.reshape(_COUNT, -1)
+    developed = _DEVELOPING @ flat
+    by_term = developed.reshape(-1, *values.shape[1:])  # terms, integrals, columns, pieces
+    series, sizes = np.split(by_term, [_COUNT + 1])
+    absolute = np.abs(sizes)
+    of_terms = absolute.max(axis=(1, 2))
+    head = of_terms[:2].max(axis=0)
+    tail = of_terms[2:].max(axis=0)
+    in_order = np.ascontiguousarray(series.T)
+    return in_order, head, tail
 
 
-def _integrands(strips: Strips, strip: Integers, beta: Floats) -> Floats:
-    """What is integrated, at directions (nodes, pieces, circles) in strips: (integrals, surfaces, nodes, ...)."""
+def _integrands(strips: Strips, weights: Floats, strip: Integers, circle: Integers, beta: Floats) -> Floats:
+    """What is integrated, at directions (nodes, pieces), in strips of circles: (nodes, integrals, columns, pieces)."""
     x = np.sin(beta)
     c = np.cos(beta)
-    edges = strips.x.T
-    left = edges[strip]
+    left = strips.x[circle, strip]
     beyond = x - left
-    at_left = _by_strip(strips.y, strip)
-    slope = _by_strip(strips.slope, strip)
-    y = at_left + slope * beyond
-    height = y + c
-    has_height = height > 0.0
-    is_above = has_height & _by_strip(strips.above, strip)
-    height = np.where(is_above, height, 0.0)
-    columns = _over_height(x, c, height)
-    if strips.loads:
-        right = edges[strip + 1]
-        middle = (left + right) / 2
-        on_ground, *_ = y
-        of_loads = _of_loads(strips, x, on_ground, middle)
-        columns = np.concatenate([columns, of_loads], axis=1)
-    by_angle: Floats = columns * c
-    return by_angle
+    at_left = strips.y[:, circle, strip]
+    slope = strips.slope[:, circle, strip]
+    y = at_left[:, None] + slope[:, None] * beyond
+    above = strips.above[:, circle, strip]
+    weight = weights[:, :, circle] * above
+    columns, _, pieces = weight.shape
+    total = np.zeros((_COUNT, len(MEASURED) + 1, columns, pieces))
+    counts = weight.any(axis=(0, 2))
+    for k in np.flatnonzero(counts).tolist():
+        if k < len(y):
+            height = np.maximum(y[k] + c, 0.0)
+            of_surface = _over_height(x, c, height)
+        else:
+            load, rises = divmod(k - len(y), 2)
+            first, last = (end[circle, 0] for end in strips.loads[load])
+            share = (x - first) / (last - first)
+            pressure = share if rises else 1.0 - share
+            of_surface = _of_pressure(x, y[0], pressure)
+        total += of_surface[:, :, None] * weight[:, k]
+    total *= c[:, None, None]
+    return total
 
 
 def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
-    """The integrals over y from the arc up to a height h above it; the last one, by beta, over c."""
+    """The integrals over y from the arc to a height h above it, (nodes, integrals, ...); the head, by beta, over c."""
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
@@ -238,50 +279,15 @@ def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
     of_heights = h * h - 3.0 * c * h
     on_arc = c * c
     mean_square = square + of_heights / 3 + on_arc
-    rows = {
-        AREA: h,
-        POLAR: polar / 2,
-        INERTIA: h * mean_square,
-        RADIAL_X: x * log,
-        RADIAL_Y: -inward,
-        MOMENT_X: x * h,
-        MOMENT_Y: h * (h - 2.0 * c) / 2,
-        HEAD: h / c,
-    }
-    in_order = [rows[k] for k in sorted(rows)]
-    return np.stack(in_order)
+    rows = [-inward, x * log, polar / 2, h / c, h, h * mean_square, x * h, h * (h - 2.0 * c) / 2]
+    return np.stack(rows, axis=1)
 
 
-def _by_strip(values: Any, strip: Integers) -> Any:
-    """Of (surfaces, circles, strips) those of some strips, (surfaces, 1, pieces, circles)."""
-    chosen = values[:, :, strip].transpose(0, 2, 1)
-    return chosen[:, None]
-
-
-def _of_loads(strips: Strips, x: Floats, y: Floats, middle: Floats) -> Floats:
-    """The same of unit pressures on the ground at (x, y), over x: pressures times 1, rho, ... there."""
-    pressures = []
-    for load in strips.loads:
-        first, last = (end[:, 0] for end in load)
-        width = last - first
-        share = (x - first) / width
-        rest = 1.0 - share
-        under = (middle > first) & (middle < last)
-        falling = np.where(under, rest, 0.0)
-        rising = np.where(under, share, 0.0)
-        pressures += [falling, rising]
-    every_pressure = np.stack(pressures)
+def _of_pressure(x: Floats, y: Floats, pressure: Floats) -> Floats:
+    """The same of a pressure on the ground at (x, y), over x: times 1, rho, ... there."""
     square = x * x + y * y
     rho = np.sqrt(square)
-    integrands = {
-        AREA: 1.0,
-        POLAR: rho,
-        INERTIA: rho * rho,
-        RADIAL_X: x / rho,
-        RADIAL_Y: y / rho,
-        MOMENT_X: x,
-        MOMENT_Y: y,
-        HEAD: 0.0,
-    }
-    by_row = [integrands[k] * every_pressure for k in sorted(integrands)]
-    return np.stack(by_row)
+    nothing = np.zeros_like(x)
+    everywhere = np.ones_like(x)
+    rows = [y / rho, x / rho, rho, nothing, everywhere, square, x, y]
+    return np.stack(rows, axis=1) * pressure[:, None]

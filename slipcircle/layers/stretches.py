@@ -7,7 +7,7 @@ A quantity q of the soils summed over the stretches, with a cumulative integral 
 so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -15,11 +15,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Integers
-from slipcircle.layers.profile import HEAD, POLAR, RADIAL_X, RADIAL_Y, Profile
+from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
 
 # What sections that differ in numbers of soils alone have in common.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
-_PRESSING = (RADIAL_Y, RADIAL_X, POLAR, HEAD)  # the integrals that strength takes
 
 
 class Stretches(NamedTuple):
@@ -55,11 +54,17 @@ class StretchIntegrals:
             base[:, -1] = len(section.layers)
         before = base[:, :-1]
         after = base[:, 1:]
-        changes = np.any(before != after, axis=0)
-        joint = edges[:, changes]
-        before = before[:, changes]
-        after = after[:, changes]
-        return Stretches(joint, before, after, base[:, 0], base[:, -1])
+        is_same = before == after
+        count = np.count_nonzero(~is_same, axis=1)
+        in_order = np.argsort(is_same, axis=1, kind="stable")
+        place = in_order[:, : count.max()]
+        return Stretches(
+            joint=np.take_along_axis(edges, place, axis=1),
+            before=np.take_along_axis(before, place, axis=1),
+            after=np.take_along_axis(after, place, axis=1),
+            first=base[:, 0],
+            last=base[:, -1],
+        )
 
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
@@ -87,9 +92,8 @@ class StretchIntegrals:
         """
         first, last = self.span
         moved = rotation if self._base_stays else np.zeros_like(rotation)
-        in_mass = [joint - moved for joint in self._joints]
-        met = [np.clip(joint, first, last) for joint in in_mass]
-        return np.array(met).reshape(-1, *rotation.shape)
+        in_mass = self._joints[:, None] - moved
+        return np.clip(in_mass, first, last)
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
@@ -97,8 +101,8 @@ class StretchIntegrals:
 
         One surface stands for all but where lanes of one geometry differ in their weights.
         """
-        profile = self.section.profile.of(_PRESSING)
-        steps = self.section.weight_steps
+        profile = self.section.profile
+        _, steps = self.section._columns
         circles = profile.edges.shape[1]
         of_first_lane = steps[:, :1]
         are_equal = np.all(steps == of_first_lane)
@@ -119,15 +123,15 @@ class StretchIntegrals:
         met = self._joints_met(rotation)
         circles = met.shape[-1]
         directions = met.reshape(-1, circles)
-        from_left = profile.up_to(facing * directions)
-        whole = profile.whole[:, :, None]
+        from_left = profile.up_to(facing * directions)[:PRESSING]
+        whole = profile.whole[:PRESSING, :, None]
         from_right = whole - from_left
         from_entry = np.where(facing > 0.0, from_left, from_right)
         integrals, surfaces, *_ = from_entry.shape
         by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
         up_to_exit = np.broadcast_to(whole[:, :, None], (integrals, surfaces, 1, *rotation.shape))
         every = np.concatenate([by_joint, up_to_exit], axis=2)
-        every[1] *= facing
+        every[RADIAL_X] *= facing
         return np.moveaxis(every, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
@@ -144,7 +148,7 @@ class StretchIntegrals:
     def _of_weight(self, rotation: Floats) -> dict[str, Floats]:
         """Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its derivative by psi, I_p, and the cover."""
         pressing = self._pressing(rotation)
-        by_joint = pressing.reshape(4, -1, *rotation.shape)
+        by_joint = pressing.reshape(PRESSING, -1, *rotation.shape)
         radial_y, radial_x, polar, overburden = by_joint
         cosine = np.cos(rotation)
         sine = np.sin(rotation)
@@ -158,11 +162,9 @@ class StretchIntegrals:
         first, last = self.span
         start = first + rotation
         end = last + rotation
-        if self._base_stays:
-            joints = [np.clip(joint, start, end) for joint in self._joints]
-        else:
-            joints = [joint + rotation for joint in self._joints]
-        return np.stack([*joints, end, start])
+        joints = self._joints[:, None]
+        in_space = np.clip(joints, start, end) if self._base_stays else joints + rotation
+        return np.stack([*in_space, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
         """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
@@ -178,21 +180,14 @@ class StretchIntegrals:
         (soils, ..., circles); 0 above the datum and of soils without one.
         """
         first, _ = self.span
-        rows = []
-        for level in self.section.datum_levels:
-            if level is None:
-                rows.append(np.zeros_like(b))
-                continue
-            depth = np.clip(-level, -1.0, 1.0)
-            reach = np.arccos(depth)  # the datum crosses the arc at -reach and reach
-            start = np.clip(first, -reach, reach)
-            end = np.clip(b, -reach, reach)
-            angle = end - start
-            above_level = level * angle
-            sine_of_start = np.sin(start)
-            integral = above_level + np.sin(end) - sine_of_start
-            rows.append(integral)
-        return np.stack(rows)
+        axes = tuple(range(1, b.ndim))
+        level = np.expand_dims(self.section.datum_levels, axes)
+        reach = np.expand_dims(self.section._datum_crossings, axes)
+        start = np.clip(first, -reach, reach)
+        end = np.clip(b, -reach, reach)
+        above_level = level * (end - start)
+        integral: Floats = above_level + np.sin(end) - np.sin(start)
+        return integral
 
     def growth(self, rotation: Floats) -> Floats:
         """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
@@ -219,17 +214,11 @@ class StretchIntegrals:
 
     def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
-        levels = self.section.datum_levels
-        parts = []
-        for k, level in enumerate(levels):
-            part = np.zeros_like(length)
-            if level is not None:
-                height = level + np.cos(direction)
-                depth = np.maximum(height, 0.0)
-                of_this_soil = soil == k
-                part = np.where(of_this_soil, depth * length, 0.0)
-            parts.append(part)
-        return np.stack(parts)
+        height = self.section.datum_levels + np.cos(direction)
+        depth = np.maximum(height, 0.0)
+        soils = np.arange(len(depth))
+        of_this_soil = np.where(soil == soils[:, None], depth, 0.0)
+        return of_this_soil[:, None] * length
 
     @cached_property
     def rotation_kinks(self) -> Floats:
@@ -249,18 +238,11 @@ class StretchIntegrals:
         if self._base_stays:
             strips = section._strips.beta * facing
             kinks.append(_differences(joints, strips))
-            kinks += [_differences(crossings, ends) for crossings in self._datum_crossings]
+            for crossing in filter(np.any, section._datum_crossings):
+                both_sides = np.stack([crossing, -crossing], axis=1)
+                kinks.append(_differences(both_sides, ends))
         every = np.concatenate(kinks, axis=1)
         return np.sort(every, axis=1).T
-
-    @property
-    def _datum_crossings(self) -> Iterator[Floats]:
-        """Directions at which heights below which cohesion grows cross the circle, (circles, 2) each."""
-        for level in self.section.datum_levels:
-            if level is not None:
-                depth = np.clip(-level, -1.0, 1.0)
-                reach = np.arccos(depth)
-                yield np.stack([reach, -reach], axis=1)
 
     @cached_property
     def incidence(self) -> Floats:

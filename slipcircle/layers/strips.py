@@ -16,6 +16,7 @@ from itertools import combinations
 import numpy as np
 
 from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.base.sections import distinct
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
 
@@ -34,7 +35,7 @@ class Strips:
     y, slope : ndarray
         Of the surfaces, the height at the left edge of a strip and the rise over a run to the right.
     above : ndarray
-        Whether a surface lies above the arc in a strip.
+        Whether a surface lies above the arc in a strip; then, twice for each surcharge, whether it covers the strip.
     base : ndarray
         The layer at the arc, counted from the ground, beyond the left end, in each strip, and beyond the right end,
         (circles, strips + 2).
@@ -97,16 +98,17 @@ def cut_into_strips(
     by_surface = [_lowest(at_middle, chosen) for chosen in surfaces]
     lowest = np.stack(by_surface)
     height = np.take_along_axis(at_middle, lowest, 0)
-    tops = lines[:layers]
-    beyond_left = _layer_at_end(tops, first, _ON_ARC)
-    beyond_right = _layer_at_end(tops, last, -_ON_ARC)
+    covered = list[Flags]()
+    for x1, x2 in loads:
+        is_under = (middle > x1) & (middle < x2)
+        covered += [is_under, is_under]
     in_strips = _base(at_middle[:layers], arc)
     return Strips(
         x=edges,
         y=np.take_along_axis(start, lowest, 0),
         slope=np.take_along_axis(slope, lowest, 0),
-        above=height > arc,
-        base=np.concatenate([beyond_left, in_strips, beyond_right], axis=1),
+        above=np.stack([*(height > arc), *covered]),
+        base=_with_ends(in_strips, right > left, lines[:layers], ends),
         loads=loads,
     )
 
@@ -125,6 +127,15 @@ def _base(tops: Floats, arc: Floats) -> Integers:
     boundaries = np.minimum.accumulate(tops, axis=0)
     above = np.count_nonzero(boundaries > arc, axis=0)
     return np.maximum(above - 1, 0)
+
+
+def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: Sequence[Vectors]) -> Integers:
+    """The layers at the arc in strips, of those without width that beyond the right end, and beyond both ends."""
+    first, last = ends
+    beyond_left = _layer_at_end(tops, first, _ON_ARC)
+    beyond_right = _layer_at_end(tops, last, -_ON_ARC)
+    in_strips = np.where(has_width, base, beyond_right)
+    return np.concatenate([beyond_left, in_strips, beyond_right], axis=1)
 
 
 def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Integers:
@@ -155,12 +166,8 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
     of_circles = [np.broadcast_to(x, (circles, x.shape[-1])) for x in cuts]
     every = np.concatenate(of_circles, axis=1)
     within_mass = np.clip(every, left, right)
-    edges = np.sort(within_mass, axis=1)
-    width = np.diff(edges, axis=1)
-    has_width = width > _THIN
-    of_any = has_width.any(axis=0)
-    is_needed = np.concatenate([[True], of_any])
-    return edges[:, is_needed]
+    edges = np.sort(within_mass.T, axis=0)
+    return distinct(edges, _THIN).T
 
 
 def meets_circle(line: Floats) -> Floats:

@@ -234,15 +234,10 @@ class _Implicit(walk.Lanes):
                 cells[table.cells + ix.INC] = walk.value_now(there, every, table) - value_before
         return cells
 
-    def _registers_in(self, cells: Floats) -> Floats:
-        """Registers of lanes with these cells, (registers, lanes)."""
-        tables = self._tables(cells.shape[1])
-        return np.asarray(engine().registers(self.program, tables, cells))
-
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
         """Registers in these states, (registers, times)."""
         cells = self._cells_at(times, states)
-        return self._registers_in(cells)
+        return np.asarray(engine().registers(self.program, self._tables(times.size), cells))
 
     def _at(self, time: float, states: Floats) -> Present:
         registers = self._registers_at(np.array([time]), states)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 
 from slipcircle.base.kinds import Floats
+from slipcircle.base.sections import distinct
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
@@ -62,7 +63,7 @@ def between_kinks(
         In powers of the distance to the break, (pieces, TERMS, functions, n).
     """
     inside = np.clip(kinks, least, most)
-    edges = np.concatenate([[least], inside, [most]])
+    edges = distinct(np.vstack([least, inside, most]), _SAME)
     first, last = _first_pieces(edges, _widest(tolerance))
     starts = list[Floats]()
     coefficients = list[Floats]()
@@ -72,9 +73,10 @@ def between_kinks(
         greatest = np.abs(chebyshev).max(initial=0.0)
         scale = max(scale, float(greatest))
         width = last - first
-        is_wide = width.max(axis=1) > _SHORTEST
+        is_wide = width > _SHORTEST
         neglected = _next_coefficients(chebyshev)
-        rough = is_wide & (neglected > tolerance * scale)
+        is_rough = is_wide & (neglected > tolerance * scale)
+        rough = is_rough.any(axis=1)
         smooth = ~rough
         powers = _in_powers(chebyshev[smooth], width[smooth])
         starts.append(first[smooth])
@@ -100,7 +102,6 @@ def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
     """Both ends of the pieces to begin with, (pieces, n): between edges, none wider than some."""
     greatest_width = np.diff(edges, axis=0).max(axis=1)
     pieces = np.ceil(greatest_width / widest - 1e-9)
-    pieces[greatest_width <= _SAME] = 0
     count = pieces.astype(np.intp)
     numbers = map(np.arange, count)
     number = np.concatenate([*numbers])  # of a piece between its edges
@@ -140,14 +141,14 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
 
 
 def _next_coefficients(chebyshev: Floats) -> Floats:
-    """Size of the coefficients that follow, if they fall like the last two pairs of them; the largest of a piece."""
+    """The coefficients that follow, if they fall like the last two pairs of them, of the functions: (pieces, n)."""
     size = np.abs(chebyshev)
     last = size[:, -2:].max(axis=1)
     before = size[:, -4:-2].max(axis=1)
     divisor = np.where(before > 0.0, before, 1.0)
     ratio = np.minimum(last / divisor, 1.0)
     following = last * ratio
-    return np.asarray(following.max(axis=(1, 2)))
+    return np.asarray(following.max(axis=1))
 
 
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:

@@ -11,7 +11,7 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS, choose
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.plan import Plan
-from slipcircle.core.problem.problem import STEP, Problem, problem_of
+from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.program import Program, Samples
 from slipcircle.core.walk.lanes import integrate
 
@@ -23,11 +23,11 @@ RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 _ROWS = [np.roll(_FIRST, k) for k in range(7)]
 SIGNS = np.array(_ROWS, dtype=float)
-# Steps over the radius of convergence, of the motion itself and the other runs, which go two orders further, as from
-# rest every other coefficient is 0. Longer ones cost less than shorter ones would, and still truncate less.
+# Steps over those of the motion itself, of the motion and the other runs, which go two orders further, as from rest
+# every other coefficient is 0. Longer ones cost less than shorter ones would, and still truncate less.
 FURTHER = np.full(RUNS, 2.0)
 FURTHER[0] = 0.0
-FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
+LONGER = np.array([1.0, 1.005, 1.02, 1.035, 1.05, 1.07, 1.095, 1.115])
 # What the spread counts for: where the ends of the series are the error, as of an ensemble's lanes, and where rounding
 # is, as of single scenes, of which in 2,000 random ones the error was up to 5.1 times the spread.
 CUT = 4.5
@@ -72,7 +72,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     """
     cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
     cells[ix.ORDER] += FURTHER[runs]
-    cells[ix.FACTOR] = FACTORS[runs]
+    cells[ix.FACTOR] *= LONGER[runs]
     return cells
 
 

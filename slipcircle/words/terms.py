@@ -93,11 +93,9 @@ def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
     factor = _indexed(EquationTerm("mu", "mu_slip mu_rate", "friction", latex=r"\mu_{slip} \mu_{rate}"), index)
     rate_law = shared[-1]
     rate = _term_of_law("mu_rate", rate_law)
-    if rate_law in LAWS:
-        names = "|".join(p.name for p in LAWS[rate_law].parameters)
-        formula = re.sub(rf"\b({names})\b", r"rate_\1", rate.formula)
-        rate = rate._replace(formula=formula)
-    return [factor, *slip, rate]
+    names = "|".join(p.name for p in LAWS[rate_law].parameters)
+    formula = re.sub(rf"\b({names})\b", r"rate_\1", rate.formula)
+    return [factor, *slip, rate._replace(formula=formula)]
 
 
 def _term_of_law(symbol: str, law: str) -> EquationTerm:

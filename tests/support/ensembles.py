@@ -69,8 +69,8 @@ def stacked(values: Sequence[Any]) -> Any:
     return first if all(v == first for v in values) else np.array(values)
 
 
-def together(rows: Sequence[golden.Data]) -> Any:
+def together(rows: Sequence[golden.Data], accuracy: float = 1e-9) -> Any:
     """The ensemble of these scenes, solved."""
     given = stacked(rows)
     return solve(Scene(Arc(**given["arc"]), given["friction"], given["effects"], given["initial_velocity"],
-                       given["end_time"]))  # fmt: skip
+                       given["end_time"]), accuracy)  # fmt: skip

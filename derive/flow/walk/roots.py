@@ -65,7 +65,7 @@ def bracketed_root(p: S, n: N, low: V, at_low: V, high: V, at_high: V, which: M)
 def first_root(p: S, n: N, h: V, which: M) -> V:
     """The first zero in (0, h] of polynomials that are positive at first; infinity where there is none.
 
-    Within a step the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls at first
+    Within a step the terms fall like 0.2^k: a polynomial that neither has changed its sign at h nor falls at first
     and rises at last has no root there. Where it falls and rises, its least value decides. One that only touches zero
     does not cross it, and one that is zero has no root.
     """

@@ -24,8 +24,11 @@ from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
-STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
+# Share of the radius of convergence that a step takes: a series of order n leaves STEP^n. To rounding it is smaller:
+# of higher orders coefficients overflow earlier, and inner extrema of a step are lost in the rounding of its terms.
+STEP = 0.2
+STEP_TO_ROUNDING = math.exp(-2.0)
 LOWEST = 7  # order: below it the radius of convergence is that of one or two coefficients alone
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # then the number of a soil
@@ -137,7 +140,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     if invalid is not False:
         numbers.start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
     start = _flat(numbers.start, scene.shape)
-    start["ORDER"] = order(solved_accuracy(plan.accuracy, lanes))
+    start["ORDER"], start["FACTOR"] = order_and_step(solved_accuracy(plan.accuracy, lanes))
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan, start), 0.0)
     start |= plan.program.constants
@@ -162,12 +165,12 @@ def solved_accuracy(accuracy: float, lanes: int) -> float:
     return accuracy if lanes > 1 else min(accuracy, FINEST)
 
 
-def order(accuracy: float) -> int:
-    """Order of the series with a truncation error below an accuracy, at steps of exp(-2) radii of convergence."""
+def order_and_step(accuracy: float) -> tuple[int, float]:
+    """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence."""
     attainable = max(accuracy, 1e-16)
-    digits = -math.log(attainable)
-    terms = math.ceil(3.0 + digits / 2.0)
-    return max(terms, LOWEST)
+    step, first_terms = (STEP, 2.0) if attainable > FINEST else (STEP_TO_ROUNDING, 3.0)
+    terms = math.ceil(first_terms + math.log(attainable) / math.log(step))
+    return max(terms, LOWEST), step
 
 
 class Numbers:
@@ -269,7 +272,6 @@ class Numbers:
             start["omega"] = plain(velocity) / self.radius * self.mass.time_scale
             start["END_TIME"] = end_time / self.mass.time_scale
         start["LIMIT"] = abs(self.mass.moment_coefficients.limit_friction)
-        start["FACTOR"] = STEP
         start["CLOSE"] = np.inf
         start["LIFT_TIME"] = np.nan
 

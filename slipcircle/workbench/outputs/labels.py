@@ -20,7 +20,7 @@ from slipcircle.base.kinds import Floats
 _DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of a label from an anchor, in points
 _NEAR = 15.0  # points, within which a label needs no leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
-_SPACING = 4.0  # of the points that stand for lines, in pixels
+_SPACING, _MOST = 4.0, 1000  # of the points that stand for a line, in pixels; how many of them
 _GAP = 2.0  # around labels, in pixels
 # Costs: a covered point, a pixel outside the axis, an overlap with a label, a pixel of distance.
 _COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.25
@@ -91,10 +91,11 @@ class Label(Annotation):
         too_low = np.maximum(frame.min - centres + half, 0.0)
         too_high = np.maximum(centres + half - frame.max, 0.0)
         cost = _OUTSIDE * (too_low + too_high).sum(axis=-1)
-        points = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)])
+        x, y = np.concatenate([np.empty((0, 2)), *_obstacles(self.parent)]).T
         for of_anchor, at in zip(cost, centres, strict=True):
-            covered = np.abs(points[:, None] - at) < half
-            of_anchor += _COVERED * covered.all(axis=-1).sum(axis=0)
+            beside = np.abs(x[:, None] - at[:, 0]) < half[0]
+            above = np.abs(y[:, None] - at[:, 1]) < half[1]
+            of_anchor += _COVERED * np.count_nonzero(beside & above, axis=0)
         return np.asarray(cost)
 
     def _placed(self) -> Iterator[Any]:
@@ -140,18 +141,20 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
                 continue
             path = artist.get_path().transformed(artist.get_transform())
             if isinstance(artist, Line2D) and artist.get_marker() not in ("None", "", None):
-                yield _about(np.asarray(path.vertices), artist.get_markersize())
+                yield _about(np.asarray(path.vertices), artist.get_markersize() * axes.figure.dpi / 72)
             if artist.get_linestyle() != "None":
-                for line in path.to_polygons(closed_only=False):
+                for line in path.to_polygons(closed_only=isinstance(artist, Patch)):
                     yield _along(np.asarray(line, dtype=np.float64), frame)
+            if isinstance(artist, Patch) and artist.get_hatch():
+                yield _inside(path, frame)
 
 
 def _about(points: Floats, size: float) -> Floats:
-    """Points that stand for marks."""
-    shares = (-0.6, 0.0, 0.6)
+    """Points that stand for marks of a size in pixels."""
+    shares = (-0.5, 0.0, 0.5)
     offsets = size * np.array([(across, up) for across in shares for up in shares])
     around = points[:, None] + offsets
-    return np.asarray(np.repeat(around.reshape(-1, 2), 2, axis=0))
+    return np.asarray(np.repeat(around.reshape(-1, 2), 5, axis=0))
 
 
 def _along(points: Floats, frame: Any) -> Floats:
@@ -164,8 +167,22 @@ def _along(points: Floats, frame: Any) -> Floats:
     steps = np.diff(points, axis=0)
     lengths = np.hypot(*steps.T)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
-    at = np.arange(0.0, along[-1], _SPACING)
+    at = np.arange(0.0, along[-1], max(_SPACING, along[-1] / _MOST))
     x, y = points.T
     x_at = np.interp(at, along, x)
     y_at = np.interp(at, along, y)
     return np.column_stack([x_at, y_at])
+
+
+def _inside(path: Any, frame: Any) -> Floats:
+    """Points of a hatched area."""
+    extents = path.get_extents()
+    left, bottom = np.maximum(extents.min, frame.min)
+    right, top = np.minimum(extents.max, frame.max)
+    spacing = 2.0 * _SPACING
+    x = np.arange(left, right, spacing)
+    y = np.arange(bottom, top, spacing)
+    points = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    if not len(points):
+        return points
+    return points[path.contains_points(points)]

@@ -157,7 +157,9 @@ class Slope:
         mistakes = []
         ground = np.asarray(self.ground)
         if self.level is not None:
-            (above,), words = pond_errors(_filled(ground, self.pond)[None], np.asarray(self.level)[None])
+            filled = _filled(ground, self.pond)
+            level = np.asarray(self.level)
+            (above,), words = pond_errors(filled[None], level[None])
             if above:
                 mistakes.append(words(0))
         if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
@@ -203,48 +205,39 @@ def require_drive(section: Section) -> None:
     moment = float(section.moments["weight_moment"])
     area = float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
-        left, right = sorted((float(section.entry[0]), float(section.exit[0])))
+        ends = float(section.entry[0]), float(section.exit[0])
+        left, right = sorted(ends)
         where = f"{{centre}}: nothing drives the mass from x = {left:.6g} to {right:.6g}"
         why = "it is in equilibrium about the centre, as below level ground; choose a circle that cuts the slope"
         raise InputError("Section", [f"{where}: {why}"])
 
 
-def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
+def factors_of_safety(scene: Any) -> dict[str, Floats]:
     """Factors of safety of a section at the start of its motion, of one scene or of each scene of an ensemble.
 
     Parameters
     ----------
     scene : Scene
-        Of a `Section`; of its effects cohesion and pore pressure count, of its friction law the value at rest.
-    k_h : float or array_like
-        Horizontal acceleration over g, positive down-slope.
+        Of a `Section` with a `soil`; of its effects cohesion and pore pressure count, of its friction law the value at
+        rest.
 
     Returns
     -------
     dict of ndarray
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
-
-    Raises
-    ------
-    ValueError
-        For an `Arc`, of which nothing is known but its chord, and for pressures of a record.
     """
     section = scene.arc
-    if not isinstance(section, Section):
-        raise ValueError("factors_of_safety: scene.arc: must be a Section; an Arc has only the factor of its Motion")
     strength = soil(scene.friction, scene.called)
-    if not strength:
-        raise ValueError(
-            "factors_of_safety: scene: needs friction or cohesion, and a pore pressure that no record prescribes"
-        )
     scenes = np.arange(math.prod(scene.shape))
     blocks = []
     for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
         by_lane = _of_scenes(scene.shape, block)
-        slope = _slope_of_section(section, strength, k_h, by_lane)
+        slope = _slope_of_section(section, strength, by_lane)
         left, right = _ends(section, by_lane)
-        blocks.append(circle_factors(slope, by_lane(section.centre, 1), by_lane(section.radius), left, right))
+        centre = by_lane(section.centre, 1)
+        radius = by_lane(section.radius)
+        blocks.append(circle_factors(slope, centre, radius, left, right))
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
@@ -260,19 +253,21 @@ def _of_one_slope(value: Any, axes: int = 0) -> Floats:
 
 def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
     """Values of some scenes of an ensemble of a shape."""
-    some = np.unravel_index(numbers, shape or (1,))
+    lanes = shape or (1,)
+    some = np.unravel_index(numbers, lanes)
 
     def by_lane(value: Any, axes: int = 0) -> Floats:
         array = np.asarray(value, dtype=np.float64)
         inner = array.shape[array.ndim - axes :]
-        return np.asarray(np.broadcast_to(array, (*(shape or (1,)), *inner))[some])
+        of_every_lane = np.broadcast_to(array, (*lanes, *inner))
+        return np.asarray(of_every_lane[some])
 
     return by_lane
 
 
-def _slope_of_section(section: Section, strength: Mapping[str, Any], k_h: Any, by_lane: _ByLane) -> SlopeArrays:
+def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _ByLane) -> SlopeArrays:
     """The slopes of sections."""
-    numbers = {"water_unit_weight": section.water_unit_weight, "k_h": by_lane(k_h)}
+    numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section.ground, section.level, section.layers, section.surcharge, numbers)
     layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])

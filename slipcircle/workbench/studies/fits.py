@@ -63,9 +63,9 @@ def _minimum(problem: SearchProblem, start: Floats) -> Any:
     latest: list[Floats] = []  # the Jacobian, which comes with the residuals and is asked for after them
 
     def residuals(shares: Floats) -> Floats:
-        r, jacobian = problem.linearised(shares[:, None])
-        latest[:] = [jacobian[:, :, 0]]
-        return r[:, 0]
+        r, jacobian = problem.linearised(shares)
+        latest[:] = [jacobian]
+        return r
 
     return optimize.least_squares(
         residuals,

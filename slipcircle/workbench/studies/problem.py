@@ -105,26 +105,21 @@ class SearchProblem:
         return misfit / self.scales[:, None]
 
     def linearised(self, shares: Floats) -> tuple[Floats, Floats]:
-        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
-        fields, count = shares.shape
-        each_field = np.eye(fields)[:, :, None]
-        steps = _STEP * each_field
+        """Residuals, and their derivatives by the shares, (observations, fields): to the side that is known."""
         here = shares[:, None]
+        steps = _STEP * np.eye(len(shares))
         moved_up = np.minimum(here + steps, 1.0)
         moved_down = np.maximum(here - steps, 0.0)
-        places = np.concatenate([here, moved_up, moved_down], axis=1)
-        computed = self.residuals(places.reshape(fields, -1))
-        residuals = computed.reshape(-1, 1 + 2 * fields, count)
+        places = np.hstack([here, moved_up, moved_down])
+        residuals = self.residuals(places)
         at_here = residuals[:, 0]
         is_known = ~np.isnan(residuals).any(axis=0)
-        residuals = np.where(is_known, residuals, residuals[:, :1])
+        residuals = np.where(is_known, residuals, at_here[:, None])
         places = np.where(is_known, places, here)
-        up = slice(1, 1 + fields)
-        down = slice(1 + fields, None)
-        distances = places[:, up] - places[:, down]
-        widths = np.einsum("ffn->fn", distances)
-        differences = residuals[:, up] - residuals[:, down]
-        slopes = differences / np.maximum(widths, 1e-300)
+        _, up, down = np.split(places, [1, 1 + len(shares)], axis=1)
+        _, above, below = np.split(residuals, [1, 1 + len(shares)], axis=1)
+        widths = np.diag(up - down)
+        slopes = (above - below) / np.maximum(widths, 1e-300)
         return at_here, slopes
 
 

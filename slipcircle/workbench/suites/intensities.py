@@ -100,17 +100,8 @@ def spectral_acceleration(record: Series, period: float) -> float:
     record : Series
         Acceleration over gravity, zero before and after; samples at uneven times are interpolated at even ones.
     period : float
-        Natural period, s; at 0 the result is the peak acceleration.
-
-    Raises
-    ------
-    ValueError
-        If the period is negative or infinite.
+        Natural period, s.
     """
-    if not 0.0 <= period < math.inf:
-        raise ValueError(f"period = {period!r}: must be at least 0 s and finite")
-    if period == 0.0:
-        return record.greatest
     first = float(record.time[0])
     last = float(record.time[-1])
     intervals = record.time.size - 1
