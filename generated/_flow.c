@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "db775cfa772d93fac9d52fbd4d1a93e69da0c9b37a78699d648d4215766346d5"
+#define DIGEST "b9de124869619089151f45bf8d10ff1ac2bc4c318cbae52154b9f2cb8ead3cc1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = 42, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -53,7 +53,7 @@ typedef struct {
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
     void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
-    int order; /* the highest of all lanes */
+    int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
@@ -169,11 +169,11 @@ static int runs(int kind)
     return can[kind];
 }
 
-static const char doc[] = "integrate(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
+static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
     "`program` are integers (see `slipcircle.core.walk.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
-    "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
+    "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
@@ -185,14 +185,14 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Job job = {0};
     Py_buffer program, cells, times, outputs, notes, held[3 * MOST_TABLES];
     PyObject *tables, *result = NULL;
-    int order, level, views = 0;
+    int level, views = 0;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
-                          &budget, &times, &outputs, &notes, &level)) return NULL;
+    if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+                          &times, &outputs, &notes, &level)) return NULL;
     const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
+    const int bad = read_program(&job, code, code + program.len / 4) || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
+        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
         goto done;
     }
     for (int t = 0; t < job.tables; t++, views += 3) {
@@ -219,7 +219,6 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         job.times_across = times.len / 8 / job.samples;
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
-    job.order = order;
     void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
@@ -231,7 +230,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
     free(memory);
-    result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
+    if (left < 0) PyErr_SetString(PyExc_ValueError, "integrate: an order does not fit");
+    else result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);
     PyBuffer_Release(&program), PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs);
@@ -321,7 +321,7 @@ typedef struct {
     V *c, *r; /* cells, and registers: coefficient n of the register that begins at i is r[i + n] */
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
-    double inverse[HIGHEST + 2];
+    double inverse[STRIDE];
 } Batch;
 typedef struct { V one, other; } Pair;
 
@@ -1134,7 +1134,7 @@ static V first_root(V *p, int n, V h, M which)
     M crosses = which & ((last < 0.0) | ((last == 0.0) & (p[0] > 0.0)));
     M dips = which & ~crosses & (p[1] < 0.0) & (slope > 0.0);
     if (bits(dips)) {
-        V rates[HIGHEST + 2];
+        V rates[STRIDE];
         differentiate(rates, p, n);
         V lowest = bracketed_root(rates, n - 1, broadcast(0.0), rates[0], h, slope, dips);
         V least = value(p, n, lowest);
@@ -1185,7 +1185,7 @@ static V falling_root(V *p, int n, V t, V last, V slope, M here)
     M touches = p[0] == 0.0;
     M positive = (p[0] > 0.0) | (touches & (p[1] > 0.0));
     M falls = here & positive & ((last < 0.0) | ((p[1] < 0.0) & (slope > 0.0)));
-    V e[HIGHEST + 2];
+    V e[STRIDE];
     V root = broadcast(INFINITY);
     if (bits(falls)) {
         margin_of(e, p, n, broadcast(1.0), broadcast(0.0), touches);
@@ -1219,7 +1219,7 @@ INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms[HIGHEST + 2];
+    double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double change = terms[1] * local;
     return c[job->table[t].cell + SCALED_BY][lane] * (job->data[t].sine ? (terms[0] * sin(change + terms[2])) : (terms[0] + change));
@@ -1240,7 +1240,7 @@ static void expand_sine(Batch *b, unsigned lane, int t, int top)
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double terms[HIGHEST + 2];
+    double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double rate = terms[1];
     double angle = (rate * ((c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece))) + terms[2];
@@ -1262,7 +1262,7 @@ INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
     const Job *const job = b->job;
     V *const c = b->c;
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-    double terms[HIGHEST + 2];
+    double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     double slope = c[job->table[t].cell + SCALED_BY][lane] * terms[1];
     c[job->table[t].cell + RISE][lane] = slope * c[job->table[t].cell + SCALE][lane];
@@ -1324,7 +1324,7 @@ static void develop(Batch *b, unsigned lane, int t, double local, double unit)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms[HIGHEST + 2];
+    double terms[STRIDE];
     coefficients_of(b, lane, t, (int64_t)c[job->table[t].cell + PIECE][lane], terms);
     shift(terms, job->data[t].terms, local);
     double factor = c[job->table[t].cell + SCALED_BY][lane];
@@ -1644,7 +1644,7 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
  * |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders; 2^1000 where these are zero. */
 INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
 {
-    V first[HIGHEST + 2];
+    V first[STRIDE];
     M comparable = p[0] != 0.0;
     for (int k = 0; k <= 4; k++) {
         first[k] = log2_of(p[k]);
@@ -1942,7 +1942,7 @@ INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms[HIGHEST + 2];
+    double terms[STRIDE];
     coefficients_of(b, lane, t, piece, terms);
     return c[job->table[t].cell + SCALED_BY][lane] * terms[0];
 }
@@ -2221,7 +2221,7 @@ static void find_standstill(Batch *b, M here, int top)
     M falls_from_rest = from_rest & (decelerates | ((net[0] == 0.0) & (net[1] <= 0.0)));
     M asked = here & ((last <= 0.0) | (decelerates & (slope > 0.0)) | falls_from_rest);
     if (bits(asked)) {
-        V e[HIGHEST + 2];
+        V e[STRIDE];
         margin_of(e, omega, top, broadcast(1.0), broadcast(0.0), from_rest);
         margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
         margin_of(e, e, top, broadcast(1.0), broadcast(0.0), from_rest & (e[0] == 0.0));
@@ -2237,7 +2237,7 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
     V *const c = b->c;
     M asked = here & may_cross(p, n, c[STEP], sign, constant, passed);
     if (bits(asked)) {
-        V e[HIGHEST + 2];
+        V e[STRIDE];
         margin_of(e, p, n, sign, constant, passed);
         consider(b, here, first_root(e, n, c[STEP], asked), event);
     }
@@ -2408,7 +2408,7 @@ static void look_for_lift_off(Batch *b, M here, int top)
     M passed = c[PASSED] == (double)LIFT;
     M asked = here & may_cross(normal, top - 1, c[STRETCH], sign, broadcast(0.0), passed);
     if (bits(asked)) {
-        V e[HIGHEST + 2];
+        V e[STRIDE];
         margin_of(e, normal, top - 1, sign, broadcast(0.0), passed);
         V at = first_root(e, top - 1, c[STRETCH], asked);
         c[LIFT_AHEAD] = pick(here, minimum(at, c[LIFT_AHEAD]), c[LIFT_AHEAD]);
@@ -2430,7 +2430,7 @@ static void look_ahead(Batch *b, M here, V room)
     V radius = radius_of_convergence(b, net, top - 1, c[SERIES_ORDER] - 1.0);
     V reach = pick(c[SERIES_ORDER] < c[ORDER], room, minimum(c[FACTOR] * radius, room));
     c[STRETCH] = pick(here, minimum(reach, c[STRETCH]), c[STRETCH]);
-    V e[HIGHEST + 2];
+    V e[STRIDE];
     margin_of(e, net, top - 1, broadcast(-1.0), broadcast(0.0), touches);
     V at = broadcast(INFINITY);
     M asked = here & ~jumps & may_cross(net, top - 1, c[STRETCH], broadcast(-1.0), broadcast(0.0), touches);
@@ -2631,10 +2631,15 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
     Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
-    for (int n = 1; n < HIGHEST + 2; n++) b->inverse[n] = 1.0 / n;
+    for (int n = 1; n < STRIDE; n++) b->inverse[n] = 1.0 / n;
     if (job->outputs && !job->times) {
         read_registers(b);
         return 0;
+    }
+    for (int64_t k = job->begin; k < job->end; k++) {
+        const double order = job->all[ORDER * job->count + k];
+        if (!(order >= 5.0 && order <= HIGHEST)) return -1;
+        job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
     for (int64_t round = 0;; round++) {
@@ -2662,13 +2667,13 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
 /* A table: addresses of its breaks, coefficients and jumps, pieces, terms, lanes across and apart, sine, open. */
 typedef struct { const double *breaks, *coefficients, *jumps; int32_t pieces, terms, across, apart, sine, open; } Given;
 
-/* Lanes that have not ended, or -1 where the program and what it is given do not fit. */
+/* Lanes that have not ended, or -1 where the program, an order and what it is given do not fit. */
 __attribute__((export_name("integrate"))) int integrate(const int32_t *program, int length, const Given *tables, double *cells,
-    int count, int order, int begin, int end, int budget, const double *times, int samples, int across, double *outputs)
+    int count, int begin, int end, int budget, const double *times, int samples, int across, double *outputs)
 {
-    Job job = {.all = cells, .count = count, .begin = begin, .end = end, .budget = budget, .order = order,
+    Job job = {.all = cells, .count = count, .begin = begin, .end = end, .budget = budget,
                .times = samples ? times : NULL, .samples = samples, .times_across = across, .outputs = outputs};
-    if (read_program(&job, program, program + length) || order < 5 || order > HIGHEST) return -1;
+    if (read_program(&job, program, program + length)) return -1;
     for (int t = 0; t < job.tables; t++) {
         const Given *const g = tables + t;
         job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8089243de5b8caf8806a831118b10d016534a6f31679b7c114fd1bc119c2deb7
+# sha256 of the text below: 9d313e49c6e33552adecc71f9fdc5a65d647becc4efbdec147393f61b0d2d09d
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -128,3 +128,4 @@ MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
 CARRIED = 0.001
 SETTLED = 1.4210854715202004e-14
+STRIDE = 42

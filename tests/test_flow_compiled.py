@@ -127,15 +127,17 @@ def test_what_does_not_fit_is_refused() -> None:
     code, cells, nothing = compiled.encoded(bound.program), bound.cells(), np.empty(0)
     for bad in (code[:-4], code + code[:4]):
         with pytest.raises(ValueError, match="do not fit"):
-            BINARY.integrate(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+            BINARY.integrate(bad, (), cells, 0, LANES, 1, nothing, nothing, nothing, 0)
     for short in (cells[:-1], cells[:0]):
         with pytest.raises(ValueError, match="not those of as many lanes"):
-            BINARY.integrate(code, (), short.copy(), 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+            BINARY.integrate(code, (), short.copy(), 0, LANES, 1, nothing, nothing, nothing, 0)
     registers = np.zeros((len(bound.program.registers) - 1, LANES))
     with pytest.raises(ValueError, match="not those of as many lanes"):
-        BINARY.integrate(code, (), cells, 14, 0, LANES, 0, nothing, registers, nothing, 0)
-    with pytest.raises(ValueError, match="do not fit"):
-        BINARY.integrate(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
+        BINARY.integrate(code, (), cells, 0, LANES, 0, nothing, registers, nothing, 0)
+    for order in (4.0, 41.0, np.nan):
+        cells[ix.ORDER, -1] = order
+        with pytest.raises(ValueError, match="order does not fit"):
+            BINARY.integrate(code, (), cells, 0, LANES, 1, nothing, nothing, nothing, 0)
 
 
 def test_a_binary_of_another_source_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -125,6 +125,8 @@ ROLES = (
     "cell_resisting",
     "cell_mu",
 )
+HIGHEST = 40  # order of a series
+STRIDE = HIGHEST + 2  # from one register to the next: states have one coefficient more, and zero follows
 # Of a lane, breaks of functions of time not counted. A step that changes the speed by less than a share is held short
 # by what decays at once (the motion is stiff): it counts for many.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
@@ -164,6 +166,7 @@ def python() -> str:
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
     given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
+    given["STRIDE"] = STRIDE
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
@@ -177,5 +180,6 @@ def c() -> dict[str, str]:
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
     return {
         "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
+        "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}",
         "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",
     }

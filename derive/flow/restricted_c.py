@@ -103,7 +103,7 @@ class C(Writer):
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
         if value.text in ("new_series()", "numbers()"):
-            return f"V {name}[HIGHEST + 2];" if kind == "S" else f"double {name}[HIGHEST + 2];"
+            return f"V {name}[STRIDE];" if kind == "S" else f"double {name}[STRIDE];"
         declared = f"{TYPES[kind]} ".replace("* ", "*") if new else ""
         return f"{declared}{name} = {self.as_kind(value, kind)};"
 

@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from os import PathLike
 from typing import Any, Self
 
@@ -96,6 +97,16 @@ def plain(value: Any) -> Any:
     return float(value)
 
 
+_WITHOUT_WARNING: Any = nullcontext()
+
+
+def may_overflow(shape: tuple[int, ...]) -> Any:
+    """A context in which nothing warns of an overflow, which is refused where the result is read; floats never do."""
+    if not shape:
+        return _WITHOUT_WARNING
+    return np.errstate(over="ignore")
+
+
 def choose(mask: Any, one: Any, other: Any) -> Any:
     """`numpy.where` that also takes plain numbers."""
     if isinstance(mask, np.ndarray):
@@ -170,8 +181,10 @@ _KINDS = {
 }
 
 
-def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
+def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence[Any]) -> list[str]:
     """A sentence for each declared parameter that is missing, invalid or out of bounds, and for unknown names."""
+    if _are_plain(given, parameters):
+        return []
     known = {p.name: p for p in parameters if p.kind != "rotation"}
     sentences = list[str]()
     for name, p in known.items():
@@ -185,6 +198,16 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
         if name in given:
             sentences += _value_mistakes(path, p, given[name])
     return sentences
+
+
+def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
+    """Whether there is one number within its bounds for each parameter and nothing else, as a rule."""
+    for p in parameters:
+        value = given.get(p.name)
+        is_number = p.kind == "number" and type(value) is float
+        if not (is_number and p.lower < value < p.upper):
+            return False
+    return len(given) == len(parameters)
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound

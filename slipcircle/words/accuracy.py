@@ -1,8 +1,9 @@
 """How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from operator import truediv
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,8 @@ UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 # Functions of the rotation are laid out to a share of the accuracy: beside the motion closer, down to their rounding.
 CLOSER = 1e-3
 CLOSEST = 1e-13
+# What single motions are compared by.
+COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.END_ROTATION, ix.PEAK_OMEGA])
 # Shares of the duration at which states are compared, of each run the same.
 _MIDDLES = (np.arange(8) + 0.5) / 8
 SHARES = np.tile(_MIDDLES[:, None], RUNS)
@@ -101,14 +104,16 @@ def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
 
 def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
     """The greatest difference of any run from each lane's results, relative, and whether one ends otherwise."""
-    summary = summary_vector(final)
+    of_motion = np.array(_summary(final))
+    sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
     unlike = np.zeros(problem.lanes, dtype=bool)
     for run in range(1, RUNS):
         alone = slice(run, run + 1)
         cells = integrate(problem, perturbed_runs(problem, alone, rounding))
-        changes = _changes(cells, summary)
-        greatest = np.fmax.reduce(changes)
+        of_run = np.array(_summary(cells))
+        change = np.abs(of_run - of_motion)
+        greatest = np.fmax.reduce(change / sizes)
         spread = np.fmax(spread, greatest)
         unlike |= _ends_otherwise(cells, final)
     return spread, unlike
@@ -124,36 +129,39 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
 
 
 def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:
-    """The same of one lane: all runs at once, beside the motion itself, with their states along the way."""
+    """The same of one lane: all runs at once, beside the motion itself, with their states along the way.
+
+    Results are compared as Python's floats, of which a few cost less than an array.
+    """
     states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
-    summary = summary_vector(final)
-    samples = Samples(summary[0] * SHARES, states)
-    begin = perturbed_runs(problem, slice(None), rounding)
-    cells = integrate(problem, begin, samples)
-    changes = _changes(cells, summary)
-    spread = np.fmax.reduce(changes, axis=None)
-    if final[ix.PHASES] > 0.0:
+    of_motion = _summary(final)
+    samples = Samples(of_motion[0] * SHARES, states)
+    cells = integrate(problem, perturbed_runs(problem, slice(None), rounding), samples)
+    status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
+    moves = final[ix.PHASES] > 0.0
+    move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
+    end_alike = status.count(final[ix.STATUS]) == RUNS
+    if not (end_alike and move_alike):
+        return 1.0, True
+    durations = end_times if _ends_in_time(final) else rests
+    speeds = map(abs, peaks)
+    rows = durations, run_outs, [*speeds]
+    greatest = [*map(_farthest, rows, of_motion)]
+    if moves:
         rotation_and_velocity = states[:2]
-        of_motion = rotation_and_velocity[:, :, :1]
-        change = np.abs(rotation_and_velocity - of_motion)
-        run_out_and_peak = _size(summary[1:])
-        along = change / run_out_and_peak[..., None]
-        greatest = np.fmax.reduce(along, axis=None)
-        spread = np.fmax(spread, greatest)
-    unlike = _ends_otherwise(cells, final)
-    return float(spread), bool(unlike.any())
+        of_run_0 = rotation_and_velocity[:, :, :1]
+        change = np.abs(rotation_and_velocity - of_run_0)
+        of_each = change.reshape(2, -1)
+        greatest += np.fmax.reduce(of_each, axis=1).tolist()
+    sizes = [max(abs(of), LEAST_SIZE) for of in (*of_motion, *of_motion[1:])]
+    return max(map(truediv, greatest, sizes)), False
 
 
-def _size(summary: Floats) -> Floats:
-    """What errors of results are relative to."""
-    return np.maximum(np.abs(summary), LEAST_SIZE)
-
-
-def _changes(cells: Floats, summary: Floats) -> Floats:
-    """Differences of the results of runs from those of the motion, relative."""
-    difference = summary_vector(cells) - summary
-    change = np.abs(difference)
-    return np.asarray(change / _size(summary))
+def _farthest(values: Sequence[float], of_motion: float) -> float:
+    """How far the value of any run is from that of the motion."""
+    above = max(values) - of_motion
+    below = of_motion - min(values)
+    return max(above, below)
 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:
@@ -165,12 +173,12 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
     return other_status | (moves != (phases > 0.0))
 
 
-def summary_vector(final: Any) -> Floats:
-    """Duration, run-out and peak velocity, dimensionless, (3, lanes), of final cells."""
-    ended = (final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)
-    rest = final[ix.REST_SINCE]  # of a mass that creeps, when it has all but arrived
-    duration = choose(ended, final[ix.END_TIME], rest)
-    peak_velocity = np.abs(final[ix.PEAK_OMEGA])
-    run_out = final[ix.END_ROTATION]
-    summary = np.array([duration, run_out, peak_velocity])
-    return summary.reshape(3, -1)
+def _summary(final: Any) -> tuple[Any, Any, Any]:
+    """Duration, run-out and peak velocity, dimensionless, of final cells."""
+    duration = choose(_ends_in_time(final), final[ix.END_TIME], final[ix.REST_SINCE])
+    return duration, final[ix.END_ROTATION], abs(final[ix.PEAK_OMEGA])
+
+
+def _ends_in_time(final: Final) -> Any:
+    """Whether motions end at their end time; that of a mass that creeps ends when it has all but arrived."""
+    return (final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)

@@ -20,7 +20,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = HIGHEST + 2, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { @SIZES@, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -51,7 +51,7 @@ typedef struct {
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
     void *memory; /* zeros, for the lanes of a batch: MOST_WORKING vectors, one for each cell, STRIDE for each register */
-    int order; /* the highest of all lanes */
+    int order; /* the highest of the lanes */
     int straight; /* which of `patterns` the program is, or -1 */
 } Job;
 
@@ -134,11 +134,11 @@ static int runs(int kind)
     return can[kind];
 }
 
-static const char doc[] = "integrate(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
+static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
     "`program` are integers (see `slipcircle.core.walk.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
-    "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
+    "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
     "With `outputs`, (registers, lanes), and no times nothing is integrated: all registers are evaluated where each lane is;\n"
@@ -150,14 +150,14 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     Job job = {0};
     Py_buffer program, cells, times, outputs, notes, held[3 * MOST_TABLES];
     PyObject *tables, *result = NULL;
-    int order, level, views = 0;
+    int level, views = 0;
     Py_ssize_t begin, end, budget;
-    if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
-                          &budget, &times, &outputs, &notes, &level)) return NULL;
+    if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
+                          &times, &outputs, &notes, &level)) return NULL;
     const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || order < 5 || order > HIGHEST || PyTuple_Size(tables) != job.tables;
+    const int bad = read_program(&job, code, code + program.len / 4) || PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables, order or level do not fit");
+        PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
         goto done;
     }
     for (int t = 0; t < job.tables; t++, views += 3) {
@@ -184,7 +184,6 @@ static PyObject *integrate(PyObject *self, PyObject *args)
         job.times_across = times.len / 8 / job.samples;
     } else if (outputs.len) job.outputs = outputs.buf;
     job.notes = notes.buf, job.notes_room = notes.len / 32;
-    job.order = order;
     void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
@@ -196,7 +195,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     left = levels[level].integrate(&job);
     Py_END_ALLOW_THREADS
     free(memory);
-    result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
+    if (left < 0) PyErr_SetString(PyExc_ValueError, "integrate: an order does not fit");
+    else result = Py_BuildValue("LL", (long long)left, (long long)job.noted);
 done:
     while (views--) PyBuffer_Release(held + views);
     PyBuffer_Release(&program), PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs);
@@ -274,7 +274,7 @@ typedef struct {
     V *c, *r; /* cells, and registers: coefficient n of the register that begins at i is r[i + n] */
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
-    double inverse[HIGHEST + 2];
+    double inverse[STRIDE];
 } Batch;
 typedef struct { V one, other; } Pair;
 
@@ -636,10 +636,15 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
     Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
     V *const c = b->c;
     int64_t next = job->begin;
-    for (int n = 1; n < HIGHEST + 2; n++) b->inverse[n] = 1.0 / n;
+    for (int n = 1; n < STRIDE; n++) b->inverse[n] = 1.0 / n;
     if (job->outputs && !job->times) {
         read_registers(b);
         return 0;
+    }
+    for (int64_t k = job->begin; k < job->end; k++) {
+        const double order = job->all[ORDER * job->count + k];
+        if (!(order >= 5.0 && order <= HIGHEST)) return -1;
+        job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
     for (int64_t round = 0;; round++) {
@@ -667,13 +672,13 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
 /* A table: addresses of its breaks, coefficients and jumps, pieces, terms, lanes across and apart, sine, open. */
 typedef struct { const double *breaks, *coefficients, *jumps; int32_t pieces, terms, across, apart, sine, open; } Given;
 
-/* Lanes that have not ended, or -1 where the program and what it is given do not fit. */
+/* Lanes that have not ended, or -1 where the program, an order and what it is given do not fit. */
 __attribute__((export_name("integrate"))) int integrate(const int32_t *program, int length, const Given *tables, double *cells,
-    int count, int order, int begin, int end, int budget, const double *times, int samples, int across, double *outputs)
+    int count, int begin, int end, int budget, const double *times, int samples, int across, double *outputs)
 {
-    Job job = {.all = cells, .count = count, .begin = begin, .end = end, .budget = budget, .order = order,
+    Job job = {.all = cells, .count = count, .begin = begin, .end = end, .budget = budget,
                .times = samples ? times : NULL, .samples = samples, .times_across = across, .outputs = outputs};
-    if (read_program(&job, program, program + length) || order < 5 || order > HIGHEST) return -1;
+    if (read_program(&job, program, program + length)) return -1;
     for (int t = 0; t < job.tables; t++) {
         const Given *const g = tables + t;
         job.data[t] = (Data){g->breaks, g->coefficients, g->jumps, g->pieces, g->across, g->apart, g->terms, g->sine, g->open};

@@ -24,7 +24,6 @@ N = int  # a number that all lanes share
 
 EPS = 2.0**-52
 INFINITY = math.inf
-HIGHEST = 40  # order of a series
 
 
 def _codes(name: str) -> Any:
@@ -86,7 +85,7 @@ def number(k: Any) -> Any:
 
 
 def new_series() -> list[Any]:
-    return [0.0] * (HIGHEST + 2)
+    return [0.0] * layout.STRIDE
 
 
 numbers = new_series

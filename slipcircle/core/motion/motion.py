@@ -13,7 +13,7 @@ from typing import Any, Generic, Self
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import choose
+from slipcircle.base.checks import choose, may_overflow
 from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
@@ -131,7 +131,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
         final = self._final
-        with np.errstate(over="ignore"):  # an overflow is refused where the outcome is read
+        with may_overflow(self.shape):
             angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
             values = {
                 "reach": self._radius * final[ix.REACH_ROTATION],

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import layout as ix
-from slipcircle.base.checks import choose, plain
+from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan
@@ -127,7 +127,7 @@ class Trajectory:
         axes = np.ndim(time) - len(self.shape)
         scale = before(self._time_scale, axes)
         radius = before(self._radius, axes)
-        with np.errstate(over="ignore"):  # an overflow is refused where the result is read
+        with may_overflow(self.shape):
             angular_velocity = omega / scale
             velocity = radius * angular_velocity
             acceleration = radius * rate / scale**2

@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from generated.effects import ALL_EFFECTS, EFFECTS
+from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.doors import room
 from slipcircle.core.program.program import Program, build_program
-from slipcircle.core.scene.effects import in_order, symbols_of
+from slipcircle.core.scene.effects import in_order, rotates, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
@@ -65,7 +65,7 @@ class Plan:
     @property
     def turns(self) -> bool:
         """Whether an effect lets the mass rotate."""
-        return any(ALL_EFFECTS[effect].turns for effect in self.effects)
+        return rotates(self.recipe.effects)
 
     @property
     def fragments(self) -> Names:

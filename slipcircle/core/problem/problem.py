@@ -7,6 +7,7 @@ scene's own shape: nothing here knows a law or an effect.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,12 @@ import numpy as np
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
-from slipcircle.base.checks import choose, plain
+from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan, Recipe
 from slipcircle.core.program.program import Program, build_program
-from slipcircle.core.scene.effects import in_order, soil_number, symbols_of, without_soil
+from slipcircle.core.scene.effects import in_order, rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
@@ -32,11 +33,12 @@ STEP_TO_ROUNDING = math.exp(-2.0)
 LOWEST = 7  # order: below it the radius of convergence is that of one or two coefficients alone
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # then the number of a soil
+EVERY = slice(None)  # lane
 Function = Callable[[Any], Any]
 Shape = tuple[int, ...]
 
 
-@dataclass(frozen=True)
+@dataclass
 class Problem:
     """Scenes that share a program, one a lane.
 
@@ -96,16 +98,28 @@ class Problem:
     def _with(self, program: Program) -> "Problem":
         return replace(self, program=program, start={**self.start, **program.constants})
 
-    def cells(self, which: Any = slice(None)) -> Floats:
+    def cells(self, which: Any = EVERY) -> Floats:
         """The cells of some lanes at their start, a column each."""
+        if self.lanes == 1 and which is EVERY:
+            return self._only_lane.copy()
         places = self.program.places
         count = np.arange(self.lanes)[which].size
         cells = np.zeros((len(places), count))
-        rows = cells[:, 0] if count == self.lanes == 1 else cells  # numbers go five times faster into a vector
         for name, value in self.start.items():
             if name in places:  # not every program needs it
-                rows[places[name]] = value[which] if isinstance(value, np.ndarray) else value
+                cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
         return cells
+
+    @cached_property
+    def _only_lane(self) -> Floats:
+        """The cells of a single lane at its start, a column."""
+        place_of = self.program.places.get
+        column = np.zeros(len(self.program.cells))
+        for name, value in self.start.items():
+            place = place_of(name)
+            if place is not None:
+                column[place] = value  # five times as fast as into a matrix
+        return column[:, None]
 
     def tables(self, which: Any = None) -> list[Data]:
         """The tables of all lanes, or of some, in the order of the program."""
@@ -142,10 +156,11 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start = _flat(numbers.start, scene.shape)
     start["ORDER"], start["FACTOR"] = order_and_step(solved_accuracy(plan.accuracy, lanes))
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
-    start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan, start), 0.0)
-    start |= plan.program.constants
+    start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
+    program = plan.program
+    start |= program.constants
     function = dict(scene.laws).get("callable", {}).get("function")
-    return Problem(plan.recipe, plan.program, start, numbers.tables, lanes, function, farther)
+    return Problem(plan.recipe, program, start, numbers.tables, lanes, function, farther)
 
 
 def _flat(numbers: dict[str, Any], shape: Shape) -> dict[str, Any]:
@@ -268,7 +283,7 @@ class Numbers:
     def add_start(self, velocity: Any, end_time: Any) -> None:
         """Add the initial velocity, the end time, and initial values of the integrator's records."""
         start = self.start
-        with np.errstate(over="ignore"):  # an overflow is refused where the result is read
+        with may_overflow(self.shape):
             start["omega"] = plain(velocity) / self.radius * self.mass.time_scale
             start["END_TIME"] = end_time / self.mass.time_scale
         start["LIMIT"] = abs(self.mass.moment_coefficients.limit_friction)
@@ -283,26 +298,26 @@ def _one_way(shaking: Parameters) -> float:
     return float(varies and not two_way)
 
 
-def _first_only(plan: Plan, start: Parameters) -> Any:
+def _first_only(recipe: Recipe, start: Parameters) -> Any:
     """1 where nothing brings the mass to rest, 2 where water or heat may lift it: it is followed to its first stop."""
-    terms = {*plan.recipe.effects, *plan.recipe.moving}
-    if not plan.turns or "layered_cohesion" in terms:
+    swings, lifts, pressures = _swing_of(recipe)
+    if not swings:
         return 0.0
     frictionless = False
-    if plan.recipe.laws == ("constant",):
+    if recipe.laws == ("constant",):
         frictionless = start["constant.coefficient"] == 0.0
-    if_lifted = 2.0 if _may_lift(plan.recipe, start) else 0.0
-    swings = choose(frictionless, 1.0, if_lifted)
+    lifts = lifts or any(np.any(start[name]) for name in pressures if name in start)
+    swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
     cohesion = start.get("cohesion", 0.0)
     cohesion = cohesion + start.get("layered_cohesion", 0.0)
     return choose(cohesion > 0.0, 0.0, swings)
 
 
-def _may_lift(recipe: Recipe, start: Parameters) -> bool:
-    """Whether the pressure of water may exceed the normal stress."""
-    if not UPLIFT.isdisjoint(recipe.effects):
-        return True
-    if any(name.startswith(UPLIFT_OF_SOILS) for name in recipe.moving):
-        return True
-    of_soils = [f"{name}{soil_number(effect)}" for effect in recipe.effects for name in UPLIFT_OF_SOILS]
-    return any(np.any(start[name]) for name in of_soils if name in start)
+@lru_cache(maxsize=256)
+def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names]:
+    """Whether a mass may swing on, whether water may lift it whatever it measures, and cells of pressures that may."""
+    effects = recipe.effects
+    swings = rotates(effects) and "layered_cohesion" not in (*effects, *recipe.moving)
+    of_soils = [f"{name}{soil_number(effect)}" for effect in effects for name in UPLIFT_OF_SOILS]
+    varies = any(name.startswith(UPLIFT_OF_SOILS) for name in recipe.moving)
+    return swings, varies or not UPLIFT.isdisjoint(effects), tuple(of_soils)

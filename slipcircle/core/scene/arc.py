@@ -250,7 +250,7 @@ class Arc(Mass, Generic[Numbers]):
         weight, radial = self.amplitudes_per_inertia
         press = self.normal_load
         limit, static_normal_stress, polar_per_inertia = self._quotients
-        return MomentCoefficients(
+        coefficients = (
             limit * press,
             weight * (press / radial),
             press,
@@ -260,6 +260,7 @@ class Arc(Mass, Generic[Numbers]):
             limit,
             1.0,
         )
+        return MomentCoefficients(*map(plain, coefficients))
 
     @cached_property
     def normal_load(self) -> Any:

@@ -1,12 +1,12 @@
 """The effects of a scene by name, with their parameters; those of one soil have its number in their names."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
 from generated.effects import ALL_EFFECTS, EFFECTS
 from slipcircle.base.checks import parameter_mistakes
-from slipcircle.base.kinds import Names, Parameters
+from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
 OF_SOIL = "#"  # before the number of a soil, in the name of its law or effect
@@ -54,11 +54,11 @@ def named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
     """Effects by name, each with its parameters, and a sentence for what is no such thing."""
     if isinstance(effects, str) or not hasattr(effects, "__iter__"):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
-    given = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
+    given = effects if isinstance(effects, MAPPING) else {name: {} for name in effects}
     named = {}
     faults = []
     for name, parameters in given.items():
-        if isinstance(parameters, Mapping):
+        if isinstance(parameters, MAPPING):
             named[str(name)] = dict(parameters)
         else:
             what = f"effects.{name} = {parameters!r}"

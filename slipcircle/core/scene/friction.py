@@ -1,27 +1,27 @@
 """Friction as a scene gives it, a number, a law by name from `generated.effects` or a function: names and mistakes."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from generated.effects import LAWS
-from slipcircle.base.checks import mistakes, parameter_mistakes, shown
-from slipcircle.base.kinds import Names, Parameters
+from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
+from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 
+NAMES = tuple(LAWS)
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
 Law = tuple[str, Parameters]  # by name, with its parameters
+COEFFICIENT: Bounds = (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")
 
 
 def law_mistakes(given: Any) -> list[str]:
     """A sentence for each mistake in a scene's friction."""
     if callable(given):
         return []
-    if not isinstance(given, Mapping):
-        allowed = (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")
-        return mistakes({"friction": given}, {"friction": allowed})
-    faults = _named_faults(given, "friction", tuple(LAWS))
+    if not isinstance(given, MAPPING):
+        return mistakes({"friction": given}, {"friction": COEFFICIENT})
+    faults = _named_faults(given, "friction", NAMES)
     if faults or "rate" not in given:
         return faults
     if not may_have_rate(given["law"]):
@@ -31,7 +31,7 @@ def law_mistakes(given: Any) -> list[str]:
 
 def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
     """A sentence for each mistake in a law of speed that multiplies a law of slip, or the friction of all soils."""
-    if not isinstance(given, Mapping):
+    if not isinstance(given, MAPPING):
         return [f"{path} = {shown(given)}: must be a law of speed with its parameters"]
     return _named_faults(given, path, RATE_LAWS)
 
@@ -81,7 +81,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     """
     if callable(friction):
         return (("callable", {"function": friction}),)
-    if not isinstance(friction, Mapping):
+    if not isinstance(friction, MAPPING):
         return (("constant", {"coefficient": friction}),)
     rate = law_parts(friction["rate"]) if "rate" in friction else ()
     if "soils" in friction:
@@ -100,7 +100,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
 def law_paths(friction: Any) -> Names:
     """Where the numbers of each of `law_parts` are among the numbers of a scene."""
     first: Names = ("friction",)
-    if isinstance(friction, Mapping) and "soils" in friction:
+    if isinstance(friction, MAPPING) and "soils" in friction:
         first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
     with_rate = (*first, "friction.rate")
     count = len(law_parts(friction))

@@ -137,6 +137,11 @@ class Mass:
         fields = {name: getattr(self, name) for name in self.quantities}
         return fields | self.other_numbers()
 
+    @cached_property
+    def has_plain_numbers(self) -> bool:
+        """Whether each of its numbers is a float."""
+        return {float}.issuperset(map(type, self.numbers_by_name().values()))
+
     def other_numbers(self) -> dict[str, Any]:
         """Numbers beside those of its fields, by name: of the soils of a layered section."""
         return {}

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain, raise_all, shape_mistakes
-from slipcircle.base.kinds import Array, Effects, Numbers, Parameters, Values
+from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import effect_mistakes, named, resolved
@@ -22,6 +22,10 @@ from slipcircle.core.scene.mass import Mass
 
 One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
+START: Mapping[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
+PLAIN = frozenset((float, str, type(None)))
+END: Mapping[str, Bounds] = {"end_time": (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")}
+MAPS = {"uncertain": "from numbers to their distributions", "observed": "from outcomes to what was seen of them"}
 
 
 @dataclass(frozen=True)
@@ -145,23 +149,20 @@ class Scene(Generic[Numbers]):
                 effects[name] = resolved(name, parameters)
             except InputError as error:
                 faults += error.messages
-        if not faults:
+        if not (faults or self._has_plain_numbers):
             faults += shape_mistakes(self.numbers)
-        raise_all(f"Scene {self.name}".rstrip(), faults)
+        if faults:
+            raise_all(f"Scene {self.name}".rstrip(), faults)
 
     def _field_faults(self) -> list[str]:
         """What is wrong with how the scene starts and ends, and with what it asks for."""
-        bounds: dict[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
+        fields = vars(self)
+        faults = mistakes(fields, START)
         if self.end_time is not None:
-            bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
-        faults = mistakes(vars(self), bounds)
+            faults += mistakes(fields, END)
         faults += accuracy_mistakes(self.accuracy)
-        maps = {
-            "uncertain": "from numbers to their distributions",
-            "observed": "from outcomes to what was seen of them",
-        }
-        for name, which in maps.items():
-            if not isinstance(value := vars(self)[name], Mapping):
+        for name, which in MAPS.items():
+            if not isinstance(value := fields[name], MAPPING):
                 faults.append(f"{name} = {value!r}: must be a mapping {which}")
         return faults
 
@@ -219,17 +220,29 @@ class Scene(Generic[Numbers]):
         return numbers
 
     @cached_property
+    def _has_plain_numbers(self) -> bool:
+        """Whether it is given floats alone, as most single scenes are, so that `numbers` need not be asked."""
+        friction = self.friction
+        values: list[Any] = [self.initial_velocity, self.end_time]
+        values += friction.values() if type(friction) is dict else [friction]
+        assert isinstance(self.effects, dict)
+        for parameters in self.effects.values():
+            values += parameters.values()
+        return self.arc.has_plain_numbers and PLAIN.issuperset(map(type, values))
+
+    @cached_property
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
-        values = [value for value in self.numbers.values() if type(value) is not float]
-        return np.broadcast_shapes(*map(np.shape, values)) if values else ()
+        if self._has_plain_numbers:
+            return ()
+        return np.broadcast_shapes(*map(np.shape, self.numbers.values()))
 
 
 def _friction_numbers(friction: Any) -> dict[str, Any]:
     """The numbers of a friction, by name; functions and tables have none."""
     if callable(friction):
         return {}
-    if not isinstance(friction, Mapping):
+    if not isinstance(friction, MAPPING):
         return {"friction": friction}
     numbers = {}
     for path, (law, parameters) in zip(law_paths(friction), law_parts(friction), strict=True):

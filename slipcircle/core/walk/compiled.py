@@ -12,15 +12,14 @@ import numpy as np
 
 from generated import _compiled
 from generated import layout as ix
+from generated.layout import STRIDE
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
 from slipcircle.core.program.definitions import RESULTS
 from slipcircle.core.program.program import Log, Program, Samples
 from slipcircle.core.scene.piecewise import Data
 
-STRIDE = 42  # coefficients from one register to the next: the highest order that C takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
-LOWEST = 5  # order that it takes
 NOTES = 256  # events that one call may note
 _NOTHING = np.empty(0)
 
@@ -167,10 +166,9 @@ def integrate(
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
     code = encoded(program)
-    order = int(cells[ix.ORDER].max())
     left = 1
     while left:
-        left, noted = binary.integrate(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
+        left, noted = binary.integrate(code, pieces, cells, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
 
@@ -188,7 +186,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
     if count:
         code = encoded(program)
         pieces = _pieces(tables, count)
-        binary.integrate(code, pieces, cells, LOWEST, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
+        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
     return values
 
 

@@ -47,7 +47,8 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         engine().integrate(problem.program, problem.tables(), cells, samples, log)
         if problem.reach_farther(cells[ix.REACH_ROTATION]):
             continue
-        if (cells[ix.STATUS] < ix.TOO_LONG).all():
+        status = cells[ix.STATUS]
+        if status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
             return cells
         _go_on(problem, cells, samples, log)
         if not np.any(cells[ix.STATUS] == ix.NEED):

@@ -90,7 +90,7 @@ function solverOf(model, x) {
     fill(SLIP, row(3));
     Object.values(program.states).forEach((place, k) => fill(place, row(4 + k)));
     const of = put(cells), given = tables(rows), out = room(8 * lanes * program.registers);
-    x.integrate(codes[1], program.code.length, given, of, lanes, 5, 0, lanes, 1, 0, 0, 1, out);
+    x.integrate(codes[1], program.code.length, given, of, lanes, 0, lanes, 1, 0, 0, 1, out);
     const found = {}, values = numbers(out, lanes * program.registers).slice();
     for (const [name, place] of Object.entries(program.outputs)) found[name] = values.subarray(place * lanes, (place + 1) * lanes);
     while (held.length) x.leave(held.pop());
@@ -104,10 +104,9 @@ function solverOf(model, x) {
     orders.forEach((order, k) => { orders[k] = Math.round(order); });
     const count = times.length, height = 4 + Object.keys(program.states).length;
     const of = put(cells), given = tables(rows), at = put(times), out = room(8 * count * height);
-    const highest = Math.max(...orders);
     let left = 1;
     for (let calls = 0; left > 0 && calls < CALLS; calls += 1) {
-      left = x.integrate(codes[which], program.code.length, given, of, lanes, highest, 0, lanes, BUDGET,
+      left = x.integrate(codes[which], program.code.length, given, of, lanes, 0, lanes, BUDGET,
         count ? at : 0, count, 1, count ? out : 0);
     }
     const final = numbers(of, cells.length).slice(), states = numbers(out, count * height).slice();
