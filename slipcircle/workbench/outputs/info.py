@@ -11,12 +11,15 @@ import generated
 from generated._compiled import LEVEL
 from slipcircle.base import VERSION
 from slipcircle.base.optional import EXTRAS, install
+from slipcircle.core.program.program import build_program
+from slipcircle.core.walk.compiled import level, straight_line
 
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
-    found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
+    found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
+    found |= {"kernels": kernels, "integrator": integrator()}
     for library in ("numpy", *EXTRAS):
         try:
             found[library] = metadata.version(library)
@@ -29,6 +32,15 @@ def facts() -> dict[str, str]:
     for path in sorted(ours.glob("*.py")):
         found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
     return found
+
+
+def integrator() -> str:
+    """What integrates here: the level of the compiled integrator, and whether it has straight-line programs."""
+    if not level():
+        return "NumPy, not compiled"
+    commonest = build_program(("rotation", "centripetal"), ("constant",))
+    way = "straight-line where a program is common" if straight_line(commonest) else "interpreted"
+    return f"compiled, {level()}, {way}"
 
 
 def processor() -> str:
