@@ -76,6 +76,33 @@ def test_motions_of_softening_soils_are_those_of_another_integrator(
         assert solve(motion.plan.scene).run_out == pytest.approx(motion.run_out, rel=1e-11)
 
 
+@pytest.mark.parametrize("cohesion", [0.0, 5e4])
+def test_pore_pressure_that_travels_with_the_soils_lifts_the_mass_where_it_is_the_stress(cohesion: float) -> None:
+    """Pore pressure ratios with the strength of the mass: a number, while the stress falls as the mass turns."""
+    numbers = zip((18e3, 19e3, 17e3, 21e3), (0.9, 0.95, 0.85, 0.9), "abcd", strict=True)
+    soils = [Soil(weight, cohesion, 0.3, pore_ratio=ratio, name=name) for weight, ratio, name in numbers]
+    section = sloping(soils, strength="mass")
+    motion = solve(Scene(section, effects=TURNING, initial_velocity=12.0, end_time=20.0))
+    arc = AlongTheArc(section, section)
+    assert motion.lift_off
+    for time in motion.lift_off:
+        stress, pressure = arc.means(motion.at(time))
+        assert stress == pytest.approx(pressure, rel=1e-13)
+    stress, pressure = arc.means(motion.at(0.9 * motion.lift_off[0]))
+    assert stress > pressure
+
+
+def test_circles_with_other_unit_weights_are_weighed_anew() -> None:
+    """What a section has computed of its geometry is taken over by one with other soils, but for sums of weights."""
+    scene = Scene(replace(sloping(RICH), radius=np.array([48.0, 47.5])), effects=TURNING)
+    before = solve(scene).run_out
+    heavier, _ = with_parameter_arrays(scene, {"soils.b.unit_weight": np.array([25e3, 25e3])})
+    soils = [replace(soil, unit_weight=25e3) if soil.name == "b" else soil for soil in RICH]
+    anew = Scene(replace(sloping(soils), radius=np.array([48.0, 47.5])), effects=TURNING)
+    assert solve(heavier).run_out == pytest.approx(solve(anew).run_out, rel=1e-12)
+    assert np.all(np.abs(solve(anew).run_out - before) > 1e-3)
+
+
 def test_stretches_carry_the_means_along_the_arc() -> None:
     rng = np.random.default_rng(1)
     for section in (random_section(rng), random_section(rng), profile(ONE_SOIL)):

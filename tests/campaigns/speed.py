@@ -25,7 +25,8 @@ import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ign
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle import Scene, ensemble, solve, synthetic_records
+from slipcircle import Scene, ensemble, load, solve, synthetic_records
+from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.workbench.cost.rows import interleaved
 from slipcircle.workbench.outputs.info import machine
 from slipcircle.workbench.outputs.pictures import render
@@ -38,6 +39,8 @@ Floats = NDArray[np.float64]
 ACCURACY = 1e-9
 COUNT, MANY = 8_000, 1_000_000  # scenes
 SCALES = 64  # of a record
+GEOMETRIES = 2_000
+LAYERED: Scene[Any] = load("layered-slope")
 BATCHES = (4, 8, 16, 32)
 WIDE = ("avx512", "avx2")
 LEVEL = os.environ.get("SLIPCIRCLE_COMPILED", "")
@@ -156,7 +159,20 @@ def threads() -> Iterator[Row]:
     yield Row(f"a million on {cores} cores", "one thread", *map(median, zip(*turns, strict=True)))
 
 
-MEASURES: Sequence[Callable[[], Iterator[Row]]] = (ensembles, single_scenes, samples, records, threads)
+def layered(name: str) -> object:
+    """An ensemble of layered ground over one number, with what it takes to lay it out."""
+    values = float(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
+    scenes, invalid = with_parameter_arrays(LAYERED, {name: values})
+    return solve(scenes, ACCURACY, invalid=invalid).outcomes["run_out"]
+
+
+def layers() -> Iterator[Row]:
+    """A layered ensemble over its geometry, beside one over a soil's cohesion, which has one geometry."""
+    works = [partial(layered, name) for name in ("radius", "soils.clay.cohesion")]
+    yield Row("layered, over geometry", "over cohesion", *medians(works, GEOMETRIES))
+
+
+MEASURES: Sequence[Callable[[], Iterator[Row]]] = (ensembles, single_scenes, samples, records, layers, threads)
 
 
 def most_memory() -> float:
