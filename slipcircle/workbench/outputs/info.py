@@ -11,8 +11,7 @@ import generated
 from generated._compiled import LEVEL
 from slipcircle.base import VERSION
 from slipcircle.base.optional import EXTRAS, install
-from slipcircle.core.program.program import build_program
-from slipcircle.core.walk.compiled import level, straight_line
+from slipcircle.words import integrator
 
 
 def facts() -> dict[str, str]:
@@ -32,15 +31,6 @@ def facts() -> dict[str, str]:
     for path in sorted(ours.glob("*.py")):
         found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
     return found
-
-
-def integrator() -> str:
-    """What integrates here: the level of the compiled integrator, and whether it has straight-line programs."""
-    if not level():
-        return "NumPy, not compiled"
-    commonest = build_program(("rotation", "centripetal"), ("constant",))
-    way = "straight-line where a program is common" if straight_line(commonest) else "interpreted"
-    return f"compiled, {level()}, {way}"
 
 
 def processor() -> str:
