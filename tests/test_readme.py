@@ -126,6 +126,8 @@ def commands() -> list[str]:
 @pytest.mark.parametrize("line", commands())
 def test_every_command_of_the_table_runs(line: str, tmp_path: Path, monkeypatch: Any, said: Any) -> None:
     monkeypatch.chdir(tmp_path)
+    for name, value in QUICK.items():
+        monkeypatch.setattr(rows, name, value)
     Path("SLOPE.toml").write_text("[ground]\nheight_m = 10\nangle_deg = 26.6\nunit_weight_kN_m3 = 20\n[friction]\n"
                                   "angle_deg = 19.6\n[cohesion]\ncohesion_kPa = 3\n", "utf-8")  # fmt: skip
     Path("FOLDER").mkdir()

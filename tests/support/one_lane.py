@@ -44,8 +44,10 @@ def evaluated(e: Expr) -> Callable[[Mapping[str, Any]], Any]:
         return lambda known: known[base][int(index(known))]
     if isinstance(e, Sum):
         ((k, first, last),) = e.limits
-        term, low, high, index = parts[0], evaluated(first), evaluated(last), str(k)
-        return lambda known: sum((term({**known, index: x}) for x in range(int(low(known)), int(high(known)) + 1)), 0.0)
+        term, low, high, counter = parts[0], evaluated(first), evaluated(last), str(k)
+        return lambda known: sum(
+            (term({**known, counter: x}) for x in range(int(low(known)), int(high(known)) + 1)), 0.0
+        )
     if e.is_Symbol:
         return lambda known: known[name]
     if e.is_Rational:
