@@ -161,7 +161,7 @@ def threads() -> Iterator[Row]:
 
 def layered(name: str) -> object:
     """An ensemble of layered ground over one number, with what it takes to lay it out."""
-    values = float(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
+    values = np.asarray(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
     scenes, invalid = with_parameter_arrays(LAYERED, {name: values})
     return solve(scenes, ACCURACY, invalid=invalid).outcomes["run_out"]
 
