@@ -225,7 +225,7 @@ def test_states_on_the_way_are_read_where_samples_are_passed() -> None:
 @pytest.mark.parametrize("name", BACKENDS)
 def test_orders_between_samples_keep_the_accuracy(name: str) -> None:
     """Turning under a record, by steps that its samples cut short, beside a series in ball arithmetic."""
-    record = quake(7, 120)
+    record = quake(7, 120, 0.1)
     shaking = {"time": record.time.tolist(), "horizontal": record.values.tolist()}
     turning: dict[str, Any] = {"rotation": {}, "centripetal": {}}
     given = {"arc": oracle.plain(ARC), "friction": MU, "initial_velocity": 0.0, "end_time": None}
