@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "3708085c0acbe762259f25c3a0bf2d0038decc194cbae704b525f3f1cdcd0548"
+#define DIGEST "b9de124869619089151f45bf8d10ff1ac2bc4c318cbae52154b9f2cb8ead3cc1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -301,7 +301,7 @@ enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
-enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
+enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
 enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
@@ -1048,7 +1048,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
-#define NEGLIGIBLE 0x1.0000000000000p-56
+#define ROUNDING 0x1.0000000000000p-56
 #define LARGEST 0x1.f400000000000p+49
 #define CLOSEST 0x1.56e1fc2f8f359p-997
 #define SURE 0x1.ffffe00000000p-1
@@ -1514,10 +1514,25 @@ INLINE V normal_force(Batch *b)
     return force;
 }
 
-/* Whether a term does not count beside the largest one. */
-INLINE M negligible(V term, V largest)
+/* The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one. It is
+ * truncated after such a term times the step over the radius of convergence: in time as much as whole steps are. */
+static void find_negligible(Batch *b, unsigned lane)
 {
-    return (term <= (NEGLIGIBLE * largest)) & (largest > 0.0) & (largest < INFINITY);
+    V *const c = b->c;
+    c[NEGLIGIBLE][lane] = 1.0;
+    double n = c[ORDER][lane];
+    while (n > 0.0) {
+        c[NEGLIGIBLE][lane] = c[NEGLIGIBLE][lane] * c[FACTOR][lane];
+        n = n - 1.0;
+    }
+    c[NEGLIGIBLE][lane] = fmax(c[NEGLIGIBLE][lane], ROUNDING);
+}
+
+/* Whether a term does not count beside the largest one. */
+INLINE M is_negligible(Batch *b, V term, V largest)
+{
+    V *const c = b->c;
+    return (term <= (c[NEGLIGIBLE] * largest)) & (largest > 0.0) & (largest < INFINITY);
 }
 
 /* End the series that events read beyond each lane's order. */
@@ -1576,7 +1591,7 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     V *omega = at_rest ? (b->r + job->role->net) : (b->r + job->role->omega);
     V term_x = magnitude(x[n]) * power;
     V term_omega = magnitude(omega[n]) * power;
-    M counts = ~(negligible(term_x, c[LARGEST_X]) & negligible(term_omega, c[LARGEST_OMEGA]));
+    M counts = ~(is_negligible(b, term_x, c[LARGEST_X]) & is_negligible(b, term_omega, c[LARGEST_OMEGA]));
     c[LARGEST_X] = maximum(term_x, c[LARGEST_X]);
     c[LARGEST_OMEGA] = maximum(term_omega, c[LARGEST_OMEGA]);
     return counts;
@@ -1711,6 +1726,7 @@ static void start(Batch *b, unsigned lane)
     c[LIFTED][lane] = 0.0;
     c[FACED][lane] = 0.0;
     c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
+    find_negligible(b, lane);
     find_pieces(b, lane);
 }
 

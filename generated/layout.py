@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6e42e301421604c26da7dcc74d5e5a959de0d57129f076bd62cf625cea6f97a6
+# sha256 of the text below: 9d313e49c6e33552adecc71f9fdc5a65d647becc4efbdec147393f61b0d2d09d
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -32,8 +32,9 @@ PASSED = 25  # what the phase began by passing
 REST_SINCE = 26  # t* of the standstill that it rests from
 TURNS = 27  # phases that began against the one before
 LAST_WAY = 28  # direction of the last phase
-X = 29  # rotation since the phase began, in the direction of travel
-OMEGA = 30  # its rate, omega*
+NEGLIGIBLE = 29  # last terms of the series of a step that is cut short, over the largest
+X = 30  # rotation since the phase began, in the direction of travel
+OMEGA = 31  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
 PENDING = -17  # what it waits for before its next step
@@ -116,7 +117,7 @@ NOTE_LANDS = 4  # again
 CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', 'PHASES', 'ORDER', 'FACTOR', 'END_TIME',
     'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME',
     'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED', 'REST_SINCE', 'TURNS',
-    'LAST_WAY', 'x', 'omega')
+    'LAST_WAY', 'NEGLIGIBLE', 'x', 'omega')
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',

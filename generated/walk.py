@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: db748abfe2355b53675735a583cdc3d7e18cea035591a1dc43b4f8f2bc536356
+# sha256 of the text below: 3342e11eea4d0c1bf7fa8ff7d36cf913afd25e3b03386993f360130e6feaf432
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -237,7 +237,7 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
 EPS = 2.220446049250313e-16
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
-NEGLIGIBLE = 1.3877787807814457e-17
+ROUNDING = 1.3877787807814457e-17
 LARGEST = 1099511627776000.0
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
@@ -624,9 +624,28 @@ def normal_force(s: Lanes) -> Floats:
     return force
 
 
-def negligible(term: Floats, largest: Floats) -> Mask:
+def find_negligible(lane: Lanes, i: Index) -> None:
+    """The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one."""
+    c = lane.cells
+    c[ix.NEGLIGIBLE, i] = 1.0
+    n = c[ix.ORDER, i]
+    i_1, n_1 = (i, n.copy())
+    place_1 = np.arange(i.size)
+    while True:
+        i, n, place_1 = among(n > 0.0, i, n, place_1)
+        if not i.size:
+            break
+        c[ix.NEGLIGIBLE, i] = c[ix.NEGLIGIBLE, i] * c[ix.FACTOR, i]
+        n = n - 1.0
+        n_1[place_1] = n
+    i, n = (i_1, n_1)
+    c[ix.NEGLIGIBLE, i] = np.fmax(c[ix.NEGLIGIBLE, i], ROUNDING)
+
+
+def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
     """Whether a term does not count beside the largest one."""
-    return (term <= NEGLIGIBLE * largest) & (largest > 0.0) & (largest < INFINITY)
+    c = s.cells
+    return (term <= c[ix.NEGLIGIBLE] * largest) & (largest > 0.0) & (largest < INFINITY)
 
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
@@ -669,7 +688,8 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
     omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
     term_x = np.abs(x[n]) * power
     term_omega = np.abs(omega[n]) * power
-    counts = np.logical_not(negligible(term_x, c[ix.LARGEST_X]) & negligible(term_omega, c[ix.LARGEST_OMEGA]))
+    counts = np.logical_not(is_negligible(s, term_x, c[ix.LARGEST_X]) & is_negligible(s, term_omega,
+        c[ix.LARGEST_OMEGA]))
     c[ix.LARGEST_X] = np.maximum(term_x, c[ix.LARGEST_X])
     c[ix.LARGEST_OMEGA] = np.maximum(term_omega, c[ix.LARGEST_OMEGA])
     return counts
@@ -792,6 +812,7 @@ def start(lane: Lanes, i: Index) -> None:
     c[ix.LIFTED, i] = 0.0
     c[ix.FACED, i] = 0.0
     c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
+    find_negligible(lane, i)
     find_pieces(lane, i)
 
 

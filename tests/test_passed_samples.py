@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 
 from slipcircle import Motion, Scene, solve
 from slipcircle.tables import Series
+from tests.support import oracle, taylor
 from tests.support.blocks import ARC, GRAVITY, MU, exactly, factor, of_block, quake, series
 from tests.support.lanes import BACKENDS, backend
 
@@ -219,3 +220,19 @@ def test_states_on_the_way_are_read_where_samples_are_passed() -> None:
     read = motion.at(record.time)
     assert np.abs(read.displacement - places[:-1]).max() < 1e-13 * places[-1]
     assert np.abs(read.velocity - speeds).max() < 1e-13 * speeds.max()
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_orders_between_samples_keep_the_accuracy(name: str) -> None:
+    """Turning under a record, by steps that its samples cut short, beside a series in ball arithmetic."""
+    record = quake(7, 120, 0.1)
+    shaking = {"time": record.time.tolist(), "horizontal": record.values.tolist()}
+    turning: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+    given = {"arc": oracle.plain(ARC), "friction": MU, "initial_velocity": 0.0, "end_time": None}
+    exact = taylor.solve(given | {"effects": turning | {"shaking": shaking}}, digits=16)
+    lanes = Scene(ARC, np.full(2, MU), turning | {"shaking": {"horizontal": record}})
+    for accuracy in (1e-3, 1e-6, 1e-9, 1e-12):
+        with backend(name):
+            motion = solve(lanes, accuracy)
+        assert motion.run_out == pytest.approx(float(exact["run_out"]), rel=accuracy)
+        assert motion.duration == pytest.approx(float(exact["duration"]), rel=accuracy)

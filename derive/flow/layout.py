@@ -34,6 +34,7 @@ CELLS = {
     "REST_SINCE": "t* of the standstill that it rests from",
     "TURNS": "phases that began against the one before",
     "LAST_WAY": "direction of the last phase",
+    "NEGLIGIBLE": "last terms of the series of a step that is cut short, over the largest",
     "x": "rotation since the phase began, in the direction of travel",
     "omega": "its rate, omega*",
 }

@@ -1,7 +1,8 @@
 """What is said of a scene and its motion: equation, warnings, summary, error estimate."""
 
 from slipcircle.words.accuracy import ROUNDED, RUNS, perturbed_runs
+from slipcircle.words.choice import integrator
 from slipcircle.words.summary import standing
 from slipcircle.words.velocity import VelocityTimes
 
-__all__ = ["ROUNDED", "RUNS", "VelocityTimes", "perturbed_runs", "standing"]
+__all__ = ["ROUNDED", "RUNS", "VelocityTimes", "integrator", "perturbed_runs", "standing"]

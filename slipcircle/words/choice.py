@@ -7,9 +7,10 @@ from typing import NamedTuple
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan, Recipe
+from slipcircle.core.program.program import build_program
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
-from slipcircle.core.walk.compiled import straight_line
+from slipcircle.core.walk.compiled import level, straight_line
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
@@ -29,6 +30,15 @@ def words_of(plan: Plan) -> PlanWords:
     words = _words(plan.recipe)
     way = "straight-line" if straight_line(plan.program) else "interpreted"
     return words._replace(method=f"{words.method}; {way}")
+
+
+def integrator() -> str:
+    """What integrates here: the level of the compiled integrator, and whether it has straight-line programs."""
+    if not level():
+        return "NumPy, not compiled"
+    commonest = build_program(("rotation", "centripetal"), ("constant",))
+    way = "straight-line where a program is common" if straight_line(commonest) else "interpreted"
+    return f"compiled, {level()}, {way}"
 
 
 @cache

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
+from importlib import import_module
 from importlib.util import find_spec
 from multiprocessing import get_context
 from pathlib import Path
@@ -90,7 +91,8 @@ def ensembles() -> Iterator[Row]:
     """Ensembles of frictions on one core, beside heyoka's fastest batch."""
     mu = frictions(COUNT)
     for law in LAWS:
-        ways = [partial(together, law, ACCURACY), *(in_batches(law, ACCURACY, lanes) for lanes in BATCHES)]
+        ways: list[Callable[[Floats], Floats]] = [partial(together, law, ACCURACY)]
+        ways += (in_batches(law, ACCURACY, lanes) for lanes in BATCHES)
         ours, *theirs = medians([partial(way, mu) for way in ways], COUNT)
         fastest = int(np.argmin(theirs))
         yield Row(f"{COUNT} scenes, {law}", f"heyoka, batches of {BATCHES[fastest]}", ours, theirs[fastest])
@@ -134,13 +136,13 @@ def records() -> Iterator[Row]:
     if find_spec("numba") is None:
         print("records: not measured, as Numba is not installed", file=sys.stderr)
         return
-    from numba import njit  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    numba: Any = import_module("numba")
 
     (record,) = synthetic_records(1, arias=1.5, duration=12.0, seed=1).values()
     scales = np.linspace(0.5, 3.0, SCALES)
     shaken = Scene(blocks.ARC, blocks.MU, {"shaking": {"horizontal": record, "scale": scales}})
-    loop = partial(njit(block), record.values, record.time[1], blocks.factor()[1], scales)
-    works = [lambda: solve(shaken, ACCURACY).outcomes["peak_velocity"], loop]
+    loop = partial(numba.njit(block), record.values, record.time[1], blocks.factor()[1], scales)
+    works: list[Callable[[], object]] = [lambda: solve(shaken, ACCURACY).outcomes["peak_velocity"], loop]
     yield Row("a sample of a record", "Numba, rigid block", *medians(works, SCALES * record.time.size))
 
 
@@ -161,7 +163,7 @@ def threads() -> Iterator[Row]:
 
 def layered(name: str) -> object:
     """An ensemble of layered ground over one number, with what it takes to lay it out."""
-    values = float(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
+    values = np.asarray(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
     scenes, invalid = with_parameter_arrays(LAYERED, {name: values})
     return solve(scenes, ACCURACY, invalid=invalid).outcomes["run_out"]
 
@@ -264,7 +266,7 @@ def measured(level: str) -> list[Row]:
 def main() -> None:
     """Print the page, or what one level measures."""
     if LEVEL in WIDE:
-        rows = []
+        rows: list[Row] = []
         for measure in MEASURES:
             print(f"{LEVEL}: {measure.__name__}", file=sys.stderr)
             rows += measure()

@@ -23,7 +23,7 @@ from derive.flow.walk.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.walk.series import evaluate, normal_force
+from derive.flow.walk.series import evaluate, find_negligible, normal_force
 from derive.flow.walk.tables import begin_pieces, find_pieces, still_changes
 
 CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
@@ -76,6 +76,7 @@ def start(lane: Lane) -> None:
     lane.lifted = 0.0
     lane.faced = 0.0
     lane.pending = where(lane.omega > 0.0, Pending.START_MOVING, Pending.RESOLVE)
+    find_negligible(lane)
     find_pieces(lane)
 
 

@@ -3,6 +3,7 @@
 from derive.flow.walk.one_lane import (
     INFINITY,
     Kind,
+    Lane,
     Lanes,
     M,
     N,
@@ -25,7 +26,7 @@ from derive.flow.walk.one_lane import (
 )
 from derive.flow.walk.tables import expand_sine
 
-NEGLIGIBLE = 2.0**-56  # of the largest term of a series, which a term has to be below to end the series early
+ROUNDING = 2.0**-56  # of the largest term of a series, below which a term is rounding
 LARGEST = 1000.0 * 2.0**40  # log2 of a radius, as `log2_of` has it
 
 
@@ -53,9 +54,22 @@ def normal_force(s: Lanes) -> V:
     return force
 
 
-def negligible(term: V, largest: V) -> M:
+def find_negligible(lane: Lane) -> None:
+    """The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one.
+
+    It is truncated after such a term times the step over the radius of convergence: in time as much as whole steps are.
+    """
+    lane.negligible = 1.0
+    n = lane.order
+    while n > 0.0:
+        lane.negligible = lane.negligible * lane.factor
+        n = n - 1.0
+    lane.negligible = maximum(lane.negligible, ROUNDING)
+
+
+def is_negligible(s: Lanes, term: V, largest: V) -> M:
     """Whether a term does not count beside the largest one."""
-    return term <= NEGLIGIBLE * largest and largest > 0.0 and largest < INFINITY
+    return term <= s.negligible * largest and largest > 0.0 and largest < INFINITY
 
 
 def cut(s: Lanes, order: V, top: N) -> None:
@@ -94,7 +108,7 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
     omega = s.series.net if at_rest else s.series.omega
     term_x = abs(x[n]) * power
     term_omega = abs(omega[n]) * power
-    counts = not (negligible(term_x, s.largest_x) and negligible(term_omega, s.largest_omega))
+    counts = not (is_negligible(s, term_x, s.largest_x) and is_negligible(s, term_omega, s.largest_omega))
     s.largest_x = maximum(term_x, s.largest_x)
     s.largest_omega = maximum(term_omega, s.largest_omega)
     return counts

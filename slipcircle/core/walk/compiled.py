@@ -37,6 +37,14 @@ def _widest() -> int:
     return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
 
 
+def level() -> str:
+    """The kind of processor whose integrator runs here; empty where that is NumPy's."""
+    if module() is None:
+        return ""
+    names = {number: name for name, number in module().LEVELS.items()}
+    return names[_widest()]
+
+
 def straight_line(program: Program) -> bool:
     """Whether the compiled module has a function of this very program here, rather than to interpret it."""
     return module() is not None and module().straight_line(encoded(program), _widest()) >= 0

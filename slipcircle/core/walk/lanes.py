@@ -48,7 +48,7 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         if problem.reach_farther(cells[ix.REACH_ROTATION]):
             continue
         status = cells[ix.STATUS]
-        if status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
+        if not status.size or status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
             return cells
         _go_on(problem, cells, samples, log)
         if not np.any(cells[ix.STATUS] == ix.NEED):

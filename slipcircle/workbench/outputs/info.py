@@ -11,12 +11,14 @@ import generated
 from generated._compiled import LEVEL
 from slipcircle.base import VERSION
 from slipcircle.base.optional import EXTRAS, install
+from slipcircle.words import integrator
 
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
-    found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor(), "kernels": kernels}
+    found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
+    found |= {"kernels": kernels, "integrator": integrator()}
     for library in ("numpy", *EXTRAS):
         try:
             found[library] = metadata.version(library)
