@@ -22,8 +22,6 @@ from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
 from slipcircle.ground.coordinates import changed_fields, replace_unchecked
 from slipcircle.ground.ground import BOUNDS, FAR
-from slipcircle.layers.layers import LayeredSection
-from slipcircle.layers.soils import share_one_law
 
 ARC_UNITS = {
     "radius": "m",
@@ -91,7 +89,9 @@ _MOTION = (
 
 def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
-    every = [*_MOTION, *_parameters_of_arc(scene.arc), *_parameters_of_friction(scene.friction)]
+    every = [*_MOTION]
+    every += _parameters_of_arc(scene.arc)
+    every += _parameters_of_friction(scene.friction)
     for name, effect in declared.EFFECTS.items():
         every += _scalars(name, effect.parameters)
     return {parameter.name: parameter for parameter in every}
@@ -142,21 +142,12 @@ def _rests_at_zero(name: str) -> bool:
 
 
 def _left_out(scene: Scene) -> set[str]:
-    """Numbers of an arc or of soils on which a motion cannot depend, and those that others stand for."""
-    arc = scene.arc
+    """Numbers on which a motion cannot depend, and those that others stand for."""
     left_out = {"width"}
     if "shaking.peak" in scene.numbers:
         left_out.add("shaking.scale")
-    if getattr(arc, "given", None) is not None:
-        left_out |= {"theta_1", "theta_2"}
-    if not isinstance(arc, LayeredSection):
-        return left_out
-    lengths = [name for name in arc.other_numbers() if name.endswith(".friction.length")]
-    if share_one_law(arc.soils):
-        left_out.update(lengths[1:])
-    for soil, datum in zip(arc.soils, arc.datums, strict=True):
-        if datum is None:
-            left_out.add(f"soils.{soil.name}.cohesion_gradient")
+    of_mass = scene.arc.numbers_without_effect()
+    left_out.update(of_mass)
     return left_out
 
 

@@ -38,6 +38,10 @@ class GivenArc(Arc[Numbers]):
             return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
         return []
 
+    def numbers_without_effect(self) -> tuple[str, ...]:
+        """The coefficients are not those of its ends."""
+        return "theta_1", "theta_2"
+
     @cached_property
     def facing(self) -> Any:
         return choose(self.coefficients["weight_moment"] < 0.0, -1.0, 1.0)

@@ -51,6 +51,22 @@ class LayeredNumbers:
             numbers["crack"] = self.crack
         return numbers
 
+    def numbers_without_effect(self: Any) -> list[str]:
+        """Lengths for which that of the first soil stands, and growths of cohesion without a datum."""
+        left_out: list[str] = []
+        if share_one_law(self.soils):
+            for name in self.other_numbers():
+                if name.endswith(".friction.length"):
+                    left_out.append(name)
+            del left_out[:1]
+        soils = self.soils
+        datums = self.datums
+        for soil, datum in zip(soils, datums, strict=True):
+            if datum is None:
+                gradient = f"soils.{soil.name}.cohesion_gradient"
+                left_out.append(gradient)
+        return left_out
+
     def fields_with(self, values: Values) -> dict[str, Any]:
         """The fields that these numbers are of, with other values."""
         known = self.other_numbers()

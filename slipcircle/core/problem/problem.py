@@ -183,8 +183,8 @@ def solved_accuracy(accuracy: float, lanes: int) -> float:
 def order_and_step(accuracy: float) -> tuple[int, float]:
     """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence."""
     attainable = max(accuracy, 1e-16)
-    step, first_terms = (STEP, 2.0) if attainable > FINEST else (STEP_TO_ROUNDING, 3.0)
-    terms = math.ceil(first_terms + math.log(attainable) / math.log(step))
+    step = STEP if attainable > FINEST else STEP_TO_ROUNDING
+    terms = math.ceil(3.0 + math.log(attainable) / math.log(step))
     return max(terms, LOWEST), step
 
 

@@ -3,7 +3,7 @@
 Whatever implements it can be solved: nothing in the core asks what kind of mass it has.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
@@ -145,6 +145,10 @@ class Mass:
     def other_numbers(self) -> dict[str, Any]:
         """Numbers beside those of its fields, by name: of the soils of a layered section."""
         return {}
+
+    def numbers_without_effect(self) -> Collection[str]:
+        """Names of numbers on which no motion depends, and of those that another stands for."""
+        return ()
 
     def fields_with(self, values: Values) -> dict[str, Any]:
         """The fields that differ once some of these have other values."""
