@@ -112,7 +112,7 @@ def samples() -> Iterator[Row]:
     with ThreadPoolExecutor(1) as pool:
         study = partial(ensemble, uncertain, MANY, 1, pool, accuracy=ACCURACY)
         solved = partial(together, "constant", ACCURACY, np.tan(np.radians(angles)))
-        yield Row("`ensemble` of a million", "`solve` of as many", *medians([study, solved], MANY))
+        yield Row("a million samples by `ensemble`", "`solve` of as many", *medians([study, solved], MANY))
 
 
 def block(values: Floats, step: float, yields: float, scales: Floats) -> Floats:
