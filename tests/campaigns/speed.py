@@ -1,6 +1,6 @@
 """How long motions take, in ensembles and alone, beside other integrators, for every width of vectors.
 
-``python -m tests.campaigns.speed notebooks/speed.png >notebooks/speed.md`` writes what the book includes.
+``python -m tests.campaigns.speed [PICTURE]`` prints the table of the page on accuracy, and draws error against time.
 Needs heyoka, and for records Numba: pip install heyoka numba. A kind of processor that our binary has runs in a process
 of its own: AVX-512 in both, or vectors of 256 bits in both; heyoka knows the processor, though, and keeps its further
 registers and instructions.
@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 
 from slipcircle import Scene, ensemble, load, solve, synthetic_records
 from slipcircle.derivatives import with_parameter_arrays
-from slipcircle.workbench.cost.rows import interleaved
+from slipcircle.workbench.cost.rows import medians as median_seconds
 from slipcircle.workbench.outputs.info import machine
 from slipcircle.workbench.outputs.pictures import render
 from slipcircle.workbench.outputs.plotstyle import SERIES
@@ -84,7 +84,7 @@ def one_scene(law: str, mu: Floats) -> Floats:
 
 def medians(works: Sequence[Callable[[], object]], count: int = 1) -> list[float]:
     """Median seconds of one of so many, of each piece of work, in turns."""
-    return [median(taken) / count for taken in interleaved(works)]
+    return [seconds / count for seconds in median_seconds(works)]
 
 
 def ensembles() -> Iterator[Row]:
