@@ -92,8 +92,7 @@ class Profile(NamedTuple):
     @property
     def whole(self) -> Floats:
         """The integrals over the whole arcs, (integrals, columns, circles)."""
-        whole: Floats = self.before[-1].T
-        return whole
+        return self.before[-1].T
 
     def combined(self, weights: Floats) -> "Profile":
         """What presses, of one column that stands for all: their sum with weights, (columns, circles)."""

@@ -102,8 +102,7 @@ def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
     angles = np.diff(ends)
     parts = np.diff(integral, axis=-1)
     means = parts / angles
-    in_metres: Floats = means * _radius(section)
-    return in_metres
+    return means * _radius(section)
 
 
 def _one_lane(section: LayeredSection) -> None:
@@ -143,8 +142,7 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
     by_surface = up_to * section.weight_steps
-    total: Floats = by_surface.sum(axis=0)
-    return total
+    return by_surface.sum(axis=0)
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:

@@ -110,14 +110,12 @@ class ArcStrength(StretchIntegrals):
     def _at_start(self, name: str, quantity: Floats) -> Floats:
         """A quantity of the soils times what presses on their stretches, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
-        total: Floats = by_soil.sum(axis=0)
-        return total
+        return by_soil.sum(axis=0)
 
     @property
     def _normal_load(self) -> Floats:
         """J_r at the start, (lanes,)."""
-        load: Floats = -self.section._weighted_moments["radial_y"]
-        return load
+        return -self.section._weighted_moments["radial_y"]
 
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
@@ -267,8 +265,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _theta(self) -> Floats:
-        inertia: Floats = self.section._weighted_moments["inertia"]
-        return inertia
+        return self.section._weighted_moments["inertia"]
 
     @property
     def _weight_scale(self) -> Floats:
