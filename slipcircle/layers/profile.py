@@ -92,7 +92,8 @@ class Profile(NamedTuple):
     @property
     def whole(self) -> Floats:
         """The integrals over the whole arcs, (integrals, columns, circles)."""
-        return self.before[-1].T
+        whole: Floats = self.before[-1].T
+        return whole
 
     def combined(self, weights: Floats) -> "Profile":
         """What presses, of one column that stands for all: their sum with weights, (columns, circles)."""

@@ -102,7 +102,8 @@ def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
     angles = np.diff(ends)
     parts = np.diff(integral, axis=-1)
     means = parts / angles
-    return means * _radius(section)
+    in_metres: Floats = means * _radius(section)
+    return in_metres
 
 
 def _one_lane(section: LayeredSection) -> None:
@@ -142,7 +143,8 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
     by_surface = up_to * section.weight_steps
-    return by_surface.sum(axis=0)
+    total: Floats = by_surface.sum(axis=0)
+    return total
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:

@@ -110,12 +110,14 @@ class ArcStrength(StretchIntegrals):
     def _at_start(self, name: str, quantity: Floats) -> Floats:
         """A quantity of the soils times what presses on their stretches, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
-        return by_soil.sum(axis=0)
+        total: Floats = by_soil.sum(axis=0)
+        return total
 
     @property
     def _normal_load(self) -> Floats:
         """J_r at the start, (lanes,)."""
-        return -self.section._weighted_moments["radial_y"]
+        load: Floats = -self.section._weighted_moments["radial_y"]
+        return load
 
     def _mean(self, quantity: Floats) -> Floats:
         """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
@@ -265,7 +267,8 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _theta(self) -> Floats:
-        return self.section._weighted_moments["inertia"]
+        inertia: Floats = self.section._weighted_moments["inertia"]
+        return inertia
 
     @property
     def _weight_scale(self) -> Floats:

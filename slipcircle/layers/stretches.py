@@ -186,7 +186,8 @@ class StretchIntegrals:
         start = np.clip(first, -reach, reach)
         end = np.clip(b, -reach, reach)
         above_level = level * (end - start)
-        return above_level + np.sin(end) - np.sin(start)
+        integral: Floats = above_level + np.sin(end) - np.sin(start)
+        return integral
 
     def growth(self, rotation: Floats) -> Floats:
         """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
@@ -208,7 +209,8 @@ class StretchIntegrals:
             parts = parts + at_exit
         above_entry = np.maximum(first - entry, 0.0)
         at_entry = self._held_value(self.stretches.first, first, above_entry)
-        return parts + at_entry
+        beyond_both_ends: Floats = parts + at_entry
+        return beyond_both_ends
 
     def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
         """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
@@ -257,7 +259,8 @@ class StretchIntegrals:
         at_entry = of_soil[joints.first]
         at_joints = before - after
         by_soil = np.stack([*at_joints, at_exit, -at_entry])
-        return by_soil.transpose(0, 2, 1)
+        incidence: Floats = by_soil.transpose(0, 2, 1)
+        return incidence
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:
