@@ -48,7 +48,7 @@ SHARES = np.tile(_MIDDLES[:, None], RUNS)
 
 @lru_cache(maxsize=256)
 def _moves(program: Program, rounding: float) -> Floats:
-    """By what each run multiplies each input of the program to move it by rounding, (cells, 8); 1 for the motion."""
+    """By what each run multiplies cells, (cells, 8): inputs of the program to move them by rounding, and its steps."""
     inputs = program.cells[len(ix.CELLS) : program.given]
     moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
     for table in program.tables:
@@ -59,7 +59,9 @@ def _moves(program: Program, rounding: float) -> Floats:
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
         signs[cell, 1:] = SIGNS[:, factor]
-    return 1.0 + rounding * signs
+    factors = 1.0 + rounding * signs
+    factors[ix.FACTOR] = LONGER
+    return factors
 
 
 def _is_of_table(cell: str) -> bool:
@@ -75,7 +77,6 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     """
     cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
     cells[ix.ORDER] += FURTHER[runs]
-    cells[ix.FACTOR] *= LONGER[runs]
     return cells
 
 

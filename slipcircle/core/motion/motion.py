@@ -3,19 +3,18 @@
 Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
+import math
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cached_property
-from math import prod
 from typing import Any, Generic, Self
 
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import choose, may_overflow
+from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
-from slipcircle.base.kinds import Numbers
+from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import State, Status
 from slipcircle.core.motion.trajectory import Trajectory
@@ -140,6 +139,13 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
                 "duration": self._duration,
             }
         return {name: self._known(value) for name, value in values.items()}
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether a single motion has a result, and neither that nor its energy at the start overflows."""
+        speed = plain(self.plan.scene.initial_velocity)
+        outcomes: Mapping[str, Any] = self.outcomes
+        return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
     @property
     def duration(self) -> Numbers:
@@ -341,5 +347,5 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         if name:
             name += ": "
         if self.shape:
-            return f"<{prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
+            return f"<{math.prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
         return f"<Motion {name}{room('summary').summary(self)}>"

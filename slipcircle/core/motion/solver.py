@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
 from slipcircle.core.motion.motion import Motion
@@ -57,8 +56,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
-    speed = plain(scene.initial_velocity)
-    if not (scene.shape or (motion.is_finite and math.isfinite(speed * speed))):
+    if not (scene.shape or motion.is_finite):
         raise room("refusal").refusal(motion)
     return motion
 

@@ -3,8 +3,6 @@
 Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
 """
 
-import math
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.base.kinds import cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan
@@ -35,13 +34,6 @@ class Trajectory:
         self._time_scale = plan.scene.arc.time_scale
         if problem is not None:
             self.problem = problem
-
-    @property
-    def is_finite(self) -> bool:
-        """Whether a single motion has a result, and that does not overflow."""
-        angular_velocity = self._final[ix.PEAK_OMEGA] / self._time_scale
-        run_out = self._radius * self._final[ix.END_ROTATION]
-        return self._solved and math.isfinite(run_out + self._radius * angular_velocity)
 
     @cached_property
     def _history(self) -> Any:
