@@ -138,7 +138,7 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     in_middle = (left + margin < times) & (times < right - margin)
     inside = in_middle & (low < values) & (values < high)
     shown = inside if np.any(inside) else slice(None)
-    return np.asarray(points_of(times[shown], values[shown]))
+    return points_of(times[shown], values[shown])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:

@@ -127,7 +127,7 @@ class SuiteStudy(Pictured):
 
     def _by_record(self, scale: int) -> Floats:
         """Displacement of each record at a scale, m: mean of polarities, median of samples."""
-        return np.asarray(np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1))
+        return np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
 
     def fragility(self) -> list[FragilityCurve]:
         """Lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""
