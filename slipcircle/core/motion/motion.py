@@ -337,10 +337,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
-            return type(self)(plan, self._final[(slice(None), *rows)], [], invalid)
-        log: list[Any] = []  # of which an ensemble keeps none, so that the lane is solved again
-        problem = problem_of(plan, invalid)
-        return type(self)(plan, integrate(problem, log=log)[:, 0].tolist(), log, invalid, problem)
+            return type(self)(plan, self._final[(slice(None), *rows)], invalid)
+        problem = problem_of(plan, invalid)  # alone a lane is solved to rounding
+        return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
         name = self.plan.scene.name

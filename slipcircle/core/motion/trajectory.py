@@ -15,7 +15,6 @@ from slipcircle.core.doors import room
 from slipcircle.core.motion.states import STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.program import Log
 
 
 class Trajectory:
@@ -24,12 +23,11 @@ class Trajectory:
     Cells are of the scene's shape, (cells, *shape); of a single scene they are numbers.
     """
 
-    def __init__(self, plan: Plan, final: Any, log: Log, invalid: Any = False, problem: Problem | None = None) -> None:
+    def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
         self.plan = plan
         self.shape: tuple[int, ...] = plan.scene.shape
         self.invalid = invalid
         self._final = final
-        self._log = log
         self._radius = plain(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
         if problem is not None:
