@@ -1,6 +1,6 @@
 """How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from operator import truediv
@@ -145,9 +145,8 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     if not (end_alike and move_alike):
         return 1.0, True
     durations = end_times if _ends_in_time(final) else rests
-    speeds = map(abs, peaks)
-    rows = durations, run_outs, [*speeds]
-    greatest = [*map(_farthest, rows, of_motion)]
+    rows = durations, run_outs, [*map(abs, peaks)]
+    greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
         rotation_and_velocity = states[:2]
         of_run_0 = rotation_and_velocity[:, :, :1]
@@ -156,13 +155,6 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
         greatest += np.fmax.reduce(of_each, axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in (*of_motion, *of_motion[1:])]
     return max(map(truediv, greatest, sizes)), False
-
-
-def _farthest(values: Sequence[float], of_motion: float) -> float:
-    """How far the value of any run is from that of the motion."""
-    above = max(values) - of_motion
-    below = of_motion - min(values)
-    return max(above, below)
 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:

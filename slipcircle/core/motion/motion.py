@@ -204,7 +204,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def _varies_in_time(self) -> bool:
-        return any(table.kind == "time" for table in self.plan.program.tables)
+        return any(table.kind == "time" for table in self.problem.program.tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
         """A state of each lane from its final cells; where it is not moving, without speed and rate."""

@@ -114,7 +114,7 @@ class Trajectory:
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any, stress: Any) -> State:
         """A state in SI units from dimensionless numbers of the shape of the time."""
-        axes = np.ndim(time) - len(self.shape)
+        axes = getattr(time, "ndim", 0) - len(self.shape)
         scale = before(self._time_scale, axes)
         radius = before(self._radius, axes)
         with may_overflow(self.shape):
