@@ -22,7 +22,7 @@ else:
     Numbers = TypeVar("Numbers", covariant=True)
 
     class cached_property(functools.cached_property):
-        """Without the lock that it has before Python 3.12, which takes a microsecond."""
+        """For the way of a single scene: without the lock that it has before Python 3.12, which takes a microsecond."""
 
         def __get__(self, instance, owner=None):
             if instance is None:

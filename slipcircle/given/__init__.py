@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import choose, mistakes
-from slipcircle.base.kinds import Effects, Numbers, cached_property
+from slipcircle.base.kinds import Effects, Numbers
 from slipcircle.core import GIVEN, Arc, Dimensionless
 
 __all__ = ["GivenArc"]

@@ -1,12 +1,13 @@
 """The geometry of sections: the arc that a circle cuts off a ground, and the mass above it."""
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
 
 import slipcircle.ground.circles as circles
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.ground.circles import Cut
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.heights import HeightIntegrals, height_integrals, integral_inside

@@ -4,6 +4,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, fields
+from functools import cached_property
 from itertools import chain
 from typing import Any, ClassVar
 
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, raise_all
-from slipcircle.base.kinds import Effects, Floats, cached_property
+from slipcircle.base.kinds import Effects, Floats
 from slipcircle.core.doors import room
 from slipcircle.core.scene.effects import rotates
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients

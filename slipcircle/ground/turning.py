@@ -1,11 +1,12 @@
 """Where a rotation about the centre brings the mass of a section."""
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.ground.plane import Vectors
 
 

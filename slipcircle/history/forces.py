@@ -1,12 +1,13 @@
 """Forces on the mass, at the start and along the way, as its program says them where phases begin in its states."""
 
+from functools import cached_property
 from typing import Any, NamedTuple, Self
 
 import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Program
 from slipcircle.core.walk.compiled import engine

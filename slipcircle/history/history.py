@@ -4,7 +4,7 @@ The integration keeps a few cells of each lane's end; what happens on the way is
 """
 
 from dataclasses import replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.core.motion.states import State
 from slipcircle.core.motion.trajectory import Trajectory, before
 from slipcircle.core.problem.plan import recipe_of

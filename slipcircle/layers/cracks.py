@@ -5,13 +5,14 @@ ground changes.
 """
 
 from collections.abc import Iterator
+from functools import cached_property
 from itertools import chain
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.checks import Fault, complaint, raise_all
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.ground.errors import geometry_errors
 from slipcircle.ground.plane import each_lane

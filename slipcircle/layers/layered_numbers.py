@@ -5,12 +5,13 @@ first point; ``surcharge.1.pressure``, the greater one of both ends; ``crack``; 
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from generated.effects import LAWS
-from slipcircle.base.kinds import Values, cached_property
+from slipcircle.base.kinds import Values
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
 

@@ -11,13 +11,14 @@ from __future__ import annotations  # so that a signature says ArrayLike
 import operator
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
-from slipcircle.base.kinds import Effects, Floats, Names, Values, cached_property
+from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.mass import Farther

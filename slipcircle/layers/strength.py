@@ -10,11 +10,12 @@ What this is more than with the mean friction coefficient on the whole arc is ha
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
+from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.scene.effects import OF_SOIL
 from slipcircle.layers.soils import Soil, distinct, share_one_law
 from slipcircle.layers.stretches import StretchIntegrals

@@ -9,11 +9,12 @@ so that only C at the joints depends on the rotation, and only the differences o
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Integers, cached_property
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
 
 # What sections that differ in numbers of soils alone have in common.

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 from generated.flow import FRAGMENTS
 from generated.layout import CELLS, TABLE
-from slipcircle.base.kinds import Floats, Names, cached_property
+from slipcircle.base.kinds import Floats, Names
 from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, definitions_of
 from slipcircle.core.program.linker import EVENTS, Linked, link
 

@@ -8,13 +8,13 @@ list that it stands in, the number of its point from 0, and x or y: ``ground.poi
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.base.kinds import cached_property
 from slipcircle.core import Scene, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection

@@ -6,12 +6,13 @@ Lines are (1 or n, V, 2) for n slopes, and numbers () or (n,). Beyond both ends 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.ground import continued
 from slipcircle.layers import edge_below, line_crossings
 

@@ -6,13 +6,14 @@ and exceed every threshold: quantiles among them are infinite, and statistics th
 
 import math
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.forms import Pictured
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
 from slipcircle.core import Motion, Scene, Status
 from slipcircle.workbench.common.markup import Raw, table, tag

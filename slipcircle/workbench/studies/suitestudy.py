@@ -3,13 +3,14 @@
 import math
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.forms import Pictured
-from slipcircle.base.kinds import Floats, cached_property
+from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, Status, solve
