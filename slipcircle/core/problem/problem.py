@@ -252,7 +252,7 @@ class Numbers:
         pushed = velocity != 0.0
         upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in plan.recipe.effects
         tolerance = plan.accuracy / 100 if lanes > 1 else FINEST
-        tables, farther = self.mass.tables(scene.called, scene.friction, upslope, tolerance)
+        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance)
         for name, table in tables.items():
             self.add_table(name, self._of_lanes(table), factor=self.start[f"{name}.SCALED_BY"])
         if farther is None:

@@ -165,20 +165,25 @@ class Scene(Generic[Numbers]):
                 faults.append(f"{name} = {value!r}: must be a mapping {which}")
         return faults
 
+    @cached_property
+    def law(self) -> Any:
+        """The friction that it is given, or that of the soils of its mass."""
+        return self.friction if self.arc.friction is None else self.arc.friction
+
     def of_means(self) -> Scene:
         """The same scene, in which stresses are means over the arc, not weighted by the friction of soils."""
         called = self.arc.effects_of_means(self.called)
         if called is self.called:
             return self
         other = copy(self)
-        vars(other).update(called=called, friction={"law": "constant", "coefficient": 0.0})
+        vars(other).update(called=called, law={"law": "constant", "coefficient": 0.0})
         vars(other).pop("laws", None)
         return other
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:
         """The laws that its friction is a product of, each with its parameters."""
-        return law_parts(self.friction)
+        return law_parts(self.law)
 
     @property
     def until(self) -> Any:
