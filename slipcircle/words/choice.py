@@ -33,11 +33,13 @@ def words_of(plan: Plan) -> PlanWords:
 
 def integrator() -> str:
     """What integrates here: compiler and level of the integrator, lanes of a vector, straight-line programs or not."""
-    if not level():
+    kind = level()
+    if not kind:
         return "NumPy, not compiled"
-    lanes, straight = module().TRAITS[level()]
+    binary = module()
+    lanes, straight = binary.TRAITS[kind]
     way = "common programs straight-line" if straight else "interpreted"
-    return f"compiled ({module().COMPILER}), {level()}, {lanes} lanes, {way}"
+    return f"compiled ({binary.COMPILER}), {kind}, {lanes} lanes, {way}"
 
 
 @cache
