@@ -7,7 +7,7 @@ scene's own shape: nothing here knows a law or an effect.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
 from slipcircle.base.checks import choose, may_overflow, plain
-from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan, Recipe
 from slipcircle.core.program.program import Program, build_program
