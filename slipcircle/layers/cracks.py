@@ -62,7 +62,8 @@ class CrackedSection(Section):
         whole = self._uncracked
         _, centre, radius = whole._circle
         left, right = whole._ends
-        return centre[:, 0] + radius * crack_place(self._lowered_ground, left.x, right.x, whole._facing)
+        over_radius = crack_place(self._lowered_ground, left.x, right.x, whole._facing)
+        return centre[:, 0] + radius * over_radius
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
@@ -124,9 +125,13 @@ def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Flo
     Grounds are (n, V, 2), from the centre, over R, the ends of arcs at left and right; NaN where it does not.
     """
     x = arc_crossings(lowered_ground)
-    inside = (x > left[:, None]) & (x < right[:, None])
-    from_left = np.where(inside, x, np.inf).min(axis=1)
-    from_right = np.where(inside, x, -np.inf).max(axis=1)
+    first = left[:, None]
+    last = right[:, None]
+    inside = (x > first) & (x < last)
+    or_right = np.where(inside, x, np.inf)
+    or_left = np.where(inside, x, -np.inf)
+    from_left = or_right.min(axis=1)
+    from_right = or_left.max(axis=1)
     place = np.where(facing > 0.0, from_left, from_right)
     return np.where(np.isfinite(place), place, np.nan)
 

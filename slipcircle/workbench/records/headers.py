@@ -79,7 +79,8 @@ def _at2(name: str, first: list[str]) -> Header | None:
     head = next((k for k, line in enumerate(first[:10], 1) if "NPTS" in line.upper() and "DT" in line.upper()), 0)
     if not head:
         return None
-    above, line = " ".join(first[:head]).upper(), first[head - 1].upper()
+    above = " ".join(first[:head]).upper()
+    line = first[head - 1].upper()
     if "VELOCITY" in above or "DISPLACEMENT" in above:
         raise ValueError(f"{name}: its header says that it holds no acceleration; take the AT2 file of the record")
     number = r"([-+]?\d*\.?\d+(?:[ED][-+]?\d+)?)"
@@ -131,8 +132,10 @@ def _knet(name: str, first: list[str]) -> Header | None:
         raise ValueError(
             f"{name}: its header must say Sampling Freq(Hz), Duration Time(s), and Scale Factor as in 3920(gal)/6182761"
         )
-    rate, scale = float(frequency[0]), float(numbers[1]) / float(numbers[2])
-    return Header(head, round(rate * float(seconds[0])), 1.0 / rate, "cm/s2", scale, about_mean=True)
+    rate = float(frequency[0])
+    scale = float(numbers[1]) / float(numbers[2])
+    samples = round(rate * float(seconds[0]))
+    return Header(head, samples, 1.0 / rate, "cm/s2", scale, about_mean=True)
 
 
 _COSMOS_DATA = re.compile(
@@ -155,7 +158,8 @@ def _cosmos(name: str, first: list[str]) -> Header | None:
     if described is None:
         return None
     head, data = described
-    samples, seconds = int(data["samples"]), float(data["seconds"])
+    samples = int(data["samples"])
+    seconds = float(data["seconds"])
     reals = _cosmos_reals(first)
     steps = [reals.get(_STEP_MS, 0.0) / 1e3, reals.get(_STEP_S, 0.0)]
     fitting = [step for step in steps if step > 0.0 and abs(samples * step - seconds) <= 1.0 + 0.02 * seconds]
@@ -249,8 +253,10 @@ def header_of(name: str, first: list[str]) -> tuple[str, Header] | None:
             continue
         unit = unit_of(header.units) if header.units else ""
         if unit is None:
-            raise ValueError(f"{name}: its header says the unit {header.units!r}: must be one of {ACCELERATION.choice}")
-        if header.samples < 1 or not 0.0 < header.step < INFINITY:
+            choice = f"must be one of {ACCELERATION.choice}"
+            raise ValueError(f"{name}: its header says the unit {header.units!r}: {choice}")
+        is_step = 0.0 < header.step < INFINITY
+        if header.samples < 1 or not is_step:
             told = f"{header.samples} samples with a step of {header.step:g} s"
             raise ValueError(f"{name}: its header says {told}: must be one at least, and a positive time")
         return kind, header._replace(units=unit)

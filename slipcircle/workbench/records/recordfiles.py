@@ -166,8 +166,11 @@ def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int
     end = next(ends, len(below))
     if any(" acceleration pts" in line.lower() for line in below[end:]):
         raise ValueError(f"{name}: holds several channels; save each in a file")
-    apart = [" ".join(fixed_columns([row], header.width)) for row in below[:end]]
-    return _values(name, "\n" * header.lines + "\n".join(apart), header.lines, None)
+    fields = [fixed_columns([row], header.width) for row in below[:end]]
+    apart = map(" ".join, fields)
+    above = header.lines * [""]
+    separated = "\n".join([*above, *apart])
+    return _values(name, separated, header.lines, None)
 
 
 class _TableHead(NamedTuple):
