@@ -136,9 +136,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
                 "reach": self._radius * final[ix.REACH_ROTATION],
                 "run_out": self._radius * final[ix.END_ROTATION],
                 "peak_velocity": self._radius * angular_velocity,
-                "duration": self._duration,
             }
-        return {name: self._known(value) for name, value in values.items()}
+        known = {name: self._known(value) for name, value in values.items()}
+        return known | {"duration": self._duration}
 
     @property
     def is_finite(self) -> bool:
