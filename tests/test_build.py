@@ -10,6 +10,7 @@ import sys
 import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,6 +24,7 @@ from tests.support.kernels import COMPILED, LEVELS, needs_binary
 from tests.support.lanes import BINARY
 
 ROOT = Path(__file__).parents[1]
+QUICKLY = ("-O0", *build.FLAGS[1:])  # to compile, where it does not matter how fast loops are
 
 
 def compiler() -> list[str]:
@@ -102,18 +104,18 @@ print(_compiled.LEVEL, *(str(w.message) for w in caught), sep="\\n")
 def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
     """With one warning that says what to do; NumPy serves. So it does, silently, when asked to."""
     folder = small(tmp_path / "generated")
-    binary = build.build(folder)
+    binary = build.build(folder, QUICKLY)
     level, warned = served(tmp_path)
     assert (level, warned) == (COMPILED[0], [])
     assert served(tmp_path, SLIPCIRCLE_COMPILED="0") == ("numpy", [])
     stamp = binary.stat().st_mtime_ns
-    assert build.build(folder).stat().st_mtime_ns == stamp  # made of this source: left alone
+    assert build.build(folder, QUICKLY).stat().st_mtime_ns == stamp  # made of this source: left alone
     small(folder, lambda text: text + "/* later */\n")
     level, (warning,) = served(tmp_path)
     assert level == "numpy"
     assert "another source" in warning
     assert "python -m derive" in warning
-    build.build(folder)
+    build.build(folder, QUICKLY)
     assert served(tmp_path) == (COMPILED[0], [])
     whole = binary.read_bytes()
     for broken in (b"no binary", whole[:-1]):
@@ -169,8 +171,47 @@ def test_other_processors_compile_one_program_plainly(tmp_path: Path, fma: str, 
             text = text.replace(known, value)
         return text
 
-    build.build(small(tmp_path / "generated", elsewhere), (*build.FLAGS, *flags))
+    build.build(small(tmp_path / "generated", elsewhere), (*QUICKLY, *flags))
     assert served(tmp_path) == (level, [])
+
+
+GARBAGE = 'while [ $# -gt 0 ]; do [ "$1" = -o ] && echo garbage >"$2"; shift; done'
+COMPILERS = {  # what they do as programs of a shell, and what is said of them
+    "exit 3": "fails: nothing is written, status 3",
+    "exit 0": "fails: nothing is written, status 0",
+    "kill -9 $$": "fails: nothing is written, status -9",
+    "echo 'no room: error' >&2; exit 1": "fails: no room: error",
+    GARBAGE: "does not load: ImportError",
+    "": "Exec format error",
+}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a POSIX shell")
+@pytest.mark.parametrize("does", COMPILERS)
+def test_a_compiler_that_fails_leaves_numpy_and_one_line(does: str, tmp_path: Path, monkeypatch: Any) -> None:
+    """Whatever it fails at, nothing is raised, and no binary is left to be refused later."""
+    (script := tmp_path / "compiler").write_text(f"#!/bin/sh\n{does}\n" if does else "no program", "utf-8")
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    monkeypatch.setattr(build, "MODULES", ["_kernels"])
+    folder = small(tmp_path / "generated")
+    binaries, outcome = build.build_all(folder)
+    assert not binaries
+    assert outcome.startswith("NumPy serves, `slipcircle info` says how fast: ")
+    assert COMPILERS[does] in outcome
+    assert "\n" not in outcome
+    assert not list(folder.glob(".*"))
+    assert served(tmp_path) == ("numpy", [])
+
+
+@pytest.mark.parametrize("command", ["no-such-compiler", "'cc"])
+def test_a_compiler_that_is_none_is_named_once(command: str, tmp_path: Path, monkeypatch: Any) -> None:
+    for name in build.MODULES:
+        (tmp_path / f"{name}.c").write_text('"no digest"', "utf-8")
+    monkeypatch.setenv("CC", command)
+    binaries, outcome = build.build_all(tmp_path)
+    assert not binaries
+    assert outcome.count("NumPy serves") == outcome.count(command) == 1
 
 
 def test_without_a_compiler_of_the_machine_that_of_the_package_index_serves(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -205,7 +246,7 @@ def test_every_processor_shows_the_same_digits(name: str) -> None:
 def test_a_binary_stands_for_its_source(tmp_path: Path) -> None:
     """As in a wheel of a platform: nothing is compiled, and only this text counts as present."""
     folder = small(tmp_path / "generated")
-    binary = build.build(folder)
+    binary = build.build(folder, QUICKLY)
     source = folder / "_kernels.c"
     text = source.read_text("utf-8")
     assert not build.has_binary_alone(source.name, text, folder)
