@@ -31,8 +31,8 @@ class _Sum(NamedTuple):
 class _Target(NamedTuple):
     """How a language writes operations on series: statements, zero, and sums, of which some have weights.
 
-    Of a sum the terms with coefficient n of an argument, k = 0 and k = n, are added last where they have a form of their
-    own: what is known longer does not wait for them.
+    Of a sum the terms with coefficient n of an argument, k = 0 and k = n, are added last where they have a form: what
+    is known longer does not wait for them.
     """
 
     language: Language

@@ -17,7 +17,8 @@ from slipcircle.core.motion.states import State
 from slipcircle.core.motion.trajectory import Trajectory, before
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.walk.lanes import States, read
+from slipcircle.core.program.program import Log
+from slipcircle.core.walk.lanes import States, integrate, read
 from slipcircle.history.forces import Forces
 from slipcircle.history.phases import Energy, Phase
 
@@ -202,13 +203,21 @@ class History:
             dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
         )
 
+    @cached_property
+    def _events(self) -> Log:
+        """What happens on the way of a single motion."""
+        log: Log = []
+        if not self.shape:
+            integrate(self.problem, log=log)
+        return log
+
     def lift_off(self) -> tuple[float, ...]:
         """`Motion.lift_off`."""
         scale = self._time_scale
         times = list[float]()
         lifted = False
         resumed = -1.0
-        for event, time, _, _ in self.motion._log:
+        for event, time, _, _ in self._events:
             lifts = event == ix.NOTE_LIFTS
             if lifts and not lifted and resumed != time:
                 times.append(time * scale)
@@ -222,7 +231,7 @@ class History:
         scale = self._time_scale
         last = self.motion._settling_time
         phases = list[Phase]()
-        for event, time, rotation, direction in self.motion._log:
+        for event, time, rotation, direction in self._events:
             if event == ix.NOTE_BEGINS:
                 phase = Phase(time * scale, last, rotation, int(direction))
                 phases.append(phase)

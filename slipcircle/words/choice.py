@@ -7,10 +7,9 @@ from typing import NamedTuple
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan, Recipe
-from slipcircle.core.program.program import build_program
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
-from slipcircle.core.walk.compiled import level, straight_line
+from slipcircle.core.walk.compiled import level, module, straight_line
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
@@ -33,12 +32,14 @@ def words_of(plan: Plan) -> PlanWords:
 
 
 def integrator() -> str:
-    """What integrates here: the level of the compiled integrator, and whether it has straight-line programs."""
-    if not level():
+    """What integrates here: compiler and level of the integrator, lanes of a vector, straight-line programs or not."""
+    kind = level()
+    if not kind:
         return "NumPy, not compiled"
-    commonest = build_program(("rotation", "centripetal"), ("constant",))
-    way = "straight-line where a program is common" if straight_line(commonest) else "interpreted"
-    return f"compiled, {level()}, {way}"
+    binary = module()
+    lanes, straight = binary.TRAITS[kind]
+    way = "common programs straight-line" if straight else "interpreted"
+    return f"compiled ({binary.COMPILER}), {kind}, {lanes} lanes, {way}"
 
 
 @cache

@@ -3,19 +3,18 @@
 Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
+import math
 from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cached_property
-from math import prod
 from typing import Any, Generic, Self
 
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import choose, may_overflow
+from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
-from slipcircle.base.kinds import Numbers
+from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import State, Status
 from slipcircle.core.motion.trajectory import Trajectory
@@ -137,9 +136,16 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
                 "reach": self._radius * final[ix.REACH_ROTATION],
                 "run_out": self._radius * final[ix.END_ROTATION],
                 "peak_velocity": self._radius * angular_velocity,
-                "duration": self._duration,
             }
-        return {name: self._known(value) for name, value in values.items()}
+        known = {name: self._known(value) for name, value in values.items()}
+        return known | {"duration": self._duration}
+
+    @property
+    def is_finite(self) -> bool:
+        """Whether a single motion has a result, and neither that nor its energy at the start overflows."""
+        speed = plain(self.plan.scene.initial_velocity)
+        outcomes: Mapping[str, Any] = self.outcomes
+        return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
     @property
     def duration(self) -> Numbers:
@@ -198,7 +204,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def _varies_in_time(self) -> bool:
-        return any(table.kind == "time" for table in self.plan.program.tables)
+        return any(table.kind == "time" for table in self.problem.program.tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
         """A state of each lane from its final cells; where it is not moving, without speed and rate."""
@@ -331,15 +337,14 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
-            return type(self)(plan, self._final[(slice(None), *rows)], [], invalid)
-        log: list[Any] = []  # of which an ensemble keeps none, so that the lane is solved again
-        problem = problem_of(plan, invalid)
-        return type(self)(plan, integrate(problem, log=log)[:, 0].tolist(), log, invalid, problem)
+            return type(self)(plan, self._final[(slice(None), *rows)], invalid)
+        problem = problem_of(plan, invalid)  # alone a lane is solved to rounding
+        return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
         name = self.plan.scene.name
         if name:
             name += ": "
         if self.shape:
-            return f"<{prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
+            return f"<{math.prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
         return f"<Motion {name}{room('summary').summary(self)}>"

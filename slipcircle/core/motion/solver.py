@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
 from slipcircle.core.motion.motion import Motion
@@ -57,8 +56,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
-    speed = plain(scene.initial_velocity)
-    if not (scene.shape or (motion.is_finite and math.isfinite(speed * speed))):
+    if not (scene.shape or motion.is_finite):
         raise room("refusal").refusal(motion)
     return motion
 
@@ -66,18 +64,17 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
     scene = chosen.scene
-    log: list[Any] = []
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:
         problem = problem_of(chosen, invalid)
-        final = integrate(problem, log=None if scene.shape else log)[:ENTRIES]
+        final = integrate(problem)[:ENTRIES]
         if not scene.shape:  # plain numbers are ten times cheaper than arrays of one
-            return Motion(chosen, final[:, 0].tolist(), log, invalid, problem)
-        return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid, problem)
+            return Motion(chosen, final[:, 0].tolist(), invalid, problem)
+        return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid, problem)
     final = np.empty((ENTRIES, lanes))
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
         part = room("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
         final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
-    return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid)
+    return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

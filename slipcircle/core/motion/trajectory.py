@@ -3,8 +3,6 @@
 Dimensionless numbers become SI units here: times by sqrt(R/g), lengths along the arc by R.
 """
 
-import math
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,11 +10,11 @@ from numpy.typing import ArrayLike
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.base.kinds import cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.program import Log
 
 
 class Trajectory:
@@ -25,23 +23,15 @@ class Trajectory:
     Cells are of the scene's shape, (cells, *shape); of a single scene they are numbers.
     """
 
-    def __init__(self, plan: Plan, final: Any, log: Log, invalid: Any = False, problem: Problem | None = None) -> None:
+    def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
         self.plan = plan
         self.shape: tuple[int, ...] = plan.scene.shape
         self.invalid = invalid
         self._final = final
-        self._log = log
         self._radius = plain(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
         if problem is not None:
             self.problem = problem
-
-    @property
-    def is_finite(self) -> bool:
-        """Whether a single motion has a result, and that does not overflow."""
-        angular_velocity = self._final[ix.PEAK_OMEGA] / self._time_scale
-        run_out = self._radius * self._final[ix.END_ROTATION]
-        return self._solved and math.isfinite(run_out + self._radius * angular_velocity)
 
     @cached_property
     def _history(self) -> Any:
@@ -124,7 +114,7 @@ class Trajectory:
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any, stress: Any) -> State:
         """A state in SI units from dimensionless numbers of the shape of the time."""
-        axes = np.ndim(time) - len(self.shape)
+        axes = getattr(time, "ndim", 0) - len(self.shape)
         scale = before(self._time_scale, axes)
         radius = before(self._radius, axes)
         with may_overflow(self.shape):

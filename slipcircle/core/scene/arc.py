@@ -4,7 +4,6 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, overload
 
 import numpy as np
@@ -23,7 +22,7 @@ from slipcircle.base.checks import (
     shape_mistakes,
     two_sum,
 )
-from slipcircle.base.kinds import Array, Numbers
+from slipcircle.base.kinds import Array, Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 

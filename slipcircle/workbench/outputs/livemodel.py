@@ -198,7 +198,7 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
     problem = problem_of(chosen)
     if problem.farther is not None:
         problem.data.update(problem.farther())
-    return Motion(chosen, np.zeros((len(ix.CELLS), *scene.shape)), [], False, problem)
+    return Motion(chosen, np.zeros((len(ix.CELLS), *scene.shape)), False, problem)
 
 
 def _others(motion: Motion) -> dict[str, Any]:
