@@ -17,9 +17,9 @@ from slipcircle.core.motion.states import State
 from slipcircle.core.motion.trajectory import Trajectory, before
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.walk.lanes import States, read
-from slipcircle.history.forces import Forces
+from slipcircle.history.forces import Forces, with_outputs
 from slipcircle.history.phases import Energy, Phase
+from slipcircle.history.states import States, read
 
 ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
@@ -184,7 +184,7 @@ class History:
         """`Motion.energy_at`."""
         time = self._checked(times)
         flat_times = np.ravel(time)
-        problem = self.problem.with_outputs(("energy",))
+        problem = with_outputs(self.problem, ("energy",))
         program = problem.program
         _, omega, _, _, *further = self._read(problem, flat_times)
         names = [program.cells[cell] for cell, _, _ in program.states[2:]]

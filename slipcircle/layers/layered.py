@@ -172,3 +172,11 @@ class RotationTables(NamedTuple):
 def _lanes(function: OfRotation) -> int:
     """Number of lanes in which a function differs."""
     return max(values.shape[1] for values in function.coefficients.values())
+
+
+def is_exceeded(table: Data, places: Floats, lane: Any) -> bool:
+    """Whether a place lies beyond the table of its lane."""
+    last = table.breaks[-1]
+    if table.breaks.ndim == 2:  # each lane has other breaks
+        last = last[lane]
+    return bool(np.any(places > last + 1e-9))

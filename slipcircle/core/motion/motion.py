@@ -160,14 +160,12 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         However slowly a mass creeps, it rests there: with constant friction and no water at R (psi_0 - delta). A free
         mass arrives with speed and rests about twice as far from the start. Its initial velocity is ignored.
         """
-        if self.problem.other_than_position:
-            return self._shaped(np.full(self.problem.lanes, np.nan))
         rotation = self._shaped(room("creep").slow_rotation(self.problem))
         return self._known(self._radius * rotation)
 
     @property
     def no_slow_run_out(self) -> str:
-        if other := self.problem.other_than_position:
+        if other := room("creep").other_than_position(self.problem):
             return f"forces depend on {other}"
         return "nothing holds it" if np.any(np.isnan(self.slow_run_out)) else ""
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass, field
 from enum import IntEnum
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -11,46 +11,49 @@ from generated import layout as ix
 
 
 class Status(IntEnum):
-    """How the motion of a scene ended."""
+    """How the motion of a scene ended.
 
-    RESTS = 0  #: it moved, and came to rest without turning back
-    STAYS = 1  #: it does not move
-    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
-    TURNED = 3  #: it turned back at least once, and came to rest
-    CREEPS = 4  #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
-    UPRIGHT = 5  #: no result: the chord stands upright and the mass would hang over
-    ENDLESS = 6  #: no result: it never rests, or turns back too often
-    FAILED = 7  #: no result: overflow
-    INVALID = 8  #: its numbers are no scene
+    Attributes
+    ----------
+    words : str
+        The same, for people.
+    reason : str
+        Why there is no result; empty if there is one.
+    """
 
-    @property
-    def words(self) -> str:
-        """How the motion ended, for people."""
-        return _WORDS[self.name]
+    words: str
+    reason: str
 
-    @property
-    def reason(self) -> str:
-        """Why there is no result; empty if there is one."""
-        return _REASONS.get(self.name, "")
+    def __new__(cls, number: int, words: str, reason: str = "") -> Self:
+        status = int.__new__(cls, number)
+        status._value_ = number
+        status.words = words
+        status.reason = reason
+        return status
 
+    #: it moved, and came to rest without turning back
+    RESTS = 0, "comes to rest"
+    #: it does not move
+    STAYS = 1, "does not move"
+    #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    MOVING = 2, "still moving"
+    #: it turned back at least once, and came to rest
+    TURNED = 3, "comes to rest after turning back"
+    #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
+    CREEPS = 4, "creeps to its equilibrium"
+    #: no result: the chord stands upright and the mass would hang over
+    UPRIGHT = 5, "turns over", "the chord is vertical, and the mass would overhang"
+    #: no result: it never rests, or turns back too often
+    ENDLESS = 6, "never rests", "it never rests, or turns back too often"
+    #: no result: overflow
+    FAILED = 7, "overflow", "overflow"
+    #: its numbers are no scene
+    INVALID = (
+        8,
+        "invalid",
+        ("its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground"),
+    )
 
-_WORDS = {
-    "RESTS": "comes to rest",
-    "STAYS": "does not move",
-    "MOVING": "still moving",
-    "TURNED": "comes to rest after turning back",
-    "CREEPS": "creeps to its equilibrium",
-    "UPRIGHT": "turns over",
-    "ENDLESS": "never rests",
-    "FAILED": "overflow",
-    "INVALID": "invalid",
-}
-_REASONS = {
-    "UPRIGHT": "the chord is vertical, and the mass would overhang",
-    "ENDLESS": "it never rests, or turns back too often",
-    "FAILED": "overflow",
-    "INVALID": "its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground",
-}
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED, Status.CREEPS)
 # How a lane that moved has ended, by the status in which the integration leaves it.

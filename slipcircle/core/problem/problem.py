@@ -19,9 +19,8 @@ from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan, Recipe
-from slipcircle.core.program.program import Program, build_program
-from slipcircle.core.scene.effects import in_order, rotates, soil_number, symbols_of, without_soil
-from slipcircle.core.scene.friction import depends_on
+from slipcircle.core.program.program import Program
+from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -66,36 +65,8 @@ class Problem:
     function: Function | None = None
     farther: Farther | None = None
 
-    @property
-    def may_creep(self) -> bool:
-        """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
-        return "viscosity" in self.recipe.effects and not self.other_than_position
-
-    @property
-    def other_than_position(self) -> str:
-        """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
-        recipe = self.recipe
-        if recipe.moving:
-            return "what changes in time"
-        if "thermal_pressurisation" in recipe.effects:
-            return "frictional heat"
-        others = set(depends_on(recipe.laws)) - {"slip"}
-        return f"a friction law of {min(others)}" if others else ""
-
-    def with_outputs(self, outputs: Names) -> "Problem":
-        """The same lanes with a program that computes further outputs, too."""
-        return self._with(build_program(*self.recipe, outputs))
-
-    def with_steady_shaking(self) -> "Problem":
-        """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
-        effects, laws, moving, absent = self.recipe
-        shaking = symbols_of("shaking").values()
-        effects = in_order((*effects, "shaking"))
-        moving = tuple(symbol for symbol in moving if symbol not in shaking)
-        others = [symbol for symbol in absent if symbol not in shaking]
-        return self._with(build_program(effects, laws, moving, (*others, "k_v")))
-
-    def _with(self, program: Program) -> "Problem":
+    def with_program(self, program: Program) -> "Problem":
+        """The same lanes with a program that computes more of them."""
         return replace(self, program=program, start={**self.start, **program.constants})
 
     def cells(self, which: Any = EVERY) -> Floats:
@@ -126,18 +97,12 @@ class Problem:
         tables = [self.data[table.name] for table in self.program.tables]
         return tables if which is None else [table.lanes(which) for table in tables]
 
-    def reach_farther(self, rotation: Floats, lane: Any = slice(None)) -> bool:
+    def reach_farther(self, rotation: Floats, lane: Any = EVERY) -> bool:
         """Lay out functions of the rotation to their full range if a lane exceeds them; whether one does.
 
         ``lane`` is the lane that each rotation belongs to, by default one after the other.
         """
-        if self.farther is None:
-            return False
-        names = [table.name for table in self.program.tables if table.kind == "rotation"]
-        if not any(self.data[name].is_exceeded(rotation, lane) for name in names):
-            return False
-        self.data.update(self.farther())
-        return True
+        return self.farther is not None and self.farther(self.data, rotation, lane)
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
@@ -212,14 +177,6 @@ class Numbers:
         self.start[f"{name}.SCALE"] = scale
         self.start[f"{name}.SCALED_BY"] = factor
 
-    def _of_lanes(self, table: Data) -> Data:
-        """A table of the mass's own lanes for those of the scene."""
-        own = self.mass.lanes_shape
-        if own in ((), self.shape):
-            return table
-        numbers = np.arange(math.prod(own)).reshape(own)
-        return table.lanes(np.broadcast_to(numbers, self.shape).ravel())
-
     def add_effect(self, effect: str, parameters: Parameters) -> None:
         """Add the parameters of an effect: numbers by their symbols, functions of time as tables."""
         symbols = symbols_of(effect)
@@ -251,17 +208,10 @@ class Numbers:
         pushed = velocity != 0.0
         upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in plan.recipe.effects
         tolerance = plan.accuracy / 100 if lanes > 1 else FINEST
-        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance)
+        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance, self.shape)
         for name, table in tables.items():
-            self.add_table(name, self._of_lanes(table), factor=self.start[f"{name}.SCALED_BY"])
-        if farther is None:
-            return None
-        lay_out = farther
-
-        def of_lanes() -> Mapping[str, Data]:
-            return {name: self._of_lanes(table) for name, table in lay_out().items()}
-
-        return of_lanes
+            self.add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])
+        return farther
 
     def add_law(self, name: str, parameters: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""

@@ -11,9 +11,9 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Names, Values
+from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.doors import room
-from slipcircle.core.scene.piecewise import Tables
+from slipcircle.core.scene.piecewise import Data, Tables
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,8 @@ class MomentCoefficients(NamedTuple):
     cover: Any  # the stress of which r_u is a share, over the static normal stress
 
 
-Farther = Callable[[], Tables]
+# Lays out functions of the rotation to their full range where a rotation of a lane exceeds them; whether one does.
+Farther = Callable[[dict[str, Data], Floats, Any], bool]
 
 
 class Mass:
@@ -125,10 +126,13 @@ class Mass:
         """The same effects, but of its soils what gives means over the arc: the same where all of it is one soil."""
         return effects
 
-    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+    def tables(
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+    ) -> tuple[Tables, Farther | None]:
         """Its functions of the rotation by their symbols, and what lays them out farther, where that may be needed.
 
-        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error.
+        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error, ``shape`` that
+        of the scene's lanes.
         """
         return {}, None
 
