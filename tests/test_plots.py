@@ -14,6 +14,7 @@ from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
 from slipcircle import Arc, Scene, Section, critical, grid, load, solve
+from slipcircle.words import swings_back
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
@@ -61,7 +62,7 @@ def test_history_draws_the_motion(name: str) -> None:
         assert (time[0], time[-1]) == (0.0, m.duration)
         assert np.allclose(value, wanted, rtol=1e-12, atol=1e-12 * np.max(np.abs(wanted)))
         marks = [float(x.get_xdata()[0]) for x in ax.lines if x.get_marker() not in ("None", "")]
-        farthest = [float(m.reach.time)] if what == "displacement" and m.swings_back else []
+        farthest = [float(m.reach.time)] if what == "displacement" and swings_back(m) else []
         assert marks == pytest.approx([float(m.peak.time), *farthest, m.duration])
         assert any(x.startswith(plotstyle.ending(m)) for x in legend(ax))
 

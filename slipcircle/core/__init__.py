@@ -11,8 +11,8 @@ from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH, Arc
-from slipcircle.core.scene.friction import RATE_LAWS, law_depends, law_mistakes, law_names, law_parts, may_have_rate
+from slipcircle.core.scene.arc import ARC_BOUNDS, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.walk.compiled import numpy_only, program_integers
@@ -20,7 +20,6 @@ from slipcircle.core.walk.compiled import numpy_only, program_integers
 __all__ = [
     "ANSWERED",
     "ARC_BOUNDS",
-    "GIVEN",
     "GRAVITY",
     "RATE_LAWS",
     "STATUS_OF_END",
@@ -35,7 +34,7 @@ __all__ = [
     "State",
     "Status",
     "checked",
-    "law_depends",
+    "depends_on",
     "law_mistakes",
     "law_names",
     "law_parts",

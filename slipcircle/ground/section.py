@@ -152,11 +152,6 @@ class Section(SectionGeometry, Mass):
         return self._moments
 
     @cached_property
-    def mass_per_metre(self) -> Any:
-        """kg/m."""
-        return self.area * np.divide(self.mean_unit_weight, self.gravity)
-
-    @cached_property
     def centroid(self) -> Any:
         """Of the mass, x and y in m."""
         _, centre, radius = self._circle

@@ -6,11 +6,13 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, plain
 from slipcircle.base.kinds import Floats, Names
 from slipcircle.core.problem.problem import Problem
+from slipcircle.core.program.definitions import Recipe
 from slipcircle.core.program.program import Program, build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
+from slipcircle.core.scene.mass import Mass
 from slipcircle.core.walk.compiled import engine
 from slipcircle.core.walk.lanes import BLOCK
 from slipcircle.history.states import States, begin
@@ -32,9 +34,21 @@ class Balance(NamedTuple):
         return cls(*(cells[program.roles[name]] for name in names))
 
 
+def stress_unit(mass: Mass) -> Any:
+    """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
+    return plain(mass.reference_stress / mass.moment_coefficients.resistance_factor)
+
+
+def energy_unit(mass: Mass) -> Any:
+    """J for one of omega*^2/2."""
+    weight_of_area = np.multiply(mass.width, mass.mean_unit_weight)
+    weight_times_radius = weight_of_area * np.power(mass.radius, 3.0)
+    return plain(weight_times_radius * mass.dimensionless.moment_of_inertia)
+
+
 def with_outputs(problem: Problem, outputs: Names) -> Problem:
     """The same lanes with a program that computes further outputs, too."""
-    return problem.with_program(build_program(*problem.recipe, outputs))
+    return problem.with_program(build_program(problem.recipe, outputs))
 
 
 def _with_steady_shaking(problem: Problem) -> Problem:
@@ -44,7 +58,7 @@ def _with_steady_shaking(problem: Problem) -> Problem:
     effects = in_order((*effects, "shaking"))
     moving = tuple(symbol for symbol in moving if symbol not in shaking)
     others = [symbol for symbol in absent if symbol not in shaking]
-    return problem.with_program(build_program(effects, laws, moving, (*others, "k_v")))
+    return problem.with_program(build_program(Recipe(effects, laws, moving, (*others, "k_v"))))
 
 
 class Forces:

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Parameters
-from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.core.scene.piecewise import Data
 from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
-from slipcircle.tables.interpolation import between_kinks
+from slipcircle.tables.interpolation import between_kinks, continuous
 
 _SAMPLE = 256  # lanes whose reach is estimated
 _SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated

@@ -9,35 +9,54 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.kinds import Floats
-from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.core.scene.piecewise import Data
+from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import Pulse, Series
 
 # --- friction laws and functions of time -----------------------------------------------------------------------------
 
 
-def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> tuple[Data, Any, str]:
-    """A friction law in pieces or by a list; the scale of its argument, and the unit of that."""
+def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> tuple[Data, Any, str]:
+    """A friction law in pieces, of lanes of a shape, or by a list; the scale of its argument, and the unit of that."""
     if name in PIECES:
         length, _, _ = PIECES[name]
-        return _of_pieces(name, parameters), parameters[length], "m"
+        return _of_pieces(name, parameters, shape), parameters[length], "m"
     law = LAWS[name]
     (argument,) = law.depends_on
     x, y = (np.asarray(parameters[p.name], dtype=np.float64) for p in law.parameters)
     return of_list(argument, x, y), 1.0, law.parameters[0].unit
 
 
-def _of_pieces(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
+def list_faults(path: str, name: str, parameters: Parameters) -> list[str]:
+    """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
+    argument = LAWS[name].parameters[0].name
+    places = np.asarray(parameters[argument], dtype=float)
+    coefficients = np.asarray(parameters["coefficient"], dtype=float)
+    key = f"{{{path}.{argument}}}"
+    is_list = places.ndim == 1 and places.size > 1
+    if not is_list or places.shape != coefficients.shape:
+        return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
+    increases = np.all(np.diff(places) > 0.0)
+    starts_at_0 = places[0] == 0.0
+    if name == "tabulated" and not (increases and starts_at_0):
+        return [f"{key}: must start at 0 and increase"]
+    return [] if increases else [f"{key}: must increase"]
+
+
+def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> Data:
     """A friction law that is declared in pieces, of the slip over its scale."""
     _, breaks, polynomials = PIECES[name]
     arrays = dict[str, Floats]()
     for key, value in parameters.items():
         arrays[key] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
-    every = chain.from_iterable(pieces)
-    values = np.array(np.broadcast_arrays(*every))
-    lanes = values.shape[1:]
-    coefficients = values.reshape(len(pieces), -1, *lanes)
+    values = [*chain.from_iterable(pieces)]
+    size: tuple[int, ...] = len(pieces), len(values) // len(pieces)
+    if any(map(np.ndim, values)):
+        values = [np.broadcast_to(value, shape) for value in values]
+        size = (*size, -1)
+    coefficients = np.reshape(values, size)
     return continuous(np.array(breaks), coefficients)
 
 

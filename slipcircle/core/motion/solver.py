@@ -57,10 +57,16 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
-    speed = plain(scene.initial_velocity)
-    if not (scene.shape or (motion.is_finite and math.isfinite(speed * speed))):
+    if not (scene.shape or _is_finite(motion)):
         raise room("refusal").refusal(motion)
     return motion
+
+
+def _is_finite(motion: Motion) -> bool:
+    """Whether a single motion has a result, and neither that nor its initial energy overflows."""
+    results = motion.outcomes
+    speed = plain(motion.plan.scene.initial_velocity)
+    return math.isfinite(results["run_out"] + results["peak_velocity"]) and math.isfinite(speed * speed)
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:

@@ -8,45 +8,35 @@ from typing import Any, Self
 import numpy as np
 
 from generated import layout as ix
+from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.core.scene.scene import Scene
 
 
 class Status(IntEnum):
-    """How the motion of a scene ended.
+    """How the motion of a scene ended."""
 
-    Attributes
-    ----------
-    words : str
-        The same, for people.
-    reason : str
-        Why there is no result; empty if there is one.
-    """
+    words: str  #: the same, for people
+    reason: str  #: why there is no result; empty if there is one
 
-    words: str
-    reason: str
-
-    def __new__(cls, number: int, words: str, reason: str = "") -> Self:
+    def __new__(cls, number: int, words: str = "", reason: str = "") -> Self:
         status = int.__new__(cls, number)
         status._value_ = number
         status.words = words
         status.reason = reason
         return status
 
-    #: it moved, and came to rest without turning back
-    RESTS = 0, "comes to rest"
-    #: it does not move
-    STAYS = 1, "does not move"
+    RESTS = 0, "comes to rest"  #: it moved, and came to rest without turning back
+    STAYS = 1, "does not move"  #: it does not move
     #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
     MOVING = 2, "still moving"
-    #: it turned back at least once, and came to rest
-    TURNED = 3, "comes to rest after turning back"
+    TURNED = 3, "comes to rest after turning back"  #: it turned back at least once, and came to rest
     #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
     CREEPS = 4, "creeps to its equilibrium"
     #: no result: the chord stands upright and the mass would hang over
     UPRIGHT = 5, "turns over", "the chord is vertical, and the mass would overhang"
     #: no result: it never rests, or turns back too often
     ENDLESS = 6, "never rests", "it never rests, or turns back too often"
-    #: no result: overflow
-    FAILED = 7, "overflow", "overflow"
+    FAILED = 7, "overflow", "overflow"  #: no result: overflow
     #: its numbers are no scene
     INVALID = (
         8,
@@ -66,6 +56,21 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
     Status.UPRIGHT,
     Status.ENDLESS,
 )
+
+
+def statuses(final: Any, invalid: Any) -> Any:
+    """The status of each lane, as a number, by its final cells."""
+    ended = final[ix.STATUS]
+    has_shape = isinstance(ended, np.ndarray)
+    status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
+    has_turned = final[ix.TURNS] > 0.0
+    status = choose((status == Status.RESTS) & has_turned, int(Status.TURNED), status)
+    status = choose(final[ix.TIME] == np.inf, int(Status.CREEPS), status)
+    answered = status <= Status.CREEPS
+    still = final[ix.PHASES] == 0.0
+    stays = still & (ended != ix.STOPPED)
+    status = choose(answered & stays, int(Status.STAYS), status)
+    return choose(invalid, int(Status.INVALID), status)
 
 
 @dataclass(frozen=True)
@@ -102,3 +107,22 @@ class State:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         object.__setattr__(self, name, self._stress())
         return self.normal_stress
+
+
+def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
+    """A state in SI units from dimensionless numbers of the shape of the time, that of the scene and of the times."""
+    axes = np.ndim(time) - len(scene.shape)
+    scale = before(scene.arc.time_scale, axes)
+    radius = before(plain(scene.arc.radius), axes)
+    with may_overflow(scene.shape):
+        angular_velocity = omega / scale
+        velocity = radius * angular_velocity
+        acceleration = radius * rate / scale**2
+        displacement = radius * rotation
+    columns = (rotation, angular_velocity, velocity, displacement, acceleration)
+    return State(time, *(column + 0.0 for column in columns), stress=stress)
+
+
+def before(values: Any, axes: int) -> Any:
+    """Numbers of lanes with further axes for times; one number stays one."""
+    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

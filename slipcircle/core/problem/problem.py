@@ -18,7 +18,8 @@ from generated.flow import FRAGMENTS, INPUTS
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.doors import room
-from slipcircle.core.problem.plan import Plan, Recipe
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.program.definitions import Recipe
 from slipcircle.core.program.program import Program
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.mass import Farther, Mass
@@ -216,15 +217,11 @@ class Numbers:
     def add_law(self, name: str, parameters: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
         law = without_soil(name)
-        units = {"": 1.0, "m": self.radius, "m/s": self.mass.speed_scale, "s": self.mass.time_scale}
+        units = {"": 1.0, "m": self.radius, "m/s": self.radius / self.mass.time_scale, "s": self.mass.time_scale}
         if law == "callable":
             self.add_table(name, room("functions").first_table(parameters["function"], self.radius), self.radius)
         elif FRAGMENTS[law].tables:
-            table, scale, unit = room("tables").of_law(law, parameters)
-            pieces, terms, *varied = table.coefficients.shape
-            if varied:
-                every = np.broadcast_to(table.coefficients, (pieces, terms, *self.shape))
-                table = table._replace(coefficients=every.reshape(pieces, terms, -1))
+            table, scale, unit = room("tables").of_law(law, parameters, self.shape)
             self.add_table(name, table, units[unit] / scale)
         else:
             for p in LAWS[law].parameters:

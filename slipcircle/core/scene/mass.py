@@ -88,6 +88,8 @@ class Mass:
         Coefficients in place of computed ones.
     centre, exit, centroid : array
         x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
+    area : float or array
+        Of the mass in its section, m^2.
     """
 
     radius: Any
@@ -100,6 +102,7 @@ class Mass:
     moment_coefficients: Any
     centre: Any
     exit: Any
+    area: Any
     centroid: Any
     quantities: ClassVar[Mapping[str, int]]
     rounding: ClassVar[float] = 4 * EPS
@@ -170,16 +173,7 @@ class Mass:
 
     def placed(self, points: Any, rotation: Any) -> Any:
         """Points (..., 2) of the mass after a rotation, m."""
-        turn = np.multiply(rotation, self.facing)
-        from_centre = np.subtract(points, self.centre)
-        x = from_centre[..., 0]
-        y = from_centre[..., 1]
-        cosine = np.cos(turn)
-        sine = np.sin(turn)
-        turned_x = x * cosine - y * sine
-        turned_y = x * sine + y * cosine
-        turned = np.stack([turned_x, turned_y], axis=-1)
-        return np.asarray(self.centre) + turned
+        return room("journey").placed(self, points, rotation)
 
     def journey(self, rotation: Any) -> Any:
         """Where a rotation brings toe and centroid, a `slipcircle.history.Journey`."""
@@ -192,6 +186,11 @@ class Mass:
         """Weight over area, N/m^3."""
         return self.unit_weight
 
+    @property
+    def mass_per_metre(self) -> Any:
+        """Of width, kg/m."""
+        return self.area * np.divide(self.mean_unit_weight, self.gravity)
+
     @cached_property
     def sagitta(self) -> Any:
         """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
@@ -202,11 +201,6 @@ class Mass:
     def time_scale(self) -> Any:
         """t_c = sqrt(R/g) (3.9), s."""
         return plain(np.sqrt(np.divide(self.radius, self.gravity)))
-
-    @property
-    def speed_scale(self) -> Any:
-        """sqrt(R g), m/s."""
-        return plain(self.radius) / self.time_scale
 
     @cached_property
     def scales(self) -> Values:

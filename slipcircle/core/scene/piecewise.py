@@ -33,10 +33,4 @@ class Data(NamedTuple):
         return self._replace(breaks=breaks, coefficients=np.ascontiguousarray(of_lanes))
 
 
-def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
-    """A piecewise polynomial without discontinuities."""
-    jumps = np.zeros(len(breaks))
-    return Data(breaks, coefficients, jumps, sine)
-
-
 Tables = Mapping[str, Data]  # by name

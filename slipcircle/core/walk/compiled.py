@@ -31,23 +31,10 @@ def module() -> Any:
 
 
 @cache
-def _widest() -> int:
+def widest() -> int:
     """The kind of processor with the widest vectors of those that run here, or the one that is asked for by name."""
     levels = module().LEVELS
     return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
-
-
-def level() -> str:
-    """The kind of processor whose integrator runs here; empty where that is NumPy's."""
-    if module() is None:
-        return ""
-    names = {number: name for name, number in module().LEVELS.items()}
-    return names[_widest()]
-
-
-def straight_line(program: Program) -> bool:
-    """Whether the compiled module has a function of this very program here, rather than to interpret it."""
-    return module() is not None and module().straight_line(encoded(program), _widest()) >= 0
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
@@ -169,7 +156,7 @@ def integrate(
     count = cells.shape[1]
     if not count:
         return
-    number = binary.LEVELS[level] if level else _widest()
+    number = binary.LEVELS[level] if level else widest()
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
@@ -194,7 +181,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
     if count:
         code = encoded(program)
         pieces = _pieces(tables, count)
-        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
+        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, widest())
     return values
 
 

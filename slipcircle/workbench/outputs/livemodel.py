@@ -16,7 +16,7 @@ from generated import layout as ix
 from slipcircle.base.kinds import Floats, Names
 from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
-from slipcircle.history import OUTPUTS, with_outputs
+from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with_outputs
 from slipcircle.stiff import may_creep
 from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
@@ -207,7 +207,7 @@ def _others(motion: Motion) -> dict[str, Any]:
     radius = np.asarray(arc.radius)
     second = np.asarray(arc.time_scale)
     units = {"rad": 1.0, "s": second, "m": radius, "m/s": radius / second, "m/s^2": radius / second**2}
-    units |= {"Pa": motion.stress_unit, "J": motion.energy_unit}
+    units |= {"Pa": stress_unit(arc), "J": energy_unit(arc)}
     return units | {"factor_of_safety": motion.factor_of_safety}
 
 
@@ -302,7 +302,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
         "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
         "runs": _runs(inputs),
         "rounded": ROUNDED,
-        "stresses": scene.of_means() is scene,
+        "stresses": of_means(scene) is scene,
         "input_error": _greatest_error(inputs, fits),
         "statuses": [[status.name, status.words, status.reason] for status in Status],
         "of_end": STATUS_OF_END.tolist(),
