@@ -6,6 +6,7 @@ The names listed here are public: all that the workbench, or any program built o
 need stands in rooms beside it, which `slipcircle.core.doors` lists.
 """
 
+from slipcircle.core.doors import room
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
@@ -43,5 +44,6 @@ __all__ = [
     "plan",
     "problem_of",
     "program_integers",
+    "room",
     "solve",
 ]

@@ -22,12 +22,12 @@ from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.mass import Farther
-from slipcircle.core.scene.piecewise import Data, Tables
+from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import FAR
 from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.cracks import CrackedSection
-from slipcircle.layers.layered import RotationTables, is_exceeded
+from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
 from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
 from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
@@ -367,16 +367,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
                     functions[symbols_of(effect)[name]] = term
         if not functions:
             return {}, None
-        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope)
-        likely = tables.laid_out(tables.likely_reach(friction))
-
-        def reach_farther(data: dict[str, Data], rotation: Floats, lane: Any) -> bool:
-            if not any(is_exceeded(data[name], rotation, lane) for name in functions):
-                return False
-            data.update(self._for_lanes(tables.laid_out(), shape))
-            return True
-
-        return self._for_lanes(likely, shape), reach_farther
+        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope, shape)
+        return tables.laid_out(tables.likely_reach(friction)), tables.reach_farther
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""

@@ -102,9 +102,7 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
     if not which.size:
         return integrate_lanes(begin, samples)
     begin = begin.copy()
-    explicit_steps = STEPS * damping * end_time
-    is_stiff = explicit_steps > (COMPILED if compiled.engine() is compiled else IN_NUMPY)
-    begin[ix.STEPS, which] = np.where(is_stiff, ix.MOST_STEPS, 0.0)  # implicit steps take over after the first one
+    begin[ix.STEPS, which] = _first_steps(STEPS * damping * end_time)
     creeping = np.zeros(which.size, dtype=bool)
     undecided = ~creeping
     while undecided.any() and end_time.max() < LONGEST:
@@ -148,6 +146,15 @@ def slow_rotation(problem: Problem) -> Floats:
     left = np.where(stands, 0.0, ahead.left)
     is_endless = np.isinf(left)
     return np.where(is_endless, np.nan, direction * left)
+
+
+def _first_steps(explicit_steps: Floats) -> Floats:
+    """Steps that lanes count as done: all that are allowed where explicit ones would take longer than implicit ones.
+
+    These take over after the first one.
+    """
+    most = COMPILED if compiled.engine() is compiled else IN_NUMPY
+    return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 
 def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:

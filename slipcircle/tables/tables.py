@@ -24,8 +24,11 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...
         return _of_pieces(name, parameters, shape), parameters[length], "m"
     law = LAWS[name]
     (argument,) = law.depends_on
-    x, y = (np.asarray(parameters[p.name], dtype=np.float64) for p in law.parameters)
-    return of_list(argument, x, y), 1.0, law.parameters[0].unit
+    of_places, of_values = law.parameters
+    places = np.asarray(parameters[of_places.name], dtype=np.float64)
+    values = np.asarray(parameters[of_values.name], dtype=np.float64)
+    table = of_list(argument, places, values)
+    return table, 1.0, of_places.unit
 
 
 def list_faults(path: str, name: str, parameters: Parameters) -> list[str]:
@@ -35,9 +38,11 @@ def list_faults(path: str, name: str, parameters: Parameters) -> list[str]:
     coefficients = np.asarray(parameters["coefficient"], dtype=float)
     key = f"{{{path}.{argument}}}"
     is_list = places.ndim == 1 and places.size > 1
-    if not is_list or places.shape != coefficients.shape:
+    is_pair = places.shape == coefficients.shape
+    if not (is_list and is_pair):
         return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
-    increases = np.all(np.diff(places) > 0.0)
+    steps = np.diff(places)
+    increases = np.all(steps > 0.0)
     starts_at_0 = places[0] == 0.0
     if name == "tabulated" and not (increases and starts_at_0):
         return [f"{key}: must start at 0 and increase"]
@@ -51,13 +56,16 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int,
     for key, value in parameters.items():
         arrays[key] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
-    values = [*chain.from_iterable(pieces)]
-    size: tuple[int, ...] = len(pieces), len(values) // len(pieces)
-    if any(map(np.ndim, values)):
-        values = [np.broadcast_to(value, shape) for value in values]
-        size = (*size, -1)
-    coefficients = np.reshape(values, size)
-    return continuous(np.array(breaks), coefficients)
+    every = chain.from_iterable(pieces)
+    values = [*np.broadcast_arrays(*every)]
+    if values[0].ndim:
+        of_lanes = [np.broadcast_to(value, shape) for value in values]
+        values = [value.ravel() for value in of_lanes]
+    rows = np.array(values)
+    _, *lanes = rows.shape
+    coefficients = rows.reshape(len(pieces), -1, *lanes)
+    starts = np.array(breaks)
+    return continuous(starts, coefficients)
 
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
@@ -67,7 +75,8 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
     first_values = values[:-1]
     heights = np.concatenate([[before], first_values, [after]])
     rise = np.diff(values)
-    secant = rise / np.diff(places)
+    step = np.diff(places)
+    secant = rise / step
     level = [0.0]
     slopes = np.concatenate([level, secant, level])
     jumps = np.zeros_like(heights)

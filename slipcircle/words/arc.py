@@ -29,10 +29,13 @@ def without_load(arc: Arc, lane: int) -> str:
 def _degrees(arc: Arc, lane: int) -> list[float]:
     """Both ends."""
     ends = np.broadcast_arrays(arc.theta_1, arc.theta_2)
-    return [float(np.degrees(end.flat[lane])) for end in ends]
+    of_lane = [end.flat[lane] for end in ends]
+    return np.degrees(of_lane).tolist()
 
 
 def _were_degrees(arc: Arc) -> str:
     """A question, where an end is more than two turns: 12.6 rad are more than anybody turns, and few degrees."""
     is_beyond = np.abs(arc.theta_1) > 4 * np.pi
-    return "; theta_1 and theta_2 are in rad: were they in degrees?" if np.any(is_beyond) else ""
+    if np.any(is_beyond):
+        return "; theta_1 and theta_2 are in rad: were they in degrees?"
+    return ""

@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 
 from slipcircle.words.plausible import questions
+from slipcircle.words.summary import swings_back
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
 ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
 NEAR_LIMIT = 1e-3  # relative distance of friction from its limit that makes a motion ill-conditioned
 SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is reported
-SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
 LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
 
 
@@ -63,13 +63,6 @@ def _submergence(motion: Any) -> Iterator[str]:
             f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water above it is "
             "not included"
         )
-
-
-def swings_back(motion: Any) -> Any:
-    """Whether a mass has been farther from its start than at the end."""
-    farthest = np.abs(motion.reach.displacement)
-    end = np.abs(motion.run_out)
-    return farthest > end * (1 + SWING)
 
 
 def _swing(motion: Any) -> Iterator[str]:

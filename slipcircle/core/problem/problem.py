@@ -34,7 +34,6 @@ LOWEST = 7  # order: below it the radius of convergence is that of one or two co
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # then the number of a soil
 EVERY = slice(None)  # lane
-Function = Callable[[Any], Any]
 Shape = tuple[int, ...]
 
 
@@ -63,7 +62,7 @@ class Problem:
     start: Mapping[str, Any]
     data: dict[str, Data]
     lanes: int
-    function: Function | None = None
+    function: Callable[[Any], Any] | None = None
     farther: Farther | None = None
 
     def with_program(self, program: Program) -> "Problem":
