@@ -1,5 +1,6 @@
 """Forces on the mass, at the start and along the way, as its program says them where phases begin in its states."""
 
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple, Self
 
@@ -48,7 +49,7 @@ def energy_unit(mass: Mass) -> Any:
 
 def with_outputs(problem: Problem, outputs: Names) -> Problem:
     """The same lanes with a program that computes further outputs, too."""
-    return problem.with_program(build_program(problem.recipe, outputs))
+    return _with_program(problem, build_program(problem.recipe, outputs))
 
 
 def _with_steady_shaking(problem: Problem) -> Problem:
@@ -58,7 +59,12 @@ def _with_steady_shaking(problem: Problem) -> Problem:
     effects = in_order((*effects, "shaking"))
     moving = tuple(symbol for symbol in moving if symbol not in shaking)
     others = [symbol for symbol in absent if symbol not in shaking]
-    return problem.with_program(build_program(Recipe(effects, laws, moving, (*others, "k_v"))))
+    return _with_program(problem, build_program(Recipe(effects, laws, moving, (*others, "k_v"))))
+
+
+def _with_program(problem: Problem, program: Program) -> Problem:
+    """The same lanes with a program that computes more of them."""
+    return replace(problem, program=program, start={**problem.start, **program.constants})
 
 
 class Forces:

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from generated import layout as ix
 from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
@@ -64,9 +65,10 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
 
 def _is_finite(motion: Motion) -> bool:
     """Whether a single motion has a result, and neither that nor its initial energy overflows."""
-    results = motion.outcomes
-    speed = plain(motion.plan.scene.initial_velocity)
-    return math.isfinite(results["run_out"] + results["peak_velocity"]) and math.isfinite(speed * speed)
+    scene = motion.plan.scene
+    speed = plain(scene.initial_velocity)
+    results = motion._final[ix.END_ROTATION] + motion._final[ix.PEAK_OMEGA] / scene.arc.time_scale
+    return motion._solved and math.isfinite(scene.arc.radius * results) and math.isfinite(speed * speed)
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:

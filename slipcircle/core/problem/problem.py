@@ -6,7 +6,7 @@ scene's own shape: nothing here knows a law or an effect.
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -64,10 +64,6 @@ class Problem:
     lanes: int
     function: Callable[[Any], Any] | None = None
     farther: Farther | None = None
-
-    def with_program(self, program: Program) -> "Problem":
-        """The same lanes with a program that computes more of them."""
-        return replace(self, program=program, start={**self.start, **program.constants})
 
     def cells(self, which: Any = EVERY) -> Floats:
         """The cells of some lanes at their start, a column each."""
