@@ -31,11 +31,12 @@ TARGETS = {
     "any": "",
 }
 ZIG = (sys.executable, "-m", "ziglang")
-# Its unrolled loops are a sixth larger, and no faster.
-ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops",), "_flow": ()}
+# Its unrolled loops are a sixth larger, vectors for what a loop leaves over a hundredth; both are no faster.
+ZIG_FLAGS = {"_kernels": ("-fno-unroll-loops", "-mllvm", "-enable-epilogue-vectorization=false"), "_flow": ()}
 # The library that Zig adds to a binary for Windows has 30 kB, of which two functions are needed; Windows has the other.
 WINDOWS = ("-nostdlib", "-lc", str(HERE / "stack.s"))
 WINDOWS_NAMES = ("-D__isnan=_isnan", "-fno-builtin-cos")  # or a sine beside a cosine becomes `sincos`, which it lacks
+LARGEST = 1.3e6  # bytes of a wheel
 STABLE = ("-DPy_LIMITED_API=0x030b0000", "-DNDEBUG", "-g0")
 # NumPy's sizes are those of this machine: of what our source uses only these differ elsewhere.
 SIZES = """
@@ -116,15 +117,21 @@ def main() -> int:
         return 2
     dist = ROOT / "dist"
     dist.mkdir(exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=dist, prefix=".") as made:
-        scratch = Path(made)
+    with tempfile.TemporaryDirectory(dir=dist, prefix=".") as folder:
+        scratch = Path(folder)
         try:
             binaries(scratch)
         except NoBinaryError as error:
             print(f"derive.wheels: {error}", file=sys.stderr)
             return 1
-        for path in distributions(scratch):
-            print(f"{path.stat().st_size / 1e6:5.2f} MB  dist/{path.name}")
+        made = distributions(scratch)
+        for path in made:
+            print(f"{path.stat().st_size / 1e6:6.3f} MB  dist/{path.name}")
+        large = [path.name for path in made if path.suffix == ".whl" and path.stat().st_size > LARGEST]
+        if large:
+            print(f"derive.wheels: over {LARGEST / 1e6} MB: {', '.join(large)}", file=sys.stderr)
+            return 1
+        for path in made:
             os.replace(path, dist / path.name)
     return 0
 

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "b9de124869619089151f45bf8d10ff1ac2bc4c318cbae52154b9f2cb8ead3cc1"
+#define DIGEST "ffbf6b2bde52a714aa38f5db0a6eaa1bdcaaf2dbc926f62fa8bbb8c33d70f769"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -993,17 +993,6 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
     return b->job->data[t].jumps[piece];
 }
 
-/* The last piece from the first one that begins below a place, or at it if a break belongs to the piece above. */
-INLINE int64_t piece_at(const Batch *b, unsigned lane, int t, int64_t first, double place, int included)
-{
-    int64_t piece = first;
-    for (; piece < b->job->data[t].pieces - 1; piece++) {
-        const double next = break_of(b, lane, t, piece + 1);
-        if (!(next < place || (included && next == place))) break;
-    }
-    return piece;
-}
-
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
 {
@@ -1282,6 +1271,23 @@ INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
     return (piece < last) ? break_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last) : INFINITY;
 }
 
+/* Whether a piece ends below an argument, or at it if a break belongs to the piece above. */
+INLINE int ends_by(Batch *b, unsigned lane, int t, int64_t piece, double argument, int included)
+{
+    double end = end_of_piece(b, lane, t, piece);
+    return (end < argument) || (included && (end == argument) && (end < INFINITY));
+}
+
+/* The piece in which an argument is, from the first one on that it may be. */
+INLINE int64_t piece_at(Batch *b, unsigned lane, int t, int64_t first, double argument, int included)
+{
+    int64_t piece = first;
+    while (ends_by(b, lane, t, piece, argument, included)) {
+        piece = piece + 1;
+    }
+    return piece;
+}
+
 /* The end of the piece of a function of time and the increment there: one rounding whatever the steps. */
 static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
 {
@@ -1290,7 +1296,7 @@ static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double end = end_of_piece(b, lane, t, piece);
     c[job->table[t].cell + UPPER][lane] = end / c[job->table[t].cell + SCALE][lane];
-    double rise = rise_to(b, lane, t, (piece < ((int)job->data[t].pieces - 1)) ? (end - now) : 0.0);
+    double rise = rise_to(b, lane, t, (end < INFINITY) ? (end - now) : 0.0);
     c[job->table[t].cell + LOWER][lane] = c[job->table[t].cell + INC][lane] + rise;
     c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
 }
@@ -1934,7 +1940,8 @@ INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
     V *const c = b->c;
     int last = (int)job->data[t].pieces - 1;
     int64_t following = (piece + 1) < last ? (piece + 1) : last;
-    return (following < last) && (break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS))));
+    int ends = end_of_piece(b, lane, t, following) < INFINITY;
+    return ends && (break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS))));
 }
 
 /* A function of time in straight lines where a piece begins. */

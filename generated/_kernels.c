@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e0598bdb19cce17a13e2ccb49ce58b82e78cecb1cb3f88bb33a77001ae564dd6"
+#define DIGEST "81482e7a4b99b3d43aedc2d8079c77f341bfdb305d130649d6cce5f4f936824e"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -322,7 +322,7 @@ INLINE double polar_moment_1e_6_fused(double alpha)
         -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
     return p1 * alpha_2 * alpha;
 }
-#define polar_moment_1e_6_fused_KIND short
+#define polar_moment_1e_6_fused_KIND whole
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
  * fused: proved within 26.1 ulp (certificates/polar_moment.json), rounded correctly to float32 */
@@ -396,7 +396,7 @@ INLINE double moment_of_inertia_1e_10_fused(double alpha)
         -0x1.0bc4e9f8c08c4p-19, 0x1.7a7cb07e3408cp-24, -0x1.4936e56328342p-29);
     return p1 * alpha_2 * alpha;
 }
-#define moment_of_inertia_1e_10_fused_KIND short
+#define moment_of_inertia_1e_10_fused_KIND whole
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, fused: proved within 2.42e-07
  * relative (certificates/moment_of_inertia.json) */
@@ -407,7 +407,7 @@ INLINE double moment_of_inertia_1e_6_fused(double alpha)
         -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
     return p1 * alpha_2 * alpha;
 }
-#define moment_of_inertia_1e_6_fused_KIND short
+#define moment_of_inertia_1e_6_fused_KIND whole
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 13.2 ulp
  * (certificates/moment_of_inertia.json), rounded correctly to float32 */
@@ -420,7 +420,7 @@ INLINE double moment_of_inertia_float32_fused(double alpha)
         -0x1.2d46b60ffc0b0p-39);
     return alpha_2 * alpha * (p1 + 0x1.5555555555555p-1);
 }
-#define moment_of_inertia_float32_fused_KIND short
+#define moment_of_inertia_float32_fused_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.711 ulp
  * (certificates/radial_weight_amplitude.json) */
@@ -573,7 +573,7 @@ INLINE double weight_moment_amplitude_1e_10_fused(double alpha)
         -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
     return p1 * alpha_2 * alpha;
 }
-#define weight_moment_amplitude_1e_10_fused_KIND short
+#define weight_moment_amplitude_1e_10_fused_KIND whole
 
 /* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, fused: proved within 4.38e-07 relative
  * (certificates/weight_moment_amplitude.json) */
@@ -584,7 +584,7 @@ INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
         -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
     return p1 * alpha_2 * alpha;
 }
-#define weight_moment_amplitude_1e_6_fused_KIND short
+#define weight_moment_amplitude_1e_6_fused_KIND whole
 
 /* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 7.75 ulp
  * (certificates/weight_moment_amplitude.json), rounded correctly to float32 */
@@ -597,7 +597,7 @@ INLINE double weight_moment_amplitude_float32_fused(double alpha)
         -0x1.0dfa1fe98d53ep-47);
     return alpha_2 * alpha * (p1 + 0x1.5555555555555p-1);
 }
-#define weight_moment_amplitude_float32_fused_KIND short
+#define weight_moment_amplitude_float32_fused_KIND whole
 
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.65 ulp
  * (certificates/resistance_factor.json) */
@@ -626,7 +626,7 @@ INLINE double resistance_factor_1e_10_fused(double alpha)
         -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
     return p1 * alpha_2 * alpha;
 }
-#define resistance_factor_1e_10_fused_KIND short
+#define resistance_factor_1e_10_fused_KIND whole
 
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 1.71e-07 relative
  * (certificates/resistance_factor.json) */
@@ -637,7 +637,7 @@ INLINE double resistance_factor_1e_6_fused(double alpha)
         -0x1.899d6d596ca14p-15);
     return p1 * alpha_2 * alpha;
 }
-#define resistance_factor_1e_6_fused_KIND short
+#define resistance_factor_1e_6_fused_KIND whole
 
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 4.52 ulp
  * (certificates/resistance_factor.json), rounded correctly to float32 */
@@ -649,7 +649,7 @@ INLINE double resistance_factor_float32_fused(double alpha)
         -0x1.a0dfa5b9b370bp-44);
     return alpha_2 * alpha * (p1 + 1.0);
 }
-#define resistance_factor_float32_fused_KIND short
+#define resistance_factor_float32_fused_KIND whole
 
 /* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
  * best, fused: proved within 0.791 ulp (certificates/dynamic_coefficient.json) */
@@ -1295,7 +1295,7 @@ INLINE double moment_of_inertia_1e_6_plain(double alpha)
         -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
     return p1 * alpha_2 * alpha;
 }
-#define moment_of_inertia_1e_6_plain_KIND short
+#define moment_of_inertia_1e_6_plain_KIND whole
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 15 ulp
  * (certificates/moment_of_inertia.json), rounded correctly to float32 */
@@ -1451,7 +1451,7 @@ INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
         -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
     return p1 * alpha_2 * alpha;
 }
-#define weight_moment_amplitude_1e_6_plain_KIND short
+#define weight_moment_amplitude_1e_6_plain_KIND whole
 
 /* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 9.16 ulp
  * (certificates/weight_moment_amplitude.json), rounded correctly to float32 */
@@ -1487,7 +1487,7 @@ INLINE double resistance_factor_1e_10_plain(double alpha)
         -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
     return p1 * alpha_2 * alpha;
 }
-#define resistance_factor_1e_10_plain_KIND short
+#define resistance_factor_1e_10_plain_KIND whole
 
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 1.71e-07 relative
  * (certificates/resistance_factor.json) */
@@ -1498,7 +1498,7 @@ INLINE double resistance_factor_1e_6_plain(double alpha)
         -0x1.899d6d596ca14p-15);
     return p1 * alpha_2 * alpha;
 }
-#define resistance_factor_1e_6_plain_KIND short
+#define resistance_factor_1e_6_plain_KIND whole
 
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 4.52 ulp
  * (certificates/resistance_factor.json), rounded correctly to float32 */
@@ -1797,56 +1797,55 @@ INLINE double limit_friction_best_plain(double theta_1, double theta_2)
 
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
- * its seam, its first piece alone. Else `refused` has the bits of NaN for what is outside the domain, which make a NaN
- * of any result. A loop may run in place, or on an input that lies ahead of its output. */
-#define PASS(T, STATEMENTS) \
+ * its seam, its first piece alone. Others are set aside, and run as 0: of these the result is that of pi/2, or NaN. A
+ * loop may run in place, or on an input that lies ahead of its output. */
+#define INSIDE(x) ((x) >= 0 && (x) < HALF_PI)
+#define PASS(T, PROGRAM) \
     INDEPENDENT \
-    for (npy_intp i = start; i < stop; i++) { \
-        const double x = in[i]; \
-        STATEMENTS \
-    }
-#define CAREFUL(T, PROGRAM) \
-    const double clipped = x < HALF_PI ? x : HALF_PI; /* NaN becomes pi/2 */ \
-    const double sign = clipped >= 0.0 ? 0.0 : NAN; \
-    const uint64_t refused = bits(x <= END_##T ? sign : NAN); \
-    out[i] = (T)number(bits(PROGRAM(clipped)) | refused); \
-    outside |= bits(x > END_##T ? NAN : sign); /* not of NaN, of which NumPy's functions are silent */
-#define BARE(T, PROGRAM) PASS(T, out[i] = (T)PROGRAM(x);)
-/* Kinds of programs: of two pieces, whole, or so short that over doubles care costs less than a look. */
-#define LOOK_pieces(T) 1
-#define LOOK_whole(T) 1
-#define LOOK_short(T) (sizeof(T) == sizeof(float))
+    for (npy_intp i = start; i < stop; i++) out[i] = (T)PROGRAM((double)in[i]);
+/* Kinds of programs: of two pieces, or whole. */
 #define ABOVE_pieces(T, PROGRAM, pattern) PROGRAM##_BELOW_##T - pattern
 #define ABOVE_whole(T, PROGRAM, pattern) 0
-#define ABOVE_short(T, PROGRAM, pattern) 0
-#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_near)
-#define RUN_whole(T, PROGRAM) BARE(T, PROGRAM)
-#define RUN_short(T, PROGRAM) BARE(T, PROGRAM)
+#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) PASS(T, PROGRAM) else PASS(T, PROGRAM##_near)
+#define RUN_whole(T, PROGRAM) PASS(T, PROGRAM)
 #define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
 #define LOOP_OF(T, KIND, PROGRAM, LOOP_NAME, LEVEL) LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL)
 #define LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL) \
     TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
     { \
-        const T *in = (const T *)args[0]; \
-        T *out = (T *)args[1]; \
-        uint64_t outside = 0; \
+        T *out = (T *)args[1], aside[BLOCK]; \
+        int outside = 0; \
         for (npy_intp start = 0, stop; start < count; start = stop) { \
+            const T *in = (const T *)args[0]; \
             PATTERN_##T beyond = 0, above = 0; \
             stop = count - start < BLOCK ? count : start + BLOCK; \
-            for (npy_intp i = start; LOOK_##KIND(T) && i < stop; i++) { \
+            for (npy_intp i = start; i < stop; i++) { \
                 const PATTERN_##T pattern = pattern_##T(in[i]); \
                 beyond |= (LAST_##T - pattern) | pattern; \
                 above |= ABOVE_##KIND(T, PROGRAM, pattern); \
             } \
-            if (!LOOK_##KIND(T) || NEGATIVE(beyond)) { \
-                PASS(T, CAREFUL(T, PROGRAM)) \
+            if (NEGATIVE(beyond)) { \
+                INDEPENDENT \
+                for (npy_intp i = start; i < stop; i++) { \
+                    const T x = in[i]; \
+                    aside[i - start] = x; \
+                    out[i] = INSIDE(x) ? x : 0; \
+                } \
+                in = out; \
             } \
-            else { \
-                RUN_##KIND(T, PROGRAM) \
+            RUN_##KIND(T, PROGRAM) \
+            if (NEGATIVE(beyond)) { \
+                const T end = (T)PROGRAM(HALF_PI); \
+                for (npy_intp i = start; i < stop; i++) { \
+                    const double x = aside[i - start]; \
+                    if (INSIDE(x)) continue; \
+                    out[i] = x >= HALF_PI && x <= END_##T ? end : NAN; \
+                    outside |= x < 0 || x > END_##T; /* not NaN, of which NumPy's functions are silent */ \
+                } \
             } \
             (void)above; \
         } \
-        return outside != 0; \
+        return outside; \
     }
 
 /* Of both ends of an arc: refused is what is none, or beyond LIMIT. */

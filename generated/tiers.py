@@ -1,8 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: dd47f67d86c20700588a825c29bbe0a6ba628b2b8cee8d9a8932de91cffffa27
+# sha256 of the text below: c79c3010873153adc00cef7c7bed23d55a9448b33f8c881364c5dd7e9116d607
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "e0598bdb19cce17a13e2ccb49ce58b82e78cecb1cb3f88bb33a77001ae564dd6"
+DIGEST = "81482e7a4b99b3d43aedc2d8079c77f341bfdb305d130649d6cce5f4f936824e"
 LIMIT = 65536.0  # of an end of an arc, rad
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3342e11eea4d0c1bf7fa8ff7d36cf913afd25e3b03386993f360130e6feaf432
+# sha256 of the text below: 5f9aab814f2db93f25e24eb8383b82f873b1f008753bd8dd46bcc62cc2e69983
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -169,17 +169,6 @@ def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -
     every = t.data.coefficients
     of_piece = every[piece] if every.ndim == 2 else every[piece, :, s.columns[i]]
     terms[: t.terms] = of_piece.T
-
-
-def piece_at(s: Lanes, i: Index, t: Table, first: Any, place: Floats, included: Any) -> Index:
-    """The last piece from the first one that begins below a place, or at it if a break belongs to the piece above."""
-    breaks = t.data.breaks
-    if breaks.ndim == 1 and included is True:
-        begun = np.searchsorted(breaks, place, side="right")
-    else:
-        breaks = breaks[:, None] if breaks.ndim == 1 else breaks[:, s.columns[i]]
-        begun = np.count_nonzero((breaks < place) | ((breaks == place) & included), axis=0)
-    return np.maximum(begun - 1, first)
 
 
 def note(s: Lanes, i: Index, event: int) -> None:
@@ -428,13 +417,35 @@ def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
     return np.where(piece < last, break_of(lane, i, t, np.fmin(piece + 1, last)), INFINITY)
 
 
+def ends_by(lane: Lanes, i: Index, t: Table, piece: Index, argument: Floats, included: Mask) -> Mask:
+    """Whether a piece ends below an argument, or at it if a break belongs to the piece above."""
+    end = end_of_piece(lane, i, t, piece)
+    return (end < argument) | included & (end == argument) & (end < INFINITY)
+
+
+def piece_at(lane: Lanes, i: Index, t: Table, first: Index, argument: Floats, included: Mask) -> Index:
+    """The piece in which an argument is, from the first one on that it may be."""
+    piece = first
+    i_1, argument_1, included_1, piece_1 = (i, argument, included, piece.copy())
+    place_1 = np.arange(i.size)
+    while True:
+        i, argument, included, piece, place_1 = among(ends_by(lane, i, t, piece, argument, included), i, argument,
+            included, piece, place_1)
+        if not i.size:
+            break
+        piece = piece + 1
+        piece_1[place_1] = piece
+    i, argument, included, piece = (i_1, argument_1, included_1, piece_1)
+    return piece
+
+
 def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
     """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     end = end_of_piece(lane, i, t, piece)
     c[t.cells + ix.UPPER, i] = end / c[t.cells + ix.SCALE, i]
-    rise = rise_to(lane, i, t, np.where(piece < t.pieces - 1, end - now, 0.0))
+    rise = rise_to(lane, i, t, np.where(end < INFINITY, end - now, 0.0))
     c[t.cells + ix.LOWER, i] = c[t.cells + ix.INC, i] + rise
     c[t.cells + ix.WAY, i] = c[t.cells + ix.WAY, i] + np.abs(rise)
 
@@ -451,7 +462,7 @@ def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
     i, = among(holds_1, i_1)
     if i.size:
         now = c[ix.TIME, i] * c[t.cells + ix.SCALE, i]
-        piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), now * (1.0 + 2.0 * EPS), True)
+        piece = piece_at(lane, i, t, integer(c[t.cells + ix.PIECE, i]), now * (1.0 + 2.0 * EPS), np.full(i.size, True))
         holds_2 = piece > integer(c[t.cells + ix.PIECE, i])
         i_2, now_2, piece_2 = (i, now, piece)
         i, now, piece = among(holds_2, i_2, now_2, piece_2)
@@ -483,7 +494,7 @@ def begin_in_rotation(lane: Lanes, i: Index, t: Table) -> None:
     c = lane.cells
     rotation = c[ix.ROTATION, i]
     up_to = c[ix.DIRECTION, i] > 0.0
-    piece = piece_at(lane, i, t, 0, rotation, up_to)
+    piece = piece_at(lane, i, t, np.full(i.size, 0), rotation, up_to)
     c[t.cells + ix.PIECE, i] = piece
     local = rotation - break_of(lane, i, t, piece)
     ahead = end_of_piece(lane, i, t, piece) - rotation
@@ -534,9 +545,11 @@ def find_pieces(lane: Lanes, i: Index) -> None:
     c = lane.cells
     for t in lane.tables:
         if t.kind == ix.OF_SLIP:
-            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, 0, c[ix.SLIP, i] * c[t.cells + ix.SCALE, i], True)
+            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, np.full(i.size, 0), c[ix.SLIP, i] * c[t.cells + ix.SCALE,
+                i], np.full(i.size, True))
         if t.kind == ix.OF_SPEED:
-            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, 0, c[ix.OMEGA, i] * c[t.cells + ix.SCALE, i], True)
+            c[t.cells + ix.PIECE, i] = piece_at(lane, i, t, np.full(i.size, 0), c[ix.OMEGA, i] * c[t.cells + ix.SCALE,
+                i], np.full(i.size, True))
 
 
 def pass_break(lane: Lanes, i: Index, t: Table) -> None:
@@ -1055,8 +1068,8 @@ def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
     c = lane.cells
     last = t.pieces - 1
     following = np.fmin(piece + 1, last)
-    return (following < last) & (break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE,
-        i] * (1.0 - 4.0 * EPS))
+    ends = end_of_piece(lane, i, t, following) < INFINITY
+    return ends & (break_of(lane, i, t, following) < c[ix.END_TIME, i] * c[t.cells + ix.SCALE, i] * (1.0 - 4.0 * EPS))
 
 
 def value_at_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:

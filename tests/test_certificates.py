@@ -185,10 +185,14 @@ def test_every_variant_has_its_certificate() -> None:
 
 
 def test_the_checker_proves_certificates() -> None:
-    """Some of them; `python -m derive prove` proves all, and `python -m derive` what it writes."""
+    """Some of them; `python -m derive prove` proves all, and `python -m derive` what it writes.
+
+    Of float32 the bound: hard inputs are looked for in parts below, and by `test_approximants` for one kernel.
+    """
     for record in RECORDS[::15]:
-        _, proved = certify.checked(record)
-        assert proved, record["kernel"]
+        assert certify.prove(record) <= record["bound"]
+    _, proved = certify.checked(find("resistance_factor", "1e-6"))
+    assert proved
 
 
 @pytest.mark.parametrize("r", RECORDS, ids=lambda r: f"{r['kernel']}-{r['tier']}-{r['form']}")

@@ -174,7 +174,7 @@ def test_no_command_prints_a_negative_zero(name: str, tmp_path: Path, asked: Any
     for words in lines:
         _, out, err = asked(words)
         assert "--json" in words or not MANY_DIGITS.search(out), words
-        made = [re.sub(r'<data value="[^"]*">', "", p.read_text("utf-8")) for p in tmp_path.iterdir()]
+        made = [p.read_text("utf-8") for p in tmp_path.iterdir()]
         for text in (out, err, *made):
             assert not NOTHING.search(text), (words, NOTHING.search(text))
 

@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Motion, Scene, solve
-from slipcircle.tables import Series
+from slipcircle.tables import LaneSeries, Series
 from tests.support import oracle, taylor
 from tests.support.blocks import ARC, GRAVITY, MU, exactly, factor, of_block, quake, series
 from tests.support.lanes import BACKENDS, backend
@@ -20,7 +20,7 @@ from tests.support.lanes import BACKENDS, backend
 STILL = Series(np.array([0.0, 1000.0]), np.zeros(2))
 
 
-def shaken(horizontal: Series, vertical: Series | None = None, mu: Any = MU, **more: Any) -> Motion:
+def shaken(horizontal: Series | LaneSeries, vertical: Series | None = None, mu: Any = MU, **more: Any) -> Motion:
     given: dict[str, Any] = {"horizontal": horizontal, **more}
     if vertical is not None:
         given["vertical"] = vertical
@@ -44,6 +44,30 @@ def test_a_suite_is_that_of_the_exact_block(name: str) -> None:
     assert motion.reach.displacement == pytest.approx(by_series.reach.displacement, rel=1e-13)
     assert motion.peak.velocity == pytest.approx(by_series.peak.velocity, rel=1e-13)
     assert motion.peak.time == pytest.approx(by_series.peak.time, rel=1e-7)  # where the speed is level
+
+
+@pytest.mark.parametrize("law", [MU, {"law": "exponential", "peak": MU, "residual": 0.9 * MU, "length": 0.2}])
+@pytest.mark.parametrize("name", BACKENDS)
+def test_records_side_by_side_are_each_alone(name: str, law: Any) -> None:
+    """Bit for bit, in any order: of any length, that end at a jump or not, that start late, and that are held."""
+    short = quake(12, 90)
+    late = Series(1.0 + quake(13, 300).time, quake(13, 300).values)
+    cut = Series(short.time, np.where(short.time == short.time[-1], 0.2, short.values), held=False)
+    records = quake(11, 700), short, late, cut, quake(14, 120)
+    which = np.array([3, 0, 1, 4, 2, 0, 3, 1, 2, 4, 4])
+    scales = np.linspace(1.0, 3.0, which.size)
+    frozen = isinstance(law, float)
+    with backend(name):
+        together = shaken(LaneSeries(records, which), mu=law, scale=scales)
+        for k, record in enumerate(records):
+            alone = shaken(record, mu=law, scale=scales[which == k])
+            for outcome in ("run_out", "peak_velocity", "duration", "reach"):
+                np.testing.assert_array_equal(together.outcomes[outcome][which == k], alone.outcomes[outcome])
+            for run_out, scale in zip(alone.run_out, scales[which == k], strict=True):
+                if frozen and not record.held:
+                    places, _, _ = of_block(replace(record, values=scale * record.values))
+                    assert run_out == pytest.approx(places[-1], rel=1e-12)
+    assert np.count_nonzero(together.moves) > 5
 
 
 @pytest.mark.parametrize("ulps", [-1000, -1, 0, 1, 1000])

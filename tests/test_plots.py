@@ -37,8 +37,8 @@ each_scene = pytest.mark.parametrize("name", SCENES)
 
 @pytest.mark.parametrize("name", ["vaiont-heated", "newmark-pulse", "swings", "still", "to the left"])
 def test_no_text_lies_on_another(name: str) -> None:
-    figure = canvas(plots.size(motion(name)), 60)
-    plots.overview(motion(name), figure)
+    drawing = plots.overview(motion(name))
+    figure = drawing.draw(canvas(drawing.size, 60))
     assert len(list(texts(figure))) > 15
     assert clashes(figure) == []
     assert all(float(text.get_fontsize()) >= 8.0 for text in figure.findobj(Text))
@@ -69,8 +69,8 @@ def test_history_draws_the_motion(name: str) -> None:
 
 def test_an_overview_of_a_motion() -> None:
     """Degrees beside metres; panels bear letters."""
-    m, figure = motion("vaiont"), canvas((9.0, 12.0))
-    plots.overview(m, figure)
+    m = motion("vaiont")
+    figure = plots.overview(m).draw(canvas((9.0, 12.0)))
     assert "".join(ax.get_title("left") for ax in figure.axes) == "abcdef"
     assert figure.get_suptitle() == "Vaiont: 677 m in 38.1 s, at rest"
     ax = plots.history(m, "displacement", drawn())
@@ -266,7 +266,7 @@ def test_the_map_of_a_search_is_darkest_where_most_dangerous() -> None:
     stability = stability_of(load("real-slope"))
     assert stability is not None
     found = critical(stability.slope)
-    searchplot.critical_circle(found, figure := canvas((9.0, 6.0)))
+    searchplot.critical_circle(found, (figure := canvas((9.0, 6.0))).add_subplot())
     (cells,) = (c for c in figure.axes[0].collections if c.get_array() is not None)
     low, high = (sum(cells.get_cmap()(x)[:3]) for x in (0.0, 1.0))
     least, most = cells.get_clim()
@@ -281,7 +281,7 @@ def test_a_flat_map_of_a_search_has_a_scale_with_different_labels() -> None:
     found = critical(stability.slope)
     least = np.nanmin(found.values)
     flat = replace(found, values=least + 1e-3 * (found.values - least))
-    searchplot.critical_circle(flat, figure := canvas((9.0, 6.0)))
+    searchplot.critical_circle(flat, (figure := canvas((9.0, 6.0))).add_subplot())
     figure.draw_without_rendering()
     low, high = figure.axes[1].get_xlim()
     labels = [t.get_text() for t in figure.axes[1].get_xticklabels() if low <= t.get_position()[0] <= high]

@@ -17,13 +17,14 @@ import pytest
 
 from slipcircle import Motion, Scene, load, solve
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.quantities import RESULTS
+from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.common.records import record as record_of
 from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.provenance import comments, inputs
 from slipcircle.workbench.outputs.report import report
+from slipcircle.workbench.outputs.tables import motion_column
 from tests.support.outputs import rows, tree, words_of
 
 COMMAND = "slipcircle run wet-slope --report report.html"
@@ -43,20 +44,14 @@ def page() -> str:
 
 
 def test_numbers_are_those_of_the_json() -> None:
-    """With six digits, in the units of the table, which `test_outputs` holds."""
+    """In full in its JSON; in its tables as `run --verbose` prints them, which `test_outputs` holds."""
     m, cells = motion("wet-slope"), rows(tree(page()))
     record = json.loads(json.dumps(record_of(m), allow_nan=False))
-    stated = {**record, **{f"{state}.{k}": v for state in ("reach", "peak", "end") for k, v in record[state].items()}}
-    numbers = [q for q in RESULTS if q.path in stated and q.name not in ("moves", "arrested")]
-    assert len(numbers) == len(RESULTS) - 3  # but for the stress at the start
-    for q in numbers:
-        (shown,) = cells[q.label]
-        value, unit = q.seen(stated[q.path])
-        number, _, shown_unit = shown.text.partition(" ")
-        assert (float(shown.get("value")), shown_unit) == (stated[q.path], unit)
-        assert float(number) == pytest.approx(value, rel=1e-5)
+    assert {label: cells[label].text for label in motion_column(m)} == motion_column(m)
     for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
-        assert float(cells[label][0].get("value")) == record["energy"][key]
+        number, unit = str(cells[label].text).split(" ")
+        factor, known = prefixed(record["energy"][key], "J")
+        assert (float(number), unit) == (pytest.approx(factor * record["energy"][key], rel=1e-5), f"{known}/m")
     folded = {d.find("summary").text: d.find("pre").text for d in tree(page()).iter("details")}
     folded_record = json.loads(folded["All numbers, as JSON in SI units and radians"])
     assert folded_record == {"format": "slipcircle-json-1"} | record
@@ -142,7 +137,7 @@ def test_one_command_writes_everything(tmp_path: Path, asked: Any) -> None:
     plot, page, table = written.values()
     assert plot.read_bytes().startswith(b"\x89PNG\r\n")
     root = tree(page.read_text("utf-8"))
-    assert float(rows(root)["peak velocity"][0].get("value")) == record["peak"]["velocity"]
+    assert rows(root)["peak velocity"].text == motion_column(motion("wet-slope"))["peak velocity"]
     (command,) = (pre.text for pre in root.iter("pre") if pre.text.startswith("slipcircle run"))
     given = [str(part) for option in written.items() for part in option]
     assert shlex.split(command) == ["slipcircle", "run", "wet-slope", *given, "--json"]
@@ -162,7 +157,7 @@ def test_several_scenes_share_the_files(tmp_path: Path, said: Any) -> None:
     first = next(root.iter("table"))
     assert [a.get("href") for a in first.iter("a")] == ["#scene-1", "#scene-2"]
     row = next(r for r in first.iter("tr") if r[0].text == "run-out along the arc")
-    assert [float(d.get("value")) for d in row.iter("data")] == [motion(n).run_out for n in names]
+    assert [cell.text for cell in row][1:] == [motion_column(motion(n))["run-out along the arc"] for n in names]
     assert {line.partition(",")[0] for line in table.read_text("utf-8").splitlines()[1:]} == set(names)
 
 

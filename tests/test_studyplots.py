@@ -13,7 +13,9 @@ import pytest
 from slipcircle import Study, backanalyse, ensemble, load, solve
 from slipcircle.workbench.outputs import plots, studyplots, tornado
 from slipcircle.workbench.outputs.report import study_report
+from slipcircle.workbench.outputs.tables import interval
 from slipcircle.workbench.studies.ensemble import grid
+from slipcircle.workbench.studies.statistics import Estimate
 from tests.support.outputs import rows, tree
 from tests.support.pictures import canvas, clashes, drawn, legend, motion
 
@@ -47,8 +49,8 @@ WORDS = ("friction angle", "radius", "pore pressure ratio")
 
 @pytest.mark.parametrize("name", ["three, Sobol", "few", "none moves"])
 def test_no_text_lies_on_another(name: str) -> None:
-    figure = canvas(studyplots.size(found(name)), 60)
-    assert studyplots.overview(found(name), figure) is figure
+    drawing = studyplots.overview(found(name))
+    figure = drawing.draw(canvas(drawing.size, 60))
     assert clashes(figure) == []
     assert all(re.search(r"\((m|m/s|–)\)$", ax.get_xlabel()) for ax in figure.axes)
 
@@ -67,9 +69,8 @@ def test_exceedance_counts_the_samples(output: str) -> None:
 
 def test_what_is_rare_shows_on_a_logarithmic_axis() -> None:
     """Beside the linear one, with the same curve."""
-    figure = canvas()
-    studyplots.overview(found("two"), figure)
-    assert [ax.get_yscale() for ax in figure.axes] == ["linear", "log", "linear"] * 2
+    figure = studyplots.overview(found("two")).draw(canvas())
+    assert [ax.get_yscale() for ax in figure.axes] == [*["linear", "log"] * 2, "linear", "linear"]
     linear, log, *_ = figure.axes
     np.testing.assert_array_equal(linear.lines[0].get_ydata(), log.lines[0].get_ydata())
     assert log.get_ylim()[0] < 1 / 2000
@@ -78,8 +79,7 @@ def test_what_is_rare_shows_on_a_logarithmic_axis() -> None:
 def test_a_backanalysis_is_drawn_over_its_fields() -> None:
     """Curves that are single motions'; the observed line meets them at the solution."""
     back = backanalyse(load("vaiont"), run_out=(400.0, 20.0), duration=(40.0, 5.0), field=[DEGREES, "arc.radius_m"])
-    figure = canvas((11, 7), 60)
-    studyplots.explained(back, figure)
+    figure = studyplots.explained(back).draw(canvas((11, 7), 60))
     assert clashes(figure) == []
     assert [ax.get_xlabel() for ax in figure.axes] == ["", "", "friction angle (deg)", "radius (m)"]
     for ax, field in zip(figure.axes, (DEGREES, "arc.radius_m"), strict=False):
@@ -171,8 +171,8 @@ def test_a_grid_is_drawn_as_curves() -> None:
     """A curve of the study's results for each radius."""
     radii = [1000.0, 1492.6]
     e = grid(load("vaiont"), {DEGREES: [9.0, 12.0, 15.0], "arc.radius_m": radii})
-    figure = canvas(studyplots.size(e), 60)
-    studyplots.overview(e, figure)
+    drawing = studyplots.overview(e)
+    figure = drawing.draw(canvas(drawing.size, 60))
     assert clashes(figure) == []
     assert [ax.get_ylabel() for ax in figure.axes] == ["greatest displacement (m)", "peak velocity (m/s)"]
     for ax, output in zip(figure.axes, ("reach", "peak_velocity"), strict=True):
@@ -202,9 +202,9 @@ def test_one_command_writes_everything(tmp_path: Path, records: Any) -> None:
             "pore_pressure.ratio=uniform:0.1:0.4 --sensitivity 64")  # fmt: skip
     (record,) = records(line, "--report", page)
     root = tree(page.read_text("utf-8"))
-    cells, values = rows(root), {e["p"]: e["value"] for e in record["outputs"]["duration"]["quantiles"]}
-    shown = [float(cells[name][0].get("value")) for name in ("probability of moving", "0.05")]
-    assert shown == [record["moving"]["value"], values[0.95]]
+    cells, quantiles = rows(root), {e["p"]: e for e in record["outputs"]["duration"]["quantiles"]}
+    for name, e in (("probability of moving", record["moving"]), ("0.05", quantiles[0.95])):
+        assert cells[name].text == interval(Estimate(e["value"], e["low"], e["high"]))
     folded = {d.find("summary").text: d.find("pre").text for d in root.iter("details")}
     assert json.loads(folded["All numbers, as JSON"]) == record
     (command,) = (pre.text for pre in root.iter("pre") if pre.text.startswith("slipcircle sweep"))

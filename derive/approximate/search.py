@@ -226,7 +226,9 @@ def best(kernel: Kernel) -> Best:
 
     def ranked(tried: Iterable[Best]) -> list[Best]:
         for shape in tried:
-            if shape not in judged and len(judged) < TRIALS:
+            if len(judged) == TRIALS:
+                break
+            if shape not in judged:
                 judged[shape] = price(kernel, shape)
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 

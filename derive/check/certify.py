@@ -66,21 +66,27 @@ def below_underflow(record: Record, whole: float) -> float:
     if len(record["definition"]) > 1:
         return 0.0  # quotients do not underflow
     near = near_zero(record)
+    whole_interval = [(0.0, 1.0)]
+    upper_half = [(i / 32, (i + 1) / 32) for i in range(16, 32)]
 
-    def bound(s: float, lower: float, upper: float) -> float:
-        """On alpha = s xi, xi in [lower, upper]."""
-        distance, last, smallest = near.window(s, s).error(lower, upper)
+    def bound(s: float, boxes: list[tuple[float, float]]) -> float:
+        """On alpha = s xi, xi in these boxes."""
+        window = near.window(s, s)
         least = TINY / s / s / s
-        if TIERS[tier].unit == "relative":
-            return (distance + last) / (whole * smallest + least) * UP
-        return in_units(tier, distance, last, smallest, least)
+        worst = 0.0
+        for lower, upper in boxes:
+            distance, last, smallest = window.error(lower, upper)
+            if TIERS[tier].unit == "relative":
+                worst = max(worst, (distance + last) / (whole * smallest + least) * UP)
+            else:
+                worst = max(worst, in_units(tier, distance, last, smallest, least))
+        return worst
 
     s = VANISHING
-    worst = bound(s, 0.0, 1.0)
+    worst = bound(s, whole_interval)
     while s < UNDERFLOW:
         s *= 2
-        for i in range(16, 32):
-            worst = max(worst, bound(s, i / 32, (i + 1) / 32))
+        worst = max(worst, bound(s, upper_half))
     return worst
 
 

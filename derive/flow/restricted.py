@@ -65,7 +65,7 @@ PRIMITIVES = {
     **dict.fromkeys(("any_lane", "all_lanes", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two"), "V"),
     **dict.fromkeys(("break_of", "jump_of"), "F"),
-    **dict.fromkeys(("integer", "piece_at"), "I"),
+    "integer": "I",
     **dict.fromkeys(("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples"), "NONE"),
     "new_series": "S",
     "tail": "S",

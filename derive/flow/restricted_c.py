@@ -49,7 +49,9 @@ FORMS = {
     "coefficients": "c[job->table[{of}].cell + Q1 + {x}]{at}",
     "element": "{of}[{x}]{at}",
     # Expressions.
-    "broadcast": "broadcast({x})",
+    "broadcast.V": "broadcast({x})",
+    "broadcast.I": "{x}",
+    "broadcast.B": "{x}",
     "cast": "(double){x}",
     "not": "!{a}",
     "not.M": "~{a}",

@@ -49,7 +49,9 @@ FORMS = {
     "coefficients": "c[{of}.cells + ix.Q1 + ({x}){at}]",
     "element": "{of}[{x}{at}]",
     # Expressions.
-    "broadcast": "{x}",
+    "broadcast.V": "{x}",
+    "broadcast.I": "np.full(i.size, {x})",
+    "broadcast.B": "np.full(i.size, {x})",
     "cast": "{x}",
     "not": "np.logical_not({a})",
     "not.N": "(not {a})",

@@ -59,7 +59,7 @@ class Writer:
     def as_kind(self, value: Value, kind: str) -> str:
         """The text where a value of some kind is expected."""
         text = bare(value.text)
-        return self.say("broadcast", text) if kind == "V" and value.kind in ("K", "N") else text
+        return self.say(f"broadcast.{kind}", text) if kind in "VIB" and value.kind in ("K", "N") else text
 
     # Expressions.
 
@@ -155,7 +155,7 @@ class Writer:
         if name not in PRIMITIVES and not function:
             self.refuse(e, f"there is no function {name}")
         kind = self._kind_of_call(name, values)
-        expected = function.parameters.values() if function else [kind] * len(values)
+        expected = function.parameters.values() if function else [kind if kind == "V" else "NONE"] * len(values)
         texts = [self.as_kind(v, k) for v, k in zip(values, expected, strict=True)]
         if values and values[0].kind in ("LANES", "LANE"):
             one = function.of == "LANE" if function else self.lane

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from derive.approximate.programs import Code, Variant, logarithm, parts_of_ends
-from derive.approximate.search import DIVISION
 from derive.check.ends import LIMIT
 from derive.code import emit
 from derive.code.emit import identifier
@@ -22,7 +21,6 @@ HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # The largest alpha that is inside: half discs given in degrees land a little above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}
 MOST = 24  # degrees of polynomials are below it
-SHORT = 16  # operations of a program, below which checking a block costs more than the general code
 
 
 def _number(value: float) -> str:
@@ -89,10 +87,7 @@ class CText:
         """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
         pieces = seam(program)
         if not pieces:
-            counts = program.operations()
-            cost = sum(counts.values()) + DIVISION * counts["div"]
-            kind = "short" if cost <= SHORT else "whole"
-            return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
+            return f"{self.body(name, program)}#define {name}_KIND whole\n"
         at, *outputs = pieces
         comments = (f"/* alpha < {at} */", f"/* alpha >= {at}, in b = pi/2 - alpha */")
         parts = []

@@ -138,8 +138,7 @@ def _kernels() -> Iterator[HardCase]:
                 yield HardCase(m.name, (math.pi, 2 * math.pi), TOP)
 
 
-CASES = (
-    *_kernels(),
+_OF_ENDS = (
     HardCase("radial_weight", (0.1, 0.2), "alpha is not a double: its rounding error times the slope counts"),
     HardCase("weight_moment", (4.0, 5.42477796076938), "level: cos(theta_m), of an exact theta_m that is no double"),
     HardCase("limit_friction", (4.0, 4.0 + 1e-10), THIN),
@@ -152,13 +151,19 @@ CASES = (
 )
 
 
+@cache
+def cases() -> tuple[HardCase, ...]:
+    """Of the functions of alpha those that follow from their forms, and those that are declared here."""
+    return *_kernels(), *_OF_ENDS
+
+
 def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
     programs = [v.program for v in (*variants(), *variants_of_ends()) if v.tier == "best" and v.form != "fused"]
     ours = {p.name: p.run for p in programs}
     ours["drive"] = partial(drive, balance().scalar)
     results = []
-    for case in track(CASES, "hard cases measured", len(CASES)):
+    for case in track(cases(), "hard cases measured", len(cases())):
         form = forms()[case.function]
         arrays = [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):

@@ -124,8 +124,7 @@ def _doubled(vectors: Vectors) -> Vectors:
 def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
     """R^2 - rho^2 of points, which is small near the circle."""
     r = DoubleDouble(radius)
-    clearance: DoubleDouble = r * r - from_centre.square
-    return clearance
+    return r * r - from_centre.square
 
 
 def _with_an_end_inside(edges: _Edges) -> tuple[Floats, Floats]:
@@ -165,8 +164,7 @@ def _may_pass_through(edges: _Edges) -> Flags:
     foot_on_edge = (to_foot > 0.0) & (to_foot < square)
     first_outside = edges.first_clear == 0.0
     last_outside = edges.last_clear == 0.0
-    passes: Flags = foot_on_edge & first_outside & last_outside
-    return passes
+    return foot_on_edge & first_outside & last_outside
 
 
 def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> tuple[Floats, Floats]:
@@ -292,8 +290,7 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     of_moment = start * moment + edge * moment_s
     by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
     over_edges = by_edge * start.cross(edge)
-    moments_of_circles: Floats = over_edges.sum(axis=2)
-    return moments_of_circles
+    return over_edges.sum(axis=2)
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:

@@ -87,8 +87,7 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     to_end = line.ends.x - at
     on_edge = (beyond >= 0.0) & (to_end >= 0.0)
     of_edges = np.where(on_edge, heights, -np.inf)
-    upper: Floats = of_edges.max(axis=-1)
-    return upper
+    return of_edges.max(axis=-1)
 
 
 def pond_errors(grounds: Floats, levels: Floats) -> Fault:

@@ -110,8 +110,7 @@ def integral_inside(parts: Cut) -> Floats:
     pieces = _inside(parts)
     slope = _slope(parts.part)
     _, _, span, sine, cosine, height = pieces
-    integral: Floats = slopes.head(span, sine, cosine, height, slope)
-    return integral
+    return slopes.head(span, sine, cosine, height, slope)
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
@@ -220,12 +219,10 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
 def _half_width(x: Floats) -> Floats:
     """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
     square = (1.0 - x) * (1.0 + x)
-    half_width: Floats = np.sqrt(square)
-    return half_width
+    return np.sqrt(square)
 
 
 def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
     """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
     half_span = np.arctan2(run, cosine + end_cosine)
-    span: Floats = 2 * half_span
-    return span
+    return 2 * half_span

@@ -125,7 +125,7 @@ class Forces:
         cells[program.roles["cell_drive"]] = 0.0
         cells[ix.OMEGA] = 1.0
         registers = engine().registers(program, tables, cells)
-        return np.asarray(-2.0 * registers[program.roles["net"]])
+        return -2.0 * registers[program.roles["net"]]
 
     @cached_property
     def statics(self) -> dict[str, Floats]:

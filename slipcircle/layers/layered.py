@@ -161,7 +161,7 @@ class RotationTables(NamedTuple):
         resisting = np.maximum(friction_moment, 0.0)
         driving = drive * cosine - drive_slope * sine
         net_moment = driving - resisting - terms.get("strength", 0.0)
-        return np.asarray(net_moment)
+        return net_moment
 
     def _terms_of_sample(self, rotation: Floats, step: int) -> dict[str, Floats]:
         """The terms of every so many lanes at rotations, (M, lanes) or (lanes,)."""

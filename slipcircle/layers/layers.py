@@ -177,8 +177,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _datum_crossings(self) -> Floats:
         """Directions at which these heights cross the circle, at both sides, (soils, circles); 0 where none does."""
         depth = np.clip(-self.datum_levels, -1.0, 1.0)
-        crossings: Floats = np.arccos(depth)
-        return crossings
+        return np.arccos(depth)
 
     def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
@@ -304,8 +303,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _weights_per_area(self) -> Floats:
         """The mean unit weight, N/m^3, (lanes,)."""
         of_area, *_ = self._moments_of_weight
-        mean: Floats = of_area / self._moments["area"]
-        return mean
+        return of_area / self._moments["area"]
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:

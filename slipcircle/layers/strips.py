@@ -118,8 +118,7 @@ def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
     rows = np.asarray(chosen)
     heights = at_middle[rows]
     lowest = np.argmin(heights, axis=0)
-    numbers: Integers = rows[lowest]
-    return numbers
+    return rows[lowest]
 
 
 def _base(tops: Floats, arc: Floats) -> Integers:

@@ -82,7 +82,7 @@ class Event(NamedTuple):
     def margin(self, registers: Floats) -> Floats:
         """How far a lane is from the event; positive before it."""
         beyond_bound = registers[self.register] - self.bound
-        return np.asarray(self.sign * beyond_bound)
+        return self.sign * beyond_bound
 
 
 class _Implicit(walk.Lanes):
@@ -237,7 +237,7 @@ class _Implicit(walk.Lanes):
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
         """Registers in these states, (registers, times)."""
         cells = self._cells_at(times, states)
-        return np.asarray(engine().registers(self.program, self._tables(times.size), cells))
+        return engine().registers(self.program, self._tables(times.size), cells)
 
     def _at(self, time: float, states: Floats) -> Present:
         registers = self._registers_at(np.array([time]), states)
@@ -262,7 +262,7 @@ class _Implicit(walk.Lanes):
         moved_rates = registers[self.rates].T
         change = moved_rates.reshape(states, count, states) - rates
         by_state = step.T[:, :, None]
-        return np.asarray(change / by_state)
+        return change / by_state
 
     def _greatest_speed(self, start: Floats) -> Floats:
         """The greatest speed so far in the place of omega, otherwise 0.

@@ -149,7 +149,7 @@ def _next_coefficients(chebyshev: Floats) -> Floats:
     divisor = np.where(before > 0.0, before, 1.0)
     ratio = np.minimum(last / divisor, 1.0)
     following = last * ratio
-    return np.asarray(following.max(axis=1))
+    return following.max(axis=1)
 
 
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
@@ -159,7 +159,7 @@ def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
     half = np.where(is_empty, np.inf, width / 2)
     exponents = ORDERS[:, None, None]
     units = half[:, None, None] ** exponents
-    return np.asarray(powers / units)
+    return powers / units
 
 
 def _constant(function: Function, end: Floats) -> Floats:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
 from slipcircle.base.kinds import Floats
@@ -94,6 +94,32 @@ class Series:
     def scaled(self, factor: float) -> "Series":
         """The same times, the values times a factor."""
         return Series(self.time, self.values * factor, self.held)
+
+
+@dataclass(frozen=True, eq=False)
+class LaneSeries:
+    """Functions of time, of which each lane of an ensemble has one.
+
+    Attributes
+    ----------
+    series : tuple of Series
+    which : ndarray of int
+        The place of each lane's among them.
+    """
+
+    series: tuple[Series, ...]
+    which: NDArray[np.intp]
+
+    def __call__(self, t: ArrayLike) -> Any:
+        """Values of each lane's function at times, s; lanes are the first axis."""
+        values = [function(t) for function in self.series]
+        return np.stack(values)[self.which]
+
+    @property
+    def kinks(self) -> Floats:
+        """Times at which any is not smooth, s."""
+        times = [function.kinks for function in self.series]
+        return np.unique(np.concatenate(times))
 
 
 @dataclass(frozen=True)

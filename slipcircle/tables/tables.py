@@ -1,18 +1,18 @@
 """Piecewise polynomials of slip, speed, time or rotation: friction laws, records and pulses."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import chain
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import LAWS
 from generated.flow import PIECES
 from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
-from slipcircle.tables.series import Pulse, Series
+from slipcircle.tables.series import LaneSeries, Pulse, Series
 
 # --- friction laws and functions of time -----------------------------------------------------------------------------
 
@@ -178,13 +178,34 @@ def _held_lines(places: Floats, values: Floats) -> Data:
     return lines(places, values, first, last)
 
 
-def of_time(function: Series | Pulse) -> Data:
-    """A function of time."""
+def of_time(function: Series | LaneSeries | Pulse) -> Data:
+    """A function of time, or of each lane one."""
+    if isinstance(function, LaneSeries):
+        return _side_by_side([of_time(series) for series in function.series], function.which)
     if isinstance(function, Pulse):
         return _of_pulse(function)
     if function.held:
         return _held_lines(function.time, function.values)
     return lines(function.time, function.values, 0.0, 0.0)
+
+
+def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
+    """Functions of time in straight lines one after the other; behind each a piece that begins at infinity."""
+    breaks = list[Floats]()
+    coefficients = list[Floats]()
+    jumps = list[Floats]()
+    firsts = list[int]()
+    pieces = 0
+    never = continuous(np.array([np.inf]), np.zeros((1, 2)))
+    for table in tables:
+        firsts.append(pieces)
+        for part in (table, never):
+            breaks.append(part.breaks)
+            coefficients.append(part.coefficients)
+            jumps.append(part.jumps)
+            pieces += len(part.breaks)
+    first = np.array(firsts)[which]
+    return Data(np.concatenate(breaks), np.concatenate(coefficients), np.concatenate(jumps), first=first)
 
 
 def _of_pulse(pulse: Pulse) -> Data:

@@ -21,7 +21,6 @@ from flint import arb
 from numpy.typing import NDArray
 
 from derive.approximate.programs import variants
-from derive.approximate.shapes import kernels as kernels_of_alpha
 from derive.check import truth
 from derive.check.patches import QUARTER, SMALL, UNDERFLOW
 from derive.check.records import TIERS, Record, read
@@ -31,9 +30,6 @@ from generated import _compiled, kernels
 Floats = NDArray[np.float64]
 Numbers = NDArray[Any]  # of float64 or float32
 
-DEFINITIONS = {kernel.name: kernel.definition for kernel in kernels_of_alpha()}
-KERNELS = tuple(DEFINITIONS)
-BASES = tuple(name for name, definition in DEFINITIONS.items() if len(definition) == 1)
 CHEAP = ("1e-10", "1e-6")
 INTERPRETED = 10  # the exact interpreter, which serves where there is no binary, takes every tenth input
 
@@ -42,6 +38,11 @@ INTERPRETED = 10  # the exact interpreter, which serves where there is no binary
 def records() -> tuple[Record, ...]:
     """All certificates."""
     return tuple(read())
+
+
+DEFINITIONS = {record["kernel"]: tuple(record["definition"]) for record in records()}
+KERNELS = tuple(DEFINITIONS)
+BASES = tuple(name for name, definition in DEFINITIONS.items() if len(definition) == 1)
 
 
 # --- inputs ----------------------------------------------------------------------------------------------------------

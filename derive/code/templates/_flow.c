@@ -520,17 +520,6 @@ INLINE double jump_of(const Batch *b, unsigned lane, int t, int64_t piece)
     return b->job->data[t].jumps[piece];
 }
 
-/* The last piece from the first one that begins below a place, or at it if a break belongs to the piece above. */
-INLINE int64_t piece_at(const Batch *b, unsigned lane, int t, int64_t first, double place, int included)
-{
-    int64_t piece = first;
-    for (; piece < b->job->data[t].pieces - 1; piece++) {
-        const double next = break_of(b, lane, t, piece + 1);
-        if (!(next < place || (included && next == place))) break;
-    }
-    return piece;
-}
-
 /* Record an event of the first lane. */
 static void note(const Batch *b, unsigned k, int kind)
 {

@@ -97,56 +97,55 @@ INLINE double lost(double a, double b)
 
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
- * its seam, its first piece alone. Else `refused` has the bits of NaN for what is outside the domain, which make a NaN
- * of any result. A loop may run in place, or on an input that lies ahead of its output. */
-#define PASS(T, STATEMENTS) \
+ * its seam, its first piece alone. Others are set aside, and run as 0: of these the result is that of pi/2, or NaN. A
+ * loop may run in place, or on an input that lies ahead of its output. */
+#define INSIDE(x) ((x) >= 0 && (x) < HALF_PI)
+#define PASS(T, PROGRAM) \
     INDEPENDENT \
-    for (npy_intp i = start; i < stop; i++) { \
-        const double x = in[i]; \
-        STATEMENTS \
-    }
-#define CAREFUL(T, PROGRAM) \
-    const double clipped = x < HALF_PI ? x : HALF_PI; /* NaN becomes pi/2 */ \
-    const double sign = clipped >= 0.0 ? 0.0 : NAN; \
-    const uint64_t refused = bits(x <= END_##T ? sign : NAN); \
-    out[i] = (T)number(bits(PROGRAM(clipped)) | refused); \
-    outside |= bits(x > END_##T ? NAN : sign); /* not of NaN, of which NumPy's functions are silent */
-#define BARE(T, PROGRAM) PASS(T, out[i] = (T)PROGRAM(x);)
-/* Kinds of programs: of two pieces, whole, or so short that over doubles care costs less than a look. */
-#define LOOK_pieces(T) 1
-#define LOOK_whole(T) 1
-#define LOOK_short(T) (sizeof(T) == sizeof(float))
+    for (npy_intp i = start; i < stop; i++) out[i] = (T)PROGRAM((double)in[i]);
+/* Kinds of programs: of two pieces, or whole. */
 #define ABOVE_pieces(T, PROGRAM, pattern) PROGRAM##_BELOW_##T - pattern
 #define ABOVE_whole(T, PROGRAM, pattern) 0
-#define ABOVE_short(T, PROGRAM, pattern) 0
-#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_near)
-#define RUN_whole(T, PROGRAM) BARE(T, PROGRAM)
-#define RUN_short(T, PROGRAM) BARE(T, PROGRAM)
+#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) PASS(T, PROGRAM) else PASS(T, PROGRAM##_near)
+#define RUN_whole(T, PROGRAM) PASS(T, PROGRAM)
 #define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
 #define LOOP_OF(T, KIND, PROGRAM, LOOP_NAME, LEVEL) LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL)
 #define LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL) \
     TARGET_##LEVEL static int LOOP_NAME(char *const *args, npy_intp count) \
     { \
-        const T *in = (const T *)args[0]; \
-        T *out = (T *)args[1]; \
-        uint64_t outside = 0; \
+        T *out = (T *)args[1], aside[BLOCK]; \
+        int outside = 0; \
         for (npy_intp start = 0, stop; start < count; start = stop) { \
+            const T *in = (const T *)args[0]; \
             PATTERN_##T beyond = 0, above = 0; \
             stop = count - start < BLOCK ? count : start + BLOCK; \
-            for (npy_intp i = start; LOOK_##KIND(T) && i < stop; i++) { \
+            for (npy_intp i = start; i < stop; i++) { \
                 const PATTERN_##T pattern = pattern_##T(in[i]); \
                 beyond |= (LAST_##T - pattern) | pattern; \
                 above |= ABOVE_##KIND(T, PROGRAM, pattern); \
             } \
-            if (!LOOK_##KIND(T) || NEGATIVE(beyond)) { \
-                PASS(T, CAREFUL(T, PROGRAM)) \
+            if (NEGATIVE(beyond)) { \
+                INDEPENDENT \
+                for (npy_intp i = start; i < stop; i++) { \
+                    const T x = in[i]; \
+                    aside[i - start] = x; \
+                    out[i] = INSIDE(x) ? x : 0; \
+                } \
+                in = out; \
             } \
-            else { \
-                RUN_##KIND(T, PROGRAM) \
+            RUN_##KIND(T, PROGRAM) \
+            if (NEGATIVE(beyond)) { \
+                const T end = (T)PROGRAM(HALF_PI); \
+                for (npy_intp i = start; i < stop; i++) { \
+                    const double x = aside[i - start]; \
+                    if (INSIDE(x)) continue; \
+                    out[i] = x >= HALF_PI && x <= END_##T ? end : NAN; \
+                    outside |= x < 0 || x > END_##T; /* not NaN, of which NumPy's functions are silent */ \
+                } \
             } \
             (void)above; \
         } \
-        return outside != 0; \
+        return outside; \
     }
 
 /* Of both ends of an arc: refused is what is none, or beyond LIMIT. */

@@ -137,14 +137,6 @@ def coefficients_of(lane: Lane, t: T, piece: int, terms: A) -> None:
     terms[: t.terms] = t.polynomials[piece]
 
 
-def piece_at(lane: Lane, t: T, first: int, place: float, included: bool) -> int:
-    """The last piece from the first one that begins below a place, or at it if a break belongs to the piece above."""
-    piece = first
-    while piece < t.pieces - 1 and (t.breaks[piece + 1] < place or (included and t.breaks[piece + 1] == place)):
-        piece += 1
-    return piece
-
-
 def prologue(s: Lanes, which: M) -> None:
     """The numbers of the phase that begins."""
     s.prologue()

@@ -27,7 +27,7 @@ from derive.flow.walk.one_lane import (
     where,
 )
 from derive.flow.walk.phases import update_peak
-from derive.flow.walk.tables import pass_break
+from derive.flow.walk.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # share of a margin that may be used up: the rest is left to series
 ROUNDINGS = 2.0**27  # of its terms, which a margin exceeds
@@ -37,7 +37,8 @@ def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
     """Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump."""
     last: N = t.pieces - 1
     following = minimum(piece + 1, last)
-    return following < last and break_of(lane, t, following) < lane.end_time * t.scale * (1.0 - 4.0 * EPS)
+    ends = end_of_piece(lane, t, following) < INFINITY
+    return ends and break_of(lane, t, following) < lane.end_time * t.scale * (1.0 - 4.0 * EPS)
 
 
 def value_at_break(lane: Lane, t: T, piece: int) -> float:

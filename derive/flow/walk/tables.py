@@ -1,5 +1,8 @@
 """The piece of each table in which a lane is: its ends, and its coefficients about the start of a phase.
 
+Several functions of time may follow each other in one table, with a piece between them that begins at infinity: a lane
+has the one with whose first piece it begins.
+
 A table is a function in pieces of slip, speed, rotation or time. Of the first three a phase holds the coefficients in
 powers of what is beyond its start; of time the increment since.
 """
@@ -26,7 +29,6 @@ from derive.flow.walk.one_lane import (
     minimum,
     number,
     numbers,
-    piece_at,
     sin,
     up,
     where,
@@ -92,12 +94,26 @@ def end_of_piece(lane: Lane, t: T, piece: int) -> float:
     return where(piece < last, break_of(lane, t, minimum(piece + 1, last)), INFINITY)
 
 
+def ends_by(lane: Lane, t: T, piece: int, argument: float, included: bool) -> bool:
+    """Whether a piece ends below an argument, or at it if a break belongs to the piece above."""
+    end = end_of_piece(lane, t, piece)
+    return end < argument or (included and end == argument and end < INFINITY)
+
+
+def piece_at(lane: Lane, t: T, first: int, argument: float, included: bool) -> int:
+    """The piece in which an argument is, from the first one on that it may be."""
+    piece = first
+    while ends_by(lane, t, piece, argument, included):
+        piece = piece + 1
+    return piece
+
+
 def find_end_of_piece(lane: Lane, t: T, now: float) -> None:
     """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
     piece = integer(t.piece)
     end = end_of_piece(lane, t, piece)
     t.upper = end / t.scale
-    rise = rise_to(lane, t, where(piece < t.pieces - 1, end - now, 0.0))
+    rise = rise_to(lane, t, where(end < INFINITY, end - now, 0.0))
     t.lower = t.inc + rise
     t.way = t.way + abs(rise)
 

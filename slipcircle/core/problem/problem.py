@@ -170,6 +170,7 @@ class Numbers:
     def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
         """Add a piecewise function with the scale of its argument and the factor of its values."""
         self.tables[name] = table
+        self.start[f"{name}.PIECE"] = table.first
         self.start[f"{name}.SCALE"] = scale
         self.start[f"{name}.SCALED_BY"] = factor
 

@@ -13,7 +13,9 @@ class Data(NamedTuple):
 
     The first piece extends below its break, the last one to infinity. ``jumps`` are the discontinuities of a function
     of time at the start of each piece. The coefficients of a ``sine`` are amplitude, rate and phase. Beyond the last
-    break of an ``open`` table, that of a Python function, nothing has been sampled yet.
+    break of an ``open`` table, that of a Python function, nothing has been sampled yet. Functions of time of which each
+    lane has one follow each other: with its ``first`` piece a lane begins, and where its function ends the next piece
+    begins at infinity.
     """
 
     breaks: Floats  # (pieces,), or of functions of the rotation (pieces, lanes)
@@ -21,6 +23,7 @@ class Data(NamedTuple):
     jumps: Floats
     sine: bool = False
     open: bool = False
+    first: Any = 0.0  # a number, or one of each lane
 
     def lanes(self, which: Any) -> "Data":
         """The table of some of the lanes."""

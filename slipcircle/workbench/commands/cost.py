@@ -3,6 +3,7 @@
 import argparse
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict
+from functools import partial
 from typing import TYPE_CHECKING
 
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
@@ -30,7 +31,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    from slipcircle.workbench.cost import costplot, kernels, scenes
+    from slipcircle.workbench.cost import kernels, scenes
     from slipcircle.workbench.outputs.info import machine
 
     if options.name in kernels.KERNELS:
@@ -46,11 +47,8 @@ def run(options: argparse.Namespace) -> Answer:
         title = scene.name
     measured_on = machine()
     record = {"name": title, "machine": measured_on, "rows": [plain(asdict(row)) for row in rows]}
-
-    def drawn(path: str) -> bytes:
-        return pictures.render(lambda figure: costplot.frontier(rows, figure.add_subplot()), costplot.SIZE, path)
-
-    return Answer(lambda: record, _parts(title, rows, measured_on), (), {"plot": drawn})
+    drawn = {"plot": partial(pictures.picture, "cost", rows)}
+    return Answer(lambda: record, _parts(title, rows, measured_on), (), drawn)
 
 
 def _parts(title: str, rows: Sequence["Row"], machine: str) -> Iterator[Part]:

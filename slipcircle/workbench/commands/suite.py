@@ -63,8 +63,7 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
         scene = replace(scene, uncertain={})
     elif not scene.uncertain:
         raise ValueError("sweep: --samples: no number is uncertain; give --uncertain, or leave it out")
-    found: SuiteStudy = ensemble(scene, options.samples or 1, **sampling, **of_records)
-    return found
+    return ensemble(scene, options.samples or 1, **sampling, **of_records)
 
 
 def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:

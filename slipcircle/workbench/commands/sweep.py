@@ -188,8 +188,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
         }
         if options.records or options.synthetic:
             return suite.study(scene, options, **settings)
-        study: Study = ensemble(scene, options.samples, **settings)
-        return study
+        return ensemble(scene, options.samples, **settings)
 
 
 class _Tables(NamedTuple):

@@ -4,6 +4,7 @@ So too the run-outs of one scene with more and more of its effects.
 """
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,10 @@ from slipcircle.workbench.outputs.plotstyle import (
     LINES,
     REST,
     SERIES,
-    WIDTH,
     area,
     axis,
     ending,
     label,
-    letter,
     lines,
     note,
     number,
@@ -27,6 +26,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 )
 from slipcircle.workbench.outputs.sectionplot import surroundings
 from slipcircle.workbench.outputs.shapes import mass_of
+from slipcircle.workbench.outputs.sheets import Drawing, sheet
 from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.ladder import Rung
 
@@ -37,35 +37,15 @@ _CURVES = 2.8
 _BAR = 0.3
 
 
-def overview(motions: Sequence[Motion], figure: Any) -> Any:
-    """One picture of several motions on an empty figure of `size`, which it returns.
-
-    The first eight motions that move have a colour and a label; further ones are grey.
-    """
-    heights = _heights(motions)
-    parts = figure.subfigures(len(heights), 1, height_ratios=heights)
-    axes = [parts[0].add_subplot()] if _same_slope(motions) else []
-    for ax in axes:
-        _sections(motions, ax)
-    curves = parts[-2].subplots(1, 2)
-    _curves(motions, curves[0], "velocity", "velocity $v$ (m/s)")
-    _curves(motions, curves[1], "displacement", "displacement $s$ (m)")
-    bars = parts[-1].add_subplot()
-    _bars(motions, bars)
-    letter([*axes, *curves, bars])
-    moving = sum(motion.moves for motion in motions)
-    figure.suptitle(f"{len(motions)} scenes, of which {moving} move", fontweight="bold")
-    return figure
-
-
-def size(motions: Sequence[Motion]) -> tuple[float, float]:
-    """Inches of the picture."""
-    return WIDTH, sum(_heights(motions)) + 0.4
-
-
-def _heights(motions: Sequence[Motion]) -> list[float]:
+def overview(motions: Sequence[Motion]) -> Drawing:
+    """One picture of several motions, of which the first eight that move have a colour and a label."""
+    sections = [(_SECTION, [partial(_sections, motions)])] if _same_slope(motions) else []
+    velocity = partial(_curves, motions, "velocity", "velocity $v$ (m/s)")
+    displacement = partial(_curves, motions, "displacement", "displacement $s$ (m)")
     bars = 0.8 + _BAR * min(len(motions), _MOST_BARS)
-    return [_SECTION] * _same_slope(motions) + [_CURVES, bars]
+    moving = sum(motion.moves for motion in motions)
+    rows = [*sections, (_CURVES, [velocity, displacement]), (bars, [partial(_bars, motions)])]
+    return sheet(rows, f"{len(motions)} scenes, of which {moving} move", apart=True)
 
 
 def _same_slope(motions: Sequence[Motion]) -> bool:
@@ -84,7 +64,7 @@ def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
     return dict(zip(moving, SERIES, strict=False))
 
 
-def _sections(motions: Sequence[Motion], ax: Any) -> None:
+def _sections(motions: Sequence[Motion], ax: Any) -> Any:
     """The mass at the start, and where each comes to rest."""
     soil = motions[0].plan.scene.arc
     facing = float(soil.facing)
@@ -103,9 +83,10 @@ def _sections(motions: Sequence[Motion], ax: Any) -> None:
         area(ax, outline, "end", edgecolor=colour, ls=dashes, lw=1.6, hatch="", zorder=3)
     label(ax, "start", start.mean(axis=0), "0.3", inside=True)
     view.show(ax)
+    return ax
 
 
-def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None:
+def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
     """A quantity over time: a curve with a label for each motion."""
     styles = _named(motions)
     for k, motion in enumerate(motions):
@@ -126,9 +107,10 @@ def _curves(motions: Sequence[Motion], ax: Any, column: str, words: str) -> None
     ax.set(xlabel="time $t$ (s)", ylabel=words)
     ax.margins(y=0.12)
     ax.grid(alpha=0.3)
+    return ax
 
 
-def _bars(motions: Sequence[Motion], ax: Any) -> None:
+def _bars(motions: Sequence[Motion], ax: Any) -> Any:
     """Run-outs with peak velocities and durations; the greatest ones if there are too many."""
     order = sorted(range(len(motions)), key=lambda k: -abs(motions[k].run_out))
     shown = [motions[k] for k in sorted(order[:_MOST_BARS])]
@@ -144,6 +126,7 @@ def _bars(motions: Sequence[Motion], ax: Any) -> None:
         farthest = abs(motions[hidden[0]].run_out)
         scale += f"; {len(hidden)} more, each at most {number(farthest)} m"
     ax.set_xlabel(scale)
+    return ax
 
 
 def _draw_bars(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:

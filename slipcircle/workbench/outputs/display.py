@@ -25,7 +25,8 @@ def plot(result: Motion | Study | SuiteStudy, what: str, ax: Any) -> Any:
         return drawn_by.PANELS[what](result, ax=ax)
     if ax is not None:
         raise ValueError("plot: the overview has several panels: leave out ax, or name one of its pictures")
-    return drawn_by.overview(result, new_figure(drawn_by.size(result))).axes[0]
+    drawing = drawn_by.overview(result)
+    return drawing.draw(new_figure(drawing.size)).axes[0]
 
 
 def html(motion: Motion) -> str:

@@ -96,7 +96,7 @@ class Label(Annotation):
             beside = np.abs(x[:, None] - at[:, 0]) < half[0]
             above = np.abs(y[:, None] - at[:, 1]) < half[1]
             of_anchor += _COVERED * np.count_nonzero(beside & above, axis=0)
-        return np.asarray(cost)
+        return cost
 
     def _placed(self) -> Iterator[Any]:
         """The labels that have been placed, and all other texts."""
@@ -154,7 +154,7 @@ def _about(points: Floats, size: float) -> Floats:
     shares = (-0.5, 0.0, 0.5)
     offsets = size * np.array([(across, up) for across in shares for up in shares])
     around = points[:, None] + offsets
-    return np.asarray(np.repeat(around.reshape(-1, 2), 5, axis=0))
+    return np.repeat(around.reshape(-1, 2), 5, axis=0)
 
 
 def _along(points: Floats, frame: Any) -> Floats:

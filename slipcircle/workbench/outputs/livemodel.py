@@ -225,7 +225,7 @@ class Fit(NamedTuple):
         product = powers[0]
         for power in powers[1:]:
             product = (product[:, :, None] * power[:, None, :]).reshape(len(product), -1)
-        return np.asarray(self.coefficients.reshape(len(self.rows), -1) @ product.T)
+        return self.coefficients.reshape(len(self.rows), -1) @ product.T
 
 
 def _lobatto(degree: int) -> Floats:

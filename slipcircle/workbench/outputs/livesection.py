@@ -47,7 +47,7 @@ class Frame(NamedTuple):
         """Points of the world, (..., 2), in the drawing, whose y is downwards."""
         corner = np.array([self.view.left, self.view.top])
         downwards = np.array([self.scale, -self.scale])
-        return np.asarray((world - corner) * downwards)
+        return (world - corner) * downwards
 
     def depth(self, height: float) -> float:
         """Depth of a height of the world below the top of the drawing."""

@@ -2,7 +2,7 @@
 
 import io
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from slipcircle.workbench.outputs.plotstyle import described
 
 if TYPE_CHECKING:
     from slipcircle.workbench.outputs.film import Film
+    from slipcircle.workbench.outputs.sheets import Drawing
 
 _KINDS = ("png", "svg", "pdf", "jpg")
 _FRAMES = 12  # of an animation in a second
@@ -84,53 +85,35 @@ def _played(film: "Film") -> bytes:
     return content.getvalue()
 
 
-def _motions(motions: Sequence[Motion], figure: Any) -> Any:
-    """The overview of a motion, or several motions side by side."""
-    from slipcircle.workbench.outputs import comparison, plots
+def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
+    """What makes a drawing of a result, by the kind of picture; loaded on first use."""
+    from slipcircle.workbench.cost.costplot import frontier
+    from slipcircle.workbench.outputs import comparison, layerplot, plots, searchplot, studyplots, suiteplots, tornado
+    from slipcircle.workbench.outputs.sheets import sheet
 
-    return plots.overview(motions[0], figure) if len(motions) == 1 else comparison.overview(motions, figure)
-
-
-def _motions_size(motions: Sequence[Motion]) -> tuple[float, float]:
-    from slipcircle.workbench.outputs import comparison, plots
-
-    return plots.size(motions[0]) if len(motions) == 1 else comparison.size(motions)
-
-
-def _on_axis(draw: Callable[..., Any]) -> Callable[[Any, Any], Any]:
-    """Turn a function that draws on an axis into one that draws on a figure."""
-    return lambda result, figure: draw(result, figure.add_subplot())
-
-
-def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
-    """Functions that draw a result on an empty figure, and its inches, by the kind of picture; loaded on first use."""
-    from slipcircle.workbench.outputs import layerplot, plots, searchplot, studyplots, suiteplots, tornado
+    def alone(draw: Callable[..., Any], height: float) -> Callable[[Any], "Drawing"]:
+        return lambda result: sheet([(height, [partial(draw, result)])])
 
     return {
-        "motions": (_motions, _motions_size),
-        "section": (_on_axis(plots.section), lambda _: (8.6, 5.0)),
-        "histories": (
-            lambda motion, figure: plots.histories(motion, figure.subplots(2, 2).T.flat),
-            lambda _: (8.6, 5.2),
-        ),
-        "phase plane": (_on_axis(plots.phase_plane), lambda _: (8.6, 4.0)),
-        "shaking": (_on_axis(plots.shaking), lambda _: (8.6, 3.0)),
-        "stress along the arc": (_on_axis(layerplot.stress_along), lambda _: (8.6, 3.0)),
-        "suite": (suiteplots.overview, suiteplots.size),
-        "study": (studyplots.overview, studyplots.size),
-        "sensitivity": (tornado.panels, tornado.size),
-        "backanalysis": (studyplots.explained, studyplots.explained_size),
-        "search": (searchplot.critical_circle, lambda _: (8.6, 7.0)),
-        "ladder": (_on_axis(plots.ladder), lambda rungs: (8.6, 1.2 + 0.4 * len(rungs))),
+        "motions": lambda motions: plots.overview(*motions) if len(motions) == 1 else comparison.overview(motions),
+        "section": alone(plots.section, 5.0),
+        "histories": plots.histories,
+        "phase plane": alone(plots.phase_plane, 4.0),
+        "shaking": alone(plots.shaking, 3.0),
+        "stress along the arc": alone(layerplot.stress_along, 3.0),
+        "suite": suiteplots.overview,
+        "study": studyplots.overview,
+        "sensitivity": tornado.panels,
+        "backanalysis": studyplots.explained,
+        "search": alone(searchplot.critical_circle, 7.0),
+        "ladder": lambda rungs: alone(plots.ladder, 1.2 + 0.4 * len(rungs))(rungs),
+        "cost": alone(frontier, 5.0),
     }
 
 
 def picture(what: str, result: Any, path: str) -> bytes:
     """One of `_drawings` of a result, in the format of a file name; a GIF animates the first motion."""
-    if path.lower().endswith("gif"):
-        return slide(result[0])
-    draw, size = _drawings()[what]
-    return render(partial(draw, result), size(result), path)
+    return slide(result[0]) if path.lower().endswith("gif") else render(*_drawings()[what](result), path)
 
 
 def slide(motion: Motion, seconds: float = 5.0) -> bytes:

@@ -4,9 +4,8 @@ Matplotlib is loaded when the first picture is drawn. Labels stand beside what t
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from textwrap import shorten
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,13 +23,11 @@ from slipcircle.workbench.outputs.layerplot import stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
-    WIDTH,
     axis,
     empty,
     ending,
     known,
     label,
-    letter,
     mark,
     number,
     points_of,
@@ -39,6 +36,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     work,
 )
 from slipcircle.workbench.outputs.sectionplot import section
+from slipcircle.workbench.outputs.sheets import Drawing, heading, sheet
 from slipcircle.workbench.outputs.trace import drawn
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
@@ -67,7 +65,7 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
     ),
 }
 _TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
-_SECTION = 4.3  # height of the section, inches
+_SECTION = 3.9  # height of the section, inches
 _PANEL = 2.3  # height of a row of panels, inches
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
@@ -138,7 +136,7 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     in_middle = (left + margin < times) & (times < right - margin)
     inside = in_middle & (low < values) & (values < high)
     shown = inside if np.any(inside) else slice(None)
-    return np.asarray(points_of(times[shown], values[shown]))
+    return points_of(times[shown], values[shown])
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
@@ -158,12 +156,6 @@ def _rotation_axis(ax: Any, motion: Motion) -> None:
         "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
     )
     side.set_ylabel("rotation $\\phi$ (deg)")
-
-
-def histories(motion: Motion, axes: Iterable[Any]) -> None:
-    """Draw all panels of `OVERVIEW`; the first one names the marks."""
-    for k, (what, ax) in enumerate(zip(OVERVIEW, axes, strict=True)):
-        history(motion, what, ax, brief=k > 0)
 
 
 def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, str]]:
@@ -279,42 +271,42 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     return ax
 
 
-def overview(motion: Motion, figure: Any) -> Any:
-    """The section and below it the other panels, on an empty figure or subfigure of `size`, which it returns."""
+def overview(motion: Motion) -> Drawing:
+    """The section and below it the other panels."""
     panels = _panels(motion)
-    rows = math.ceil(len(panels) / 2)
-    grid = figure.add_gridspec(1 + rows, 2, height_ratios=(_SECTION, *[_PANEL] * rows))
-    axes = [section(motion, figure.add_subplot(grid[0, :]))]
-    for k, draw in enumerate(panels):
-        row, column = 1 + k // 2, k % 2
-        is_alone = column == 0 and k + 1 == len(panels)
-        place = grid[row, :] if is_alone else grid[row, column]
-        axes.append(draw(motion, ax=figure.add_subplot(place)))
-    letter(axes)
-    figure.suptitle(title(motion), parse_math=False, fontweight="bold")
-    return figure
+    pairs = [(_PANEL, panels[k : k + 2]) for k in range(0, len(panels), 2)]
+    return sheet([(_SECTION, [partial(section, motion)]), *pairs], title(motion))
+
+
+def histories(motion: Motion) -> Drawing:
+    """The panels of `OVERVIEW`."""
+    panels = _histories(motion)
+    return sheet([(_PANEL, panels[:2]), (_PANEL, panels[2:])])
+
+
+def _histories(motion: Motion) -> list[Callable[..., Any]]:
+    """Functions that draw the panels of `OVERVIEW`, of which the first one names the marks."""
+    return [partial(history, motion, what, brief=what != OVERVIEW[0]) for what in OVERVIEW]
 
 
 def _panels(motion: Motion) -> list[Callable[..., Any]]:
     """Functions that draw the panels below the section, in order."""
     panels: list[Callable[..., Any]] = []
     if motion.moves:
-        panels = [partial(history, what=what, brief=what != OVERVIEW[0]) for what in OVERVIEW]
-        panels.append(phase_plane)
+        panels = [*_histories(motion), partial(phase_plane, motion)]
     if "shaking" in motion.plan.effects:
-        panels.append(shaking)
+        panels.append(partial(shaking, motion))
     if isinstance(motion.plan.scene.arc, LayeredSection):
-        panels.append(stress_along)
+        panels.append(partial(stress_along, motion))
     return panels
 
 
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
-    name = shorten(motion.plan.scene.name, 80)
     outcome = standing(motion)
     if motion.moves:
         outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.settling_time, 3)} s, {ending(motion)}"
-    return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
+    return heading(motion.plan.scene.name, outcome)
 
 
 # Single panels of `Motion.plot`.
@@ -325,8 +317,3 @@ PANELS: Mapping[str, Callable[..., Any]] = {
     "stress_along_arc": stress_along,
     **{what: partial(history, what=what) for what in HISTORIES},
 }
-
-
-def size(motion: Motion) -> tuple[float, float]:
-    """Inches of the overview: as wide as a page shows it, so that its texts keep their size."""
-    return WIDTH, _SECTION + _PANEL * math.ceil(len(_panels(motion)) / 2)

@@ -5,11 +5,8 @@ It is self-contained and has no date, so that the same scene, package and machin
 
 import base64
 import hashlib
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
-
-import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
@@ -17,17 +14,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, Status, law_names, plan
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
-from slipcircle.workbench.common.quantities import (
-    OUTCOMES,
-    RESULTS,
-    Quantity,
-    end_words,
-    json_text,
-    prefixed,
-    results,
-    summary,
-    words,
-)
+from slipcircle.workbench.common.quantities import OUTCOMES, json_text, prefixed, words
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
@@ -93,7 +80,7 @@ def _table(part: Part) -> Iterator[Raw]:
     """A table with its title and its note."""
     if part.title:
         yield tag("h3", part.title)
-    rows = [[_estimate(cell) if isinstance(cell, Estimate) else cell for cell in row] for row in part.rows]
+    rows = [[interval(cell) if isinstance(cell, Estimate) else cell for cell in row] for row in part.rows]
     yield _scrolling(rows, part.head)
     if part.note:
         yield tag("p", part.note)
@@ -121,16 +108,6 @@ def _path(key: str) -> Raw:
 def _number(value: float) -> str:
     """Six digits."""
     return shown(float(value), 6)
-
-
-def _data(value: float, text: str) -> Raw:
-    """A number in full precision as attribute, and rounded as text."""
-    return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
-
-
-def _estimate(e: Estimate) -> Raw:
-    value, _, ends = interval(e).partition(" ")
-    return Raw(f"{_data(float(e.value), value)} {ends}".rstrip())
 
 
 def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
@@ -182,9 +159,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
     """Results of several motions side by side, with links to their chapters."""
     links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-    columns = [{q.label: _value(q, motion) for q in RESULTS} for motion in motions]
-    rows = beside([summary(motion) | column for motion, column in zip(motions, columns, strict=True)])
-    return _scrolling(rows, ["", *links])
+    return _scrolling(beside([*map(motion_column, motions)]), ["", *links])
 
 
 def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
@@ -196,18 +171,14 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
-    quantities = {q.label: q for q in results(motion)}
-    rows = []
-    for label, text in motion_column(motion).items():
-        rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
-    yield Part([], rows, "Results", "; ".join(motion_words(motion)))
+    yield Part([], [*motion_column(motion).items()], "Results", "; ".join(motion_words(motion)))
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
     error = motion.error_estimate
     method = [
         ["requested relative error", _number(plan.accuracy)],
-        ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
+        ["relative error estimated, of peak, run-out and duration", _number(error)],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
     ]
     yield Part([], method, "Method and accuracy")
@@ -253,22 +224,11 @@ def _energy(motion: Motion) -> Part:
     rows = []
     for name, energy in energies.items():
         factor, unit = prefixed(energy, "J")
-        rows.append([labels[name], _data(energy, f"{_number(factor * energy)} {unit}{per}")])
+        rows.append([labels[name], f"{_number(factor * energy)} {unit}{per}"])
     residual = abs(energies.pop("residual"))
     share = residual / (max(map(abs, energies.values())) or 1.0)
     note = f"The residual is {_number(share)} of the largest of them."
     return Part([], rows, f"Energy check, {of_width}", note)
-
-
-def _value(quantity: Quantity, motion: Motion, text: str = "") -> str:
-    """A number of the result, in full precision as attribute and with six digits as text; other values as in tables."""
-    value, end = quantity.read(motion), end_words(motion).get(quantity.label)
-    if isinstance(value, bool | str) or np.ndim(value) or np.isnan(value):
-        return end or text or quantity.text(motion)
-    if end:
-        return _data(float(value), escaped(end))
-    in_unit, unit = quantity.seen(value)
-    return _data(float(value), f"{_number(in_unit)} {unit}".rstrip())
 
 
 # --- studies ---------------------------------------------------------------------------------------------------------
@@ -369,7 +329,7 @@ def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
     numbers = {"probability of moving": study.moving}
     for name, quantity in OUTCOMES.items():
         numbers[f"median {words(name, quantity.unit)}"] = study.quantile(name, 0.5)
-    key_numbers = terms((name, _estimate(estimate)) for name, estimate in numbers.items())
+    key_numbers = terms((name, interval(estimate)) for name, estimate in numbers.items())
     yield Raw(f'<dl class="facts">{key_numbers}</dl>')
     yield from parts(study)
     yield from input_parts(way, file)

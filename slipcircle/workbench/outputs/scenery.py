@@ -141,7 +141,7 @@ def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
     off_middle = np.abs(places_x - np.mean(places_x))
     order = np.argsort(off_middle, kind="stable")
     apart = max(1, len(places) // _PLACES)
-    return np.asarray(places[order[::apart]])
+    return places[order[::apart]]
 
 
 def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Floats, list[Floats]]:

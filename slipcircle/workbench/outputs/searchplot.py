@@ -16,11 +16,10 @@ _VALLEY = 0.05  # factors in the frame of a map, relative to the least one
 _TALL = 1.4  # greatest height over width
 
 
-def critical_circle(critical: Critical, figure: Any) -> Any:
-    """The section with the circle, and the least factor of all circles about each centre, on an empty figure."""
+def critical_circle(critical: Critical, ax: Any) -> Any:
+    """The section with the circle, and the least factor of all circles about each centre."""
     from matplotlib.patheffects import withStroke
 
-    ax = figure.add_subplot()
     mass = mass_of(critical, critical.slope)
     outline = mass.outline()
     area(ax, outline, "start")
@@ -42,7 +41,7 @@ def critical_circle(critical: Critical, figure: Any) -> Any:
     note(ax, [factors_in_words(critical)])
     to_scale(ax, "$x$ (m)", "$y$ (m)")
     ax.set_aspect("equal", adjustable="box")
-    return figure
+    return ax
 
 
 def _map(critical: Critical, ax: Any, view: View) -> View:

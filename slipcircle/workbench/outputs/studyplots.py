@@ -5,7 +5,6 @@ Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of 
 
 from collections.abc import Iterable, Sequence
 from functools import partial
-from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +21,6 @@ from slipcircle.workbench.outputs.plotstyle import (
     empty,
     known,
     label,
-    letter,
     lines,
     mark,
     note,
@@ -31,6 +29,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     quantity_words,
     unit_of,
 )
+from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BEYOND
 
@@ -228,8 +227,13 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
     return ax
 
 
-def explained(analysis: "BackAnalysis", figure: Any) -> Any:
+def explained(analysis: "BackAnalysis") -> Drawing:
     """Computed and observed outcomes over each fitted number, with the other numbers at the first solution."""
+    rows, columns = len(analysis.observed), len(analysis.units)
+    return Drawing(partial(_draw_explained, analysis), (min(WIDTH, 2.0 + 4.5 * columns), 0.6 + 3.0 * rows))
+
+
+def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
     shape = len(analysis.observed), len(analysis.units)
     axes = figure.subplots(*shape, squeeze=False, sharex="col", sharey="row")
     for column, key in zip(axes.T, analysis.units, strict=True):
@@ -238,11 +242,6 @@ def explained(analysis: "BackAnalysis", figure: Any) -> Any:
     for ax, name in zip(axes[:, 0], analysis.observed, strict=True):
         ax.set_ylabel(_label(name))
     return figure
-
-
-def explained_size(analysis: "BackAnalysis") -> tuple[float, float]:
-    """Size of `explained` in inches."""
-    return min(WIDTH, 2.0 + 4.5 * len(analysis.units)), 0.6 + 3.0 * len(analysis.observed)
 
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
@@ -305,34 +304,27 @@ def check_grid(counts: Sequence[int]) -> None:
         )
 
 
-def overview(study: "Study", figure: Any) -> Any:
+def overview(study: "Study") -> Drawing:
     """Exceedance of reach and of peak velocity, linear and logarithmic, and below the sensitivity indices.
 
     Of a grid, reach and peak velocity over its numbers.
     """
-    heights = _heights(study)
-    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
-    for k, output in enumerate(DRAWN):
-        if study.design.method == "grid":
-            response(study, output, figure.add_subplot(grid[0, k]))
-            continue
-        exceedance(study, output, figure.add_subplot(grid[k, 0]))
-        exceedance(study, output, figure.add_subplot(grid[k, 1]), rare=True)
-        if study.sensitivity:
-            indices(study, output, figure.add_subplot(grid[2, k]), named=k == 0)
-    panels = [ax for ax in figure.axes if ax.get_label() != "<colorbar>"]
-    letter(sorted(panels, key=lambda ax: (ax.get_subplotspec().rowspan.start, ax.get_subplotspec().colspan.start)))
-    figure.suptitle(_title(study), parse_math=False, fontweight="bold")
-    return figure
+    if study.design.method == "grid":
+        rows: list[Row] = [(3.8, [partial(response, study, output) for output in DRAWN])]
+    else:
+        rows = [(3.0, [partial(exceedance, study, x), partial(exceedance, study, x, rare=True)]) for x in DRAWN]
+    if study.sensitivity:
+        named = [partial(indices, study, output, named=output == DRAWN[0]) for output in DRAWN]
+        rows.append((1.6 + 0.55 * len(study.design.inputs), named))
+    return sheet(rows, _title(study))
 
 
 def _title(study: "Study") -> str:
     """Name of the scene, and share of samples that move."""
-    name = shorten(study.scene.name, 80)
-    name = name[:1].upper() + name[1:]
+    outcome = f"{100 * study.moving.value:.3g} % of {study.n} samples move" if study.n else ""
     if study.design.method == "grid":
-        return f"{name}: {study.design.n} scenes on a grid"
-    return f"{name}: {100 * study.moving.value:.3g} % of {study.n} samples move" if study.n else name
+        outcome = f"{study.design.n} scenes on a grid"
+    return heading(study.scene.name, outcome)
 
 
 def outcome(study: "Study", output: str, ax: Any = None) -> Any:
@@ -341,17 +333,6 @@ def outcome(study: "Study", output: str, ax: Any = None) -> Any:
 
 
 PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # of `Study.plot`, besides the overview
-
-
-def size(study: "Study") -> tuple[float, float]:
-    """Size of the overview in inches."""
-    return WIDTH, sum(_heights(study)) + 0.4
-
-
-def _heights(study: "Study") -> list[float]:
-    if study.design.method == "grid":
-        return [3.8]
-    return [3.0, 3.0, *([1.6 + 0.55 * len(study.design.inputs)] if study.sensitivity else [])]
 
 
 def _label(output: str) -> str:

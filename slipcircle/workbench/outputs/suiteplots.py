@@ -7,19 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.outputs.plotstyle import (
-    AREAS,
-    LINES,
-    SERIES,
-    WIDTH,
-    axis,
-    empty,
-    label,
-    legend,
-    letter,
-    note,
-    points_of,
-)
+from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SERIES, axis, empty, label, legend, note, points_of
+from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.suitestatistics import distribution, exceedance
 
@@ -121,7 +110,7 @@ def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -
     ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
 
 
-def _history(study: "SuiteStudy", ax: Any = None, what: str = "velocity") -> Any:
+def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
     """A quantity over time, in each polarity, under the record of median displacement at the scale next to its own."""
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
@@ -159,34 +148,16 @@ PANELS = {
 }
 
 
-def overview(study: "SuiteStudy", figure: Any) -> Any:
+def overview(study: "SuiteStudy") -> Drawing:
     """Displacements by record, curves against the scale and the peak acceleration, histories of the median record."""
-    heights = _heights(study)
-    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
-    displacements(study, figure.add_subplot(grid[0, :]))
-    if study.scales.size > 1:
-        incremental(study, figure.add_subplot(grid[1, 0]))
-        fragility(study, figure.add_subplot(grid[1, 1]))
-    elif _has_cloud(study):
-        fragility(study, figure.add_subplot(grid[1, :]))
-    _history(study, figure.add_subplot(grid[-1, 0]), "velocity")
-    _history(study, figure.add_subplot(grid[-1, 1]), "displacement")
-    letter(figure.axes)
-    name = study.scene.name
-    title = f"{name[:1].upper()}{name[1:]}: {len(study.suite)} records"
-    figure.suptitle(title, parse_math=False, fontweight="bold")
-    return figure
-
-
-def size(study: "SuiteStudy") -> tuple[float, float]:
-    """Size of the overview in inches."""
-    return WIDTH, sum(_heights(study)) + 0.4
-
-
-def _heights(study: "SuiteStudy") -> list[float]:
     records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
-    curves = [_PANEL] if study.scales.size > 1 or _has_cloud(study) else []
-    return [records, *curves, 0.8 * _PANEL]
+    rows: list[Row] = [(records, [partial(displacements, study)])]
+    if study.scales.size > 1:
+        rows.append((_PANEL, [partial(incremental, study), partial(fragility, study)]))
+    elif _has_cloud(study):
+        rows.append((_PANEL, [partial(fragility, study)]))
+    rows.append((0.8 * _PANEL, [partial(_history, study, what=what) for what in ("velocity", "displacement")]))
+    return sheet(rows, heading(study.scene.name, f"{len(study.suite)} records"))
 
 
 def _has_cloud(study: "SuiteStudy") -> bool:

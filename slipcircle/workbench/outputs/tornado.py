@@ -1,6 +1,7 @@
 """Tornado diagrams: changes of an output with each number of a scene, the largest on top."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -9,7 +10,6 @@ from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
-    WIDTH,
     axis,
     empty,
     known,
@@ -19,6 +19,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     quantity_words,
     unit_of,
 )
+from slipcircle.workbench.outputs.sheets import Drawing, sheet
 
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
@@ -123,13 +124,8 @@ def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
     return float(_SHARE * size / key.slope(float(key.from_si(value))))
 
 
-def panels(table: "Sensitivity", figure: Any) -> None:
-    """A tornado of each output, one above the other, on an empty figure."""
-    axes = figure.subplots(len(table.distinct), 1)
-    for k, (output, ax) in enumerate(zip(table.distinct, axes, strict=True)):
-        tornado(table, output, ax=ax, named=k == 0)
-
-
-def size(table: "Sensitivity") -> tuple[float, float]:
-    """Size of `panels` in inches."""
-    return WIDTH, len(table.distinct) * (1.5 + 0.3 * min(_MOST_BARS, len(table.parameters)))
+def panels(table: "Sensitivity") -> Drawing:
+    """A tornado of each output, one above the other."""
+    height = 1.5 + 0.3 * min(_MOST_BARS, len(table.parameters))
+    outputs = [*table.distinct]
+    return sheet([(height, [partial(tornado, table, output, named=output == outputs[0])]) for output in outputs])

@@ -147,7 +147,7 @@ class Record(Series):
 def _over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
     """Accelerations as driving ones over gravity."""
     factor = {"g": 1.0, "%g": 0.01}.get(units, UNITS[units] / gravity)
-    return np.asarray(values * (-factor if holds == "ground" else factor) + 0.0)
+    return values * (-factor if holds == "ground" else factor) + 0.0
 
 
 def _check_unit(name: str, values: Floats, units: str) -> None:

@@ -145,7 +145,7 @@ def _leaps(values: Floats) -> Floats:
     leaps = np.linalg.solve(system, right[..., None])
     short = np.clip(leaps[..., 0], -2.0, 2.0)
     # Rounded, so that slopes that differ by rounding have the same circle.
-    return np.asarray(np.round(short, 2))
+    return np.round(short, 2)
 
 
 def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
@@ -170,4 +170,4 @@ def _mixed_derivative(plane: Floats) -> Floats:
     """In the middle of grids (n, 3, 3), by their corners."""
     equal_signs = plane[:, 2, 2] + plane[:, 0, 0]
     opposite_signs = plane[:, 2, 0] + plane[:, 0, 2]
-    return np.asarray((equal_signs - opposite_signs) / 4)
+    return (equal_signs - opposite_signs) / 4

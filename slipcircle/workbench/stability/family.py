@@ -40,7 +40,7 @@ _JUST_BELOW = 1 - 1e-12
 
 def _length(vectors: Floats) -> Floats:
     """Of vectors (..., 2)."""
-    return np.asarray(np.hypot(vectors[..., 0], vectors[..., 1]))
+    return np.hypot(vectors[..., 0], vectors[..., 1])
 
 
 def _upwards(vectors: Floats) -> Floats:
@@ -308,7 +308,7 @@ def _distance_from_origin(line: Floats) -> Floats:
     divisor = np.where(square > 0.0, square, 1.0)
     share = np.clip(to_foot / divisor, 0.0, 1.0)
     nearest = start + share[..., None] * edge
-    return np.asarray(_length(nearest).min(axis=1))
+    return _length(nearest).min(axis=1)
 
 
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:

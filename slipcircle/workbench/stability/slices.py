@@ -36,13 +36,13 @@ class Arcs(NamedTuple):
     def from_centre(self, lines: Floats) -> Floats:
         """Lines (1 or n, V, 2) from the centre of each arc, over R."""
         from_centre = lines - self.centre[:, None]
-        return np.asarray(from_centre / self.radius[:, None, None])
+        return from_centre / self.radius[:, None, None]
 
 
 def angle_from_below(centre: Floats, point: Floats) -> Floats:
     """Angle of points as seen from centres, (n, 2) each, from straight below, positive to the right."""
     to_right, upwards = (point - centre).T
-    return np.asarray(np.arctan2(to_right, -upwards))
+    return np.arctan2(to_right, -upwards)
 
 
 class Stresses(NamedTuple):
@@ -134,12 +134,12 @@ class Slices(NamedTuple):
 
     def distance(self, k: Any) -> Floats:
         """Of a surface from the centre."""
-        return np.asarray(np.hypot(self.sine, self.surface(k)))
+        return np.hypot(self.sine, self.surface(k))
 
     def uplift(self) -> Floats:
         """Pore pressure less that of a pond."""
         stresses = self.stresses
-        return np.asarray(self.at(stresses.pressure - stresses.relieved))
+        return self.at(stresses.pressure - stresses.relieved)
 
     def ordinary_normal(self) -> Floats:
         """Effective normal stress of the ordinary method, (W cos a - k_h W sin a - u l)/l (Fellenius 1936)."""
@@ -154,7 +154,7 @@ class Slices(NamedTuple):
         weight = self.at(stresses.soil)
         uplift = self.uplift()
         soil = slopes.ordinary_normal(sine, cosine, weight, uplift, self.k_h)
-        return np.asarray(soil + loads)
+        return soil + loads
 
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
@@ -183,11 +183,11 @@ class Slices(NamedTuple):
         """Effective vertical stress on the arc, for Bishop's method."""
         stresses = self.stresses
         total = stresses.soil + stresses.load + stresses.pond - stresses.pressure
-        return np.asarray(self.at(total))
+        return self.at(total)
 
     def cohesion(self) -> Floats:
         """On the arc."""
-        return np.asarray(self.at(self.stresses.cohesion))
+        return self.at(self.stresses.cohesion)
 
 
 @cache
@@ -310,14 +310,14 @@ class _Bases:
             of_soil = np.broadcast_to(steps, (len(steps), len(self.arc)))
             of_pond = [np.zeros_like(self.water), -self.water]
             steps = np.concatenate([of_soil, of_pond])
-        return np.asarray(steps * (self.above > 0.0))
+        return steps * (self.above > 0.0)
 
     def shaken(self, steps: Floats) -> NDArray[np.bool_]:
         """The surfaces of soil."""
         shaken = np.any(steps, axis=1)
         if self.slope.pond is not None:
             shaken[-1] = False
-        return np.asarray(shaken)
+        return shaken
 
     def _above_arc(self, k: int, factor: Any) -> Floats:
         """Height of a surface above the arc times a factor."""
@@ -364,7 +364,7 @@ class _Bases:
             level = len(slope.tops) + 1
             wet = (self.above[level] > 0.0) & (ratio == 0.0)
             pressure += self._above_arc(level, self.water * wet)
-        return np.asarray(pressure)
+        return pressure
 
     def _load(self) -> Floats:
         """Of surcharges, Pa."""

@@ -260,7 +260,7 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
         array = np.asarray(value, dtype=np.float64)
         inner = array.shape[array.ndim - axes :]
         of_every_lane = np.broadcast_to(array, (*lanes, *inner))
-        return np.asarray(of_every_lane[some])
+        return of_every_lane[some]
 
     return by_lane
 

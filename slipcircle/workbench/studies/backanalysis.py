@@ -96,7 +96,7 @@ class Solution:
         if self.covariance is None:
             return None
         errors = np.sqrt(np.diag(self.covariance))
-        return np.asarray(self.covariance / np.outer(errors, errors))
+        return self.covariance / np.outer(errors, errors)
 
 
 @dataclass(frozen=True)
@@ -317,15 +317,15 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
     with_values = zip(problem.fields, values, strict=True)
     per_key = np.array([field.slope(value) for field, value in with_values])
     scaled = slopes / problem.scales[:, None]
-    return np.asarray(scaled * per_key)
+    return scaled * per_key
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
     """Of the fields: from the standard errors, or from the misfit where there are more observations than fields."""
     if problem.is_weighted:
-        return np.asarray(inverse @ inverse.T)
+        return inverse @ inverse.T
     if problem.degrees_of_freedom:
-        return np.asarray(inverse @ inverse.T * (chi_square / problem.degrees_of_freedom))
+        return inverse @ inverse.T * (chi_square / problem.degrees_of_freedom)
     return None
 
 

@@ -55,7 +55,7 @@ class FragilityCurve(NamedTuple):
         variance = of_intercept + 2.0 * joint * log_pga + of_slope * log_pga**2
         half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
         bounds = np.stack([middle, middle - half, middle + half])
-        return np.asarray(statistics().norm.cdf(bounds))
+        return statistics().norm.cdf(bounds)
 
     def to_dict(self) -> dict[str, Any]:
         """The curve for JSON."""
@@ -182,7 +182,7 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
 
     start = np.array([0.0, 1.0])
     found = minimize(negative, start, jac=True, method="BFGS", options={"gtol": 1e-9})
-    return np.asarray(found.x)
+    return found.x
 
 
 def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64], coefficients: Floats) -> Floats:
@@ -196,7 +196,7 @@ def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64], coeffici
     steps = np.linalg.solve(remaining, scores[:, :, None])
     records = first.size
     shrinking = (records - 1) / records
-    return np.asarray(shrinking * np.einsum("rik,rjk->ij", steps, steps))
+    return shrinking * np.einsum("rik,rjk->ij", steps, steps)
 
 
 def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:

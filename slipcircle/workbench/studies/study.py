@@ -212,7 +212,7 @@ class Study(Pictured):
     @property
     def counts(self) -> NDArray[np.int64]:
         """Samples of each `Status`."""
-        return np.asarray(self._counts.sum(axis=0))
+        return self._counts.sum(axis=0)
 
     @property
     def n(self) -> int:
@@ -222,7 +222,7 @@ class Study(Pictured):
     @property
     def _valid(self) -> NDArray[np.int64]:
         """The same of each replicate."""
-        return np.asarray(self._counts.sum(axis=1) - self._counts[:, Status.INVALID])
+        return self._counts.sum(axis=1) - self._counts[:, Status.INVALID]
 
     @property
     def without_result(self) -> int:

@@ -1,10 +1,11 @@
 """Designs of studies over records: what shakes a scene, at which scales and in which polarities, block by block.
 
-A block is one record with the lanes of a block of samples, which are the same for every record: so the variance can be
-split into that of records and that of the soil. It reads the record itself and returns a few numbers a lane; the memory
-of a study does not grow with the records' samples.
+A block is some records with the lanes of a block of samples, which are the same for every record: so the variance can
+be split into that of records and that of the soil. It reads the records itself and returns a few numbers a lane; the
+memory of a study does not grow with the records' samples.
 """
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
@@ -13,7 +14,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
-from slipcircle.tables import STRONGEST, Series
+from slipcircle.tables import STRONGEST, LaneSeries, Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
@@ -21,6 +22,7 @@ from slipcircle.workbench.studies.design import Design, Result
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.suitestatistics import THRESHOLDS
 
+LANES = 256  # motions of a block, where a record alone has less
 # Of each lane, with its unit: signed, NaN without a result, 0 of what does not move.
 LANE_RESULTS: Mapping[str, str] = {name: q.unit for name, q in OUTCOMES.items()} | {"rotation": "rad", "slips": ""}
 
@@ -39,46 +41,59 @@ class SuiteDesign:
     thresholds: Floats  # of the displacement, m, of exceedance and fragility
 
     @property
+    def together(self) -> int:
+        """How many records a block has: so many that their motions fill the lanes."""
+        motions = len(self.polarities) * self.scales.size * self.sampling.scenes(0)
+        return max(1, LANES // motions)
+
+    @property
     def blocks(self) -> int:
-        """How many blocks there are: of each record those of its samples."""
-        return len(self.suite) * self.sampling.sample_blocks
+        """How many blocks there are: of the first records those of their samples, and so on."""
+        return math.ceil(len(self.suite) / self.together) * self.sampling.sample_blocks
+
+    def _records(self, index: int) -> tuple[Entry, ...]:
+        """The records of a block."""
+        first = index // self.sampling.sample_blocks * self.together
+        return self.suite.entries[first : first + self.together]
 
     def scenes(self, index: int) -> int:
         """How many scenes a block solves."""
         samples = self.sampling.scenes(index % self.sampling.sample_blocks)
-        return len(self.polarities) * self.scales.size * samples
+        return len(self._records(index)) * len(self.polarities) * self.scales.size * samples
 
     def factors(self, entry: Entry) -> Floats:
         """What a record is multiplied by at each scale."""
         return self.scales / entry.peak if self.to_pga else self.scales
 
-    def shaken(self, record: Series) -> Scene:
-        """The scene that a record shakes."""
+    def shaken(self, record: Series | LaneSeries) -> Scene:
+        """The scene that a record shakes, or of each lane one."""
         scene = self.sampling.scene
         assert isinstance(scene.effects, dict)
         return replace(scene, effects=scene.effects | {"shaking": {**self.shaking, "horizontal": record}})
 
     def task(self, index: int) -> tuple[Callable[[int], Result], int]:
-        """What computes a block: the design of its record alone."""
-        record, block = divmod(index, self.sampling.sample_blocks)
-        return replace(self, suite=Suite(self.suite.entries[record : record + 1])).run_block, block
+        """What computes a block: the design of its records alone."""
+        block = index % self.sampling.sample_blocks
+        return replace(self, suite=Suite(self._records(index))).run_block, block
 
     def run_block(self, block: int) -> Result:
-        """Compute a block of the samples of the first record.
+        """Compute a block of the samples of all records.
 
         Returns
         -------
         dict of ndarray
-            `LANE_RESULTS` and ``status``, (polarities, scales, samples), and the samples' inputs.
+            `LANE_RESULTS` and ``status``, (records, polarities, scales, samples), and the samples' inputs.
         """
-        entry, inputs = self.suite.entries[0], self.sampling.inputs
+        inputs = self.sampling.inputs
         values = self.sampling.values(block)
-        factors = np.multiply.outer(self.polarities, self.factors(entry))
+        factors = np.stack([np.multiply.outer(self.polarities, self.factors(entry)) for entry in self.suite])
         shape = (*factors.shape, self.sampling.scenes(block))
+        record, *_ = np.indices(shape).reshape(len(shape), -1)
+        records = LaneSeries(tuple(entry.record() for entry in self.suite), record)
         lanes = {"shaking.scale": np.broadcast_to(factors[..., None], shape).ravel()}
         for (name, number), value in zip(inputs.items(), values, strict=True):
             lanes[name] = np.broadcast_to(number.to_si(value), shape).ravel()
-        motion = motions(self.shaken(entry.record()), lanes, self.sampling.accuracy)
+        motion = motions(self.shaken(records), lanes, self.sampling.accuracy)
         solved = {**motion.outcomes, "rotation": motion.end.rotation, "slips": motion.slips, "status": motion.status}
         result = {name: np.reshape(lane_values, shape) for name, lane_values in solved.items()}
         samples = {f"sample.{number.key}": value for number, value in zip(inputs.values(), values, strict=True)}

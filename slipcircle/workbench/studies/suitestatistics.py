@@ -55,7 +55,7 @@ def distribution(displacement: Floats, scale: int) -> Distribution:
 def _valid(displacement: Floats, scale: int) -> Floats:
     """The displacements of a scale in a row, without what is no scene."""
     values = displacement[:, :, scale].ravel()
-    return np.asarray(values[~np.isnan(values)])
+    return values[~np.isnan(values)]
 
 
 def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
@@ -63,7 +63,7 @@ def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
     known = ~np.isnan(displacement)
     exceeds = (displacement > threshold) & known
     with np.errstate(invalid="ignore"):
-        return np.asarray(exceeds.sum(axis=(1, 3)) / known.sum(axis=(1, 3)))
+        return exceeds.sum(axis=(1, 3)) / known.sum(axis=(1, 3))
 
 
 def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:

@@ -47,15 +47,15 @@ class SuiteStudy(Pictured):
     def __init__(self, design: SuiteDesign, results: Iterable[Result]) -> None:
         self.design, self.suite = design, design.suite
         self.polarities, self.scales = np.array(design.polarities), design.scales
-        per_record = design.sampling.sample_blocks
+        of_samples = design.sampling.sample_blocks
         rows: list[dict[str, NDArray[Any]]] = []
         blocks: list[Result] = []
         for result in results:
             blocks.append(result)
-            if len(blocks) == per_record:
+            if len(blocks) == of_samples:
                 rows.append({name: np.concatenate([block[name] for block in blocks], axis=-1) for name in result})
                 blocks = []
-        self.values = {name: np.stack([row[name] for row in rows]) for name in (*LANE_RESULTS, "status")}
+        self.values = {name: np.concatenate([row[name] for row in rows]) for name in (*LANE_RESULTS, "status")}
         self.samples = {number.key: rows[0][f"sample.{number.key}"] for number in design.sampling.inputs.values()}
 
     @property
@@ -128,7 +128,7 @@ class SuiteStudy(Pictured):
 
     def _by_record(self, scale: int) -> Floats:
         """Displacement of each record at a scale, m: mean of polarities, median of samples."""
-        return np.asarray(np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1))
+        return np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
 
     def fragility(self) -> list[FragilityCurve]:
         """Lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""

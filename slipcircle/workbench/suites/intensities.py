@@ -121,7 +121,7 @@ def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
 
     weights, recurrence, at_start = _recurrence(step, frequency)
     displacement, _ = lfilter(weights, recurrence, acceleration, zi=at_start * acceleration[0])
-    return np.asarray(displacement)
+    return displacement
 
 
 @lru_cache(maxsize=1024)

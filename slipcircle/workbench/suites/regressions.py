@@ -131,7 +131,7 @@ class Regression:
             value = getattr(shaking, measure)
             outside = (value < least) | (value > greatest)
             inside &= ~np.asarray(outside)
-        return np.asarray(inside)
+        return inside
 
 
 # What a coefficient multiplies: ln 10 where a source has common logarithms; PGV in cm/s, PGA and S_a over gravity.

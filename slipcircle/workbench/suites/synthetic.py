@@ -93,7 +93,7 @@ def _filter(frequencies: Floats) -> Floats:
     damped = (2.0 * _DAMPING * ratio) ** 2
     amplitude = np.sqrt((1.0 + damped) / ((1.0 - ratio**2) ** 2 + damped))
     slow = frequencies**2 / (frequencies**2 + _SLOWEST**2)
-    return np.asarray(amplitude * slow)
+    return amplitude * slow
 
 
 def write_records(records: Mapping[str, Series], folder: str | os.PathLike[str]) -> None:

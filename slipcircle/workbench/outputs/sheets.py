@@ -1,0 +1,48 @@
+"""Pictures as rows of panels below each other; under a title they are lettered."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from textwrap import shorten
+from typing import Any, NamedTuple
+
+from slipcircle.workbench.outputs.plotstyle import WIDTH, letter
+
+_TITLE = 0.4  # inches
+_COLUMNS = 2
+Row = tuple[float, Sequence[Callable[..., Any]]]  # height in inches; one panel or two, functions that draw on ``ax``
+
+
+class Drawing(NamedTuple):
+    """What draws a picture on an empty figure, which it returns, and the inches of the figure."""
+
+    draw: Callable[[Any], Any]
+    size: tuple[float, float]
+
+
+def sheet(rows: Sequence[Row], title: str = "", apart: bool = False) -> Drawing:
+    """A picture of rows of panels; if ``apart``, what stands beside one row does not narrow the others."""
+    heights = [height for height, _ in rows]
+    return Drawing(partial(_draw, rows, title, apart), (WIDTH, sum(heights) + _TITLE * bool(title)))
+
+
+def _draw(rows: Sequence[Row], title: str, apart: bool, figure: Any) -> Any:
+    grid = figure.add_gridspec(len(rows), _COLUMNS, height_ratios=[height for height, _ in rows])
+    axes = []
+    for row, (_, panels) in enumerate(rows):
+        host, cells, place = figure, grid, row
+        if apart:
+            host = figure.add_subfigure(grid[row, :])
+            cells, place = host.add_gridspec(1, _COLUMNS), 0
+        for column, draw in enumerate(panels):
+            spec = cells[place, column if len(panels) > 1 else slice(None)]
+            axes.append(draw(ax=host.add_subplot(spec)))
+    if title:
+        letter(axes)
+        figure.suptitle(title, parse_math=False, fontweight="bold")
+    return figure
+
+
+def heading(name: str, outcome: str) -> str:
+    """A scene's name, and what became of it."""
+    name = shorten(name, 80)
+    return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))
