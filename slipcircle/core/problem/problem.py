@@ -34,7 +34,6 @@ LOWEST = 7  # order: below it the radius of convergence is that of one or two co
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # then the number of a soil
 EVERY = slice(None)  # lane
-Shape = tuple[int, ...]
 
 
 @dataclass
@@ -124,7 +123,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     return Problem(plan.recipe, program, start, numbers.tables, lanes, function, farther)
 
 
-def _flat(numbers: dict[str, Any], shape: Shape) -> dict[str, Any]:
+def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
     """Arrays with one axis of lanes; a number that all lanes share stays one, as those of a single lane do."""
     if not shape:
         return numbers
@@ -159,7 +158,7 @@ class Numbers:
     tables : dict of Data
     """
 
-    def __init__(self, mass: Mass, shape: Shape) -> None:
+    def __init__(self, mass: Mass, shape: tuple[int, ...]) -> None:
         self.mass = mass
         self.shape = shape
         self.radius = plain(mass.radius)
