@@ -35,6 +35,7 @@ KINDS = {
 MODULES = ("_kernels", "_flow")
 Parts = tuple[tuple[str, ...], ...]  # flags of each object of a module
 SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")  # asked once: of two threads at once, one gets nothing
+IMPORT = "import sys, importlib; sys.path.insert(0, sys.argv[1]); importlib.import_module(sys.argv[2])"
 SHARED = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 
 
@@ -64,6 +65,11 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
         target = Path(made) / binary.name
         make(source, target, [*compiler, *flags, *includes], parts(name, platform.machine()), SHARED)
+        done = subprocess.run([sys.executable, "-c", IMPORT, made, name], capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise NoBinaryError(
+                f"what {' '.join(compiler[:3])} makes does not load: {_fault(done)}".replace(f"{made}/", "")
+            )
         os.replace(target, binary)
     return binary
 
@@ -100,17 +106,27 @@ def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Se
         objects = [str(Path(folder) / f"{k}.o") for k in range(len(parts))]
         linked = Path(folder) / target.name
         commands = [[*flags, "-c", str(source), "-o", made] for flags, made in zip(parts, objects, strict=True)]
-        for command in (*commands, [*objects, *link, "-o", str(linked), "-lm"]):
+        for command in (*commands, [*objects, *link, "-lm", "-o", str(linked)]):
             done = subprocess.run([*compiler, *command], capture_output=True, text=True, check=False)
-            if done.returncode:
-                said = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()
-                raise NoBinaryError(f"{' '.join(compiler[:3])} fails: {said[:1]}")
+            if done.returncode or not Path(command[-1]).is_file():
+                raise NoBinaryError(f"{' '.join(compiler[:3])} fails: {_fault(done)}")
         shutil.move(linked, target)
+
+
+def _fault(done: subprocess.CompletedProcess[str]) -> str:
+    """The first error that a command printed, or else its status."""
+    lines = done.stderr.splitlines()
+    errors = [line for line in lines if "rror" in line]
+    return next(iter(errors or lines), f"nothing is written, status {done.returncode}")
 
 
 def c_compiler() -> list[str]:
     """``CC`` of the environment, or else the compiler of Python, of the machine, or of the package index."""
-    if asked := shlex.split(os.environ.get("CC", "")):
+    try:
+        asked = shlex.split(os.environ.get("CC", ""))
+    except ValueError as error:
+        raise NoBinaryError(f"CC={os.environ['CC']}: {error}") from None
+    if asked:
         candidates = [asked]
     else:
         candidates = [shlex.split(sysconfig.get_config_var("CC") or ""), ["cc"], ["gcc"], ["clang"]]
@@ -138,8 +154,8 @@ def build_all(folder: Path = FOLDER) -> tuple[list[Path], str]:
             binaries.append(made.result())
             outcome.append(binaries[-1].name)
         except (NoBinaryError, OSError) as error:
-            outcome.append(f"NumPy serves: {error}")
-    return binaries, ", ".join(outcome)
+            outcome.append(f"NumPy serves, `slipcircle info` says how fast: {error}")
+    return binaries, ", ".join(dict.fromkeys(outcome))
 
 
 if __name__ == "__main__":

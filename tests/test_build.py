@@ -10,6 +10,7 @@ import sys
 import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -171,6 +172,45 @@ def test_other_processors_compile_one_program_plainly(tmp_path: Path, fma: str, 
 
     build.build(small(tmp_path / "generated", elsewhere), (*build.FLAGS, *flags))
     assert served(tmp_path) == (level, [])
+
+
+GARBAGE = 'while [ $# -gt 0 ]; do [ "$1" = -o ] && echo garbage >"$2"; shift; done'
+COMPILERS = {  # what they do as programs of a shell, and what is said of them
+    "exit 3": "fails: nothing is written, status 3",
+    "exit 0": "fails: nothing is written, status 0",
+    "kill -9 $$": "fails: nothing is written, status -9",
+    "echo 'no room: error' >&2; exit 1": "fails: no room: error",
+    GARBAGE: "does not load: ImportError",
+    "": "Exec format error",
+}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a POSIX shell")
+@pytest.mark.parametrize("does", COMPILERS)
+def test_a_compiler_that_fails_leaves_numpy_and_one_line(does: str, tmp_path: Path, monkeypatch: Any) -> None:
+    """Whatever it fails at, nothing is raised, and no binary is left to be refused later."""
+    (script := tmp_path / "compiler").write_text(f"#!/bin/sh\n{does}\n" if does else "no program", "utf-8")
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    monkeypatch.setattr(build, "MODULES", ["_kernels"])
+    folder = small(tmp_path / "generated")
+    binaries, outcome = build.build_all(folder)
+    assert not binaries
+    assert outcome.startswith("NumPy serves, `slipcircle info` says how fast: ")
+    assert COMPILERS[does] in outcome
+    assert "\n" not in outcome
+    assert not list(folder.glob(".*"))
+    assert served(tmp_path) == ("numpy", [])
+
+
+@pytest.mark.parametrize("command", ["no-such-compiler", "'cc"])
+def test_a_compiler_that_is_none_is_named_once(command: str, tmp_path: Path, monkeypatch: Any) -> None:
+    for name in build.MODULES:
+        (tmp_path / f"{name}.c").write_text('"no digest"', "utf-8")
+    monkeypatch.setenv("CC", command)
+    binaries, outcome = build.build_all(tmp_path)
+    assert not binaries
+    assert outcome.count("NumPy serves") == outcome.count(command) == 1
 
 
 def test_without_a_compiler_of_the_machine_that_of_the_package_index_serves(monkeypatch: pytest.MonkeyPatch) -> None:

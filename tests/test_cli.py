@@ -21,6 +21,7 @@ from slipcircle import State, load, solve
 from slipcircle import __main__ as line
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.scenefile import find, shipped
+from tests.support.lanes import BINARY, compiled
 from tests.support.outputs import columns
 
 ROOT = Path(__file__).parents[1]
@@ -353,6 +354,11 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
 def test_info(said: Any) -> None:
     facts = json.loads(said("info --json"))
     assert facts.pop("format") == "slipcircle-json-1"
+    scene, factor = map(float, re.findall(r"([\d.]+) us a scene .* ([\d.]+) times", facts.pop("speed"))[0])
+    assert scene > 0
+    assert factor > 2 if BINARY else 0.3 < factor < 3
+    lanes = re.search(r"^compiled \((?:GCC|Clang) [\d.]+(?:, shipped)?\), \w+, (\d) lanes, ", facts["integrator"])
+    assert (lanes and int(lanes[1])) == (BINARY and {"avx512": 8, "avx2": 4, "baseline": 2}[compiled.level()])
     assert (facts["slipcircle"], facts["numpy"]) == (slipcircle.__version__, np.__version__)
     assert facts["python"] == sys.version.split()[0]
     for path in Path(generated.__path__[0]).glob("*.py"):

@@ -216,6 +216,7 @@ def test_each_door_is_opened_by_a_scene(door: str, monkeypatch: pytest.MonkeyPat
     opening = Mock(wraps=import_module)
     monkeypatch.setattr(doors, "import_module", opening)
     build_program.cache_clear()
+    doors.room.cache_clear()
     with suppress(ValueError):
         question(solve(replace(load(name), **fields)))
     opening.assert_any_call(doors.DOORS[door].module)

@@ -1,5 +1,6 @@
 """The one table of what the core may reach beyond itself: rooms, loaded when a scene or a question asks for them."""
 
+from functools import cache
 from importlib import import_module
 from typing import Any, NamedTuple
 
@@ -35,6 +36,7 @@ DOORS = {
 }
 
 
+@cache
 def room(name: str) -> Any:
     """The module behind a door, imported on its first use."""
     return import_module(DOORS[name].module)

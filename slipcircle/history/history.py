@@ -18,7 +18,9 @@ from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State, before, state_of
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
+from slipcircle.core.program.program import Log
 from slipcircle.core.scene.scene import Scene
+from slipcircle.core.walk.lanes import integrate
 from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_outputs
 from slipcircle.history.phases import Energy, Phase
 from slipcircle.history.states import States, read
@@ -215,13 +217,21 @@ class History:
             dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
         )
 
+    @cached_property
+    def _events(self) -> Log:
+        """What happens on the way of a single motion."""
+        log: Log = []
+        if not self.shape:
+            integrate(self.problem, log=log)
+        return log
+
     def lift_off(self) -> tuple[float, ...]:
         """`Motion.lift_off`."""
         scale = self._time_scale
         times = list[float]()
         lifted = False
         resumed = -1.0
-        for event, time, _, _ in self.motion._log:
+        for event, time, _, _ in self._events:
             lifts = event == ix.NOTE_LIFTS
             if lifts and not lifted and resumed != time:
                 times.append(time * scale)
@@ -235,7 +245,7 @@ class History:
         scale = self._time_scale
         last = self.motion.settling_time
         phases = list[Phase]()
-        for event, time, rotation, direction in self.motion._log:
+        for event, time, rotation, direction in self._events:
             if event == ix.NOTE_BEGINS:
                 phase = Phase(time * scale, last, rotation, int(direction))
                 phases.append(phase)

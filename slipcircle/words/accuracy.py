@@ -1,6 +1,6 @@
 """How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from operator import truediv
@@ -48,7 +48,7 @@ SHARES = np.tile(_MIDDLES[:, None], RUNS)
 
 @lru_cache(maxsize=256)
 def _moves(program: Program, rounding: float) -> Floats:
-    """By what each run multiplies each input of the program to move it by rounding, (cells, 8); 1 for the motion."""
+    """By what each run multiplies cells, (cells, 8): inputs of the program to move them by rounding, and its steps."""
     inputs = program.cells[len(ix.CELLS) : program.given]
     moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
     for table in program.tables:
@@ -59,7 +59,9 @@ def _moves(program: Program, rounding: float) -> Floats:
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
         signs[cell, 1:] = SIGNS[:, factor]
-    return 1.0 + rounding * signs
+    factors = 1.0 + rounding * signs
+    factors[ix.FACTOR] = LONGER
+    return factors
 
 
 def _is_of_table(cell: str) -> bool:
@@ -75,7 +77,6 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     """
     cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
     cells[ix.ORDER] += FURTHER[runs]
-    cells[ix.FACTOR] *= LONGER[runs]
     return cells
 
 
@@ -144,9 +145,8 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     if not (end_alike and move_alike):
         return 1.0, True
     durations = end_times if _ends_in_time(final) else rests
-    speeds = map(abs, peaks)
-    rows = durations, run_outs, [*speeds]
-    greatest = [*map(_farthest, rows, of_motion)]
+    rows = durations, run_outs, [*map(abs, peaks)]
+    greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
         rotation_and_velocity = states[:2]
         of_run_0 = rotation_and_velocity[:, :, :1]
@@ -155,13 +155,6 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
         greatest += np.fmax.reduce(of_each, axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in (*of_motion, *of_motion[1:])]
     return max(map(truediv, greatest, sizes)), False
-
-
-def _farthest(values: Sequence[float], of_motion: float) -> float:
-    """How far the value of any run is from that of the motion."""
-    above = max(values) - of_motion
-    below = of_motion - min(values)
-    return max(above, below)
 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:

@@ -8,10 +8,9 @@ from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.program.definitions import Recipe
-from slipcircle.core.program.program import Program, build_program
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
-from slipcircle.core.walk.compiled import encoded, module, widest
+from slipcircle.core.walk.compiled import encoded, level, module, widest
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
@@ -29,23 +28,21 @@ class PlanWords(NamedTuple):
 def words_of(plan: Plan) -> PlanWords:
     """What a plan says in words."""
     words = _words(plan.recipe)
-    way = "straight-line" if _is_straight_line(plan.program) else "interpreted"
+    binary = module()
+    is_straight = binary is not None and binary.straight_line(encoded(plan.program), widest()) >= 0
+    way = "straight-line" if is_straight else "interpreted"
     return words._replace(method=f"{words.method}; {way}")
 
 
 def integrator() -> str:
-    """What integrates here: the level of the compiled integrator, and whether it has straight-line programs."""
-    if module() is None:
+    """What integrates here: compiler and level of the integrator, lanes of a vector, straight-line programs or not."""
+    kind = level()
+    if not kind:
         return "NumPy, not compiled"
-    level = next(name for name, number in module().LEVELS.items() if number == widest())
-    commonest = build_program(Recipe(("rotation", "centripetal"), ("constant",)))
-    way = "straight-line where a program is common" if _is_straight_line(commonest) else "interpreted"
-    return f"compiled, {level}, {way}"
-
-
-def _is_straight_line(program: Program) -> bool:
-    """Whether the compiled module has a function of this very program here, rather than to interpret it."""
-    return module() is not None and module().straight_line(encoded(program), widest()) >= 0
+    binary = module()
+    lanes, straight = binary.TRAITS[kind]
+    way = "common programs straight-line" if straight else "interpreted"
+    return f"compiled ({binary.COMPILER}), {kind}, {lanes} lanes, {way}"
 
 
 @cache

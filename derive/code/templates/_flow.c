@@ -24,6 +24,7 @@ enum { @SIZES@, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
+typedef struct { int lanes, straight; } Traits; /* of a level: lanes of a vector, whether it has straight-line programs */
 typedef struct {
     const double *breaks, *coefficients, *jumps; /* (pieces[, lanes]), (pieces, terms[, lanes]), (pieces) */
     int64_t pieces, across, apart; /* lanes of the coefficients and of the breaks, or 0 where lanes share them */
@@ -117,10 +118,10 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #endif
 #define RUNS_baseline 1
 
-#define DECLARE(LEVEL) int64_t flow_integrate_##LEVEL(Job *job); extern const int flow_has_straight_##LEVEL;
+#define DECLARE(LEVEL) int64_t flow_integrate_##LEVEL(Job *job); extern const Traits flow_traits_##LEVEL;
 LEVELS(DECLARE)
-static const struct { const char *name; int64_t (*integrate)(Job *); const int *has_straight; } levels[] = {
-#define ROW(LEVEL) {#LEVEL, flow_integrate_##LEVEL, &flow_has_straight_##LEVEL},
+static const struct { const char *name; int64_t (*integrate)(Job *); const Traits *traits; } levels[] = {
+#define ROW(LEVEL) {#LEVEL, flow_integrate_##LEVEL, &flow_traits_##LEVEL},
     LEVELS(ROW)
 };
 enum { KINDS = sizeof levels / sizeof *levels };
@@ -204,19 +205,37 @@ done:
     return result;
 }
 
-/* DIGEST of the source; LEVELS: those that run here, name -> number, the widest first. */
+#ifdef Py_LIMITED_API
+#define ORIGIN ", shipped"
+#else
+#define ORIGIN ""
+#endif
+#define TEXT(x) #x
+#define NUMBERS(a, b, c) TEXT(a) "." TEXT(b) "." TEXT(c)
+#ifdef __clang__
+#define COMPILER "Clang " NUMBERS(__clang_major__, __clang_minor__, __clang_patchlevel__) ORIGIN
+#else
+#define COMPILER "GCC " NUMBERS(__GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__) ORIGIN
+#endif
+
+/* DIGEST of the source; COMPILER, its name and version; LEVELS: those that run here, name -> number, the
+ * widest first; TRAITS: name -> (lanes, has straight-line programs). */
 static int fill(PyObject *module)
 {
-    PyObject *levels_here = PyDict_New();
-    int failed = levels_here == NULL;
+    PyObject *levels_here = PyDict_New(), *traits = PyDict_New();
+    int failed = levels_here == NULL || traits == NULL;
     for (int k = 0; k < KINDS && !failed; k++) {
-        PyObject *number = runs(k) ? PyLong_FromLong(k) : NULL;
-        failed = number && PyDict_SetItemString(levels_here, levels[k].name, number);
-        Py_XDECREF(number);
+        if (!runs(k)) continue;
+        PyObject *number = PyLong_FromLong(k), *of = Py_BuildValue("ii", levels[k].traits->lanes, levels[k].traits->straight);
+        failed = number == NULL || of == NULL || PyDict_SetItemString(levels_here, levels[k].name, number) ||
+                 PyDict_SetItemString(traits, levels[k].name, of);
+        Py_XDECREF(number), Py_XDECREF(of);
     }
     failed = failed || PyModule_AddObjectRef(module, "LEVELS", levels_here) ||
+             PyModule_AddObjectRef(module, "TRAITS", traits) ||
+             PyModule_AddStringConstant(module, "COMPILER", COMPILER) ||
              PyModule_AddStringConstant(module, "DIGEST", DIGEST);
-    Py_XDECREF(levels_here);
+    Py_XDECREF(levels_here), Py_XDECREF(traits);
     return failed ? -1 : 0;
 }
 
@@ -229,7 +248,7 @@ static PyObject *straight_line(PyObject *self, PyObject *args)
     if (!PyArg_ParseTuple(args, "y*i", &code, &level)) return NULL;
     const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && level >= 0 && level < KINDS;
     PyBuffer_Release(&code);
-    return PyLong_FromLong(fits && *levels[level].has_straight ? job.straight : -1);
+    return PyLong_FromLong(fits && levels[level].traits->straight ? job.straight : -1);
 }
 
 static PyMethodDef methods[] = {
@@ -454,9 +473,9 @@ static const struct {
 } straight[] = {
 @STRAIGHT_ROWS@
 };
-const int NAMED(flow_has_straight, LEVEL) = 1;
+const Traits NAMED(flow_traits, LEVEL) = {LANES, 1};
 #else
-const int NAMED(flow_has_straight, LEVEL) = 0;
+const Traits NAMED(flow_traits, LEVEL) = {LANES, 0};
 #endif
 
 /* Coefficient n of every register that the rates need. */

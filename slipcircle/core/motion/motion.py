@@ -9,7 +9,6 @@ import math
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import cached_property
 from typing import Any, Generic, Self
 
 import numpy as np
@@ -18,12 +17,11 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
-from slipcircle.base.kinds import Numbers
+from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.motion.states import State, Status, state_of, statuses
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.program import Log
 from slipcircle.core.walk.lanes import integrate
 
 
@@ -77,12 +75,11 @@ class Motion(Forms, Generic[Numbers]):
     tables.
     """
 
-    def __init__(self, plan: Plan, final: Any, log: Log, invalid: Any = False, problem: Problem | None = None) -> None:
+    def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
         self.plan = plan
         self.shape: tuple[int, ...] = plan.scene.shape
         self.invalid = invalid
         self._final = final
-        self._log = log
         self._radius = plain(plan.scene.arc.radius)
         self._time_scale = plan.scene.arc.time_scale
         if problem is not None:
@@ -170,9 +167,9 @@ class Motion(Forms, Generic[Numbers]):
                 "reach": self._radius * final[ix.REACH_ROTATION],
                 "run_out": self._radius * final[ix.END_ROTATION],
                 "peak_velocity": self._radius * angular_velocity,
-                "duration": self.duration,
             }
-        return {name: self._known(value) for name, value in values.items()}
+        known = {name: self._known(value) for name, value in values.items()}
+        return known | {"duration": self.duration}
 
     @cached_property
     def duration(self) -> Numbers:
@@ -232,7 +229,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def _varies_in_time(self) -> bool:
-        return any(table.kind == "time" for table in self.plan.program.tables)
+        return any(table.kind == "time" for table in self.problem.program.tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
         """A state of each lane from its final cells; where it is not moving, without speed and rate."""
@@ -386,10 +383,9 @@ class Motion(Forms, Generic[Numbers]):
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
-            return type(self)(plan, self._final[(slice(None), *rows)], [], invalid)
-        log: list[Any] = []  # of which an ensemble keeps none, so that the lane is solved again
-        problem = problem_of(plan, invalid)
-        return type(self)(plan, integrate(problem, log=log)[:, 0].tolist(), log, invalid, problem)
+            return type(self)(plan, self._final[(slice(None), *rows)], invalid)
+        problem = problem_of(plan, invalid)  # alone a lane is solved to rounding
+        return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
         name = self.plan.scene.name

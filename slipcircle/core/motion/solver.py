@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from generated import layout as ix
 from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
@@ -64,28 +63,26 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
 
 
 def _is_finite(motion: Motion) -> bool:
-    """Whether a single motion has a result, and neither that nor its initial energy overflows."""
-    scene = motion.plan.scene
-    speed = plain(scene.initial_velocity)
-    results = motion._final[ix.END_ROTATION] + motion._final[ix.PEAK_OMEGA] / scene.arc.time_scale
-    return motion._solved and math.isfinite(scene.arc.radius * results) and math.isfinite(speed * speed)
+    """Whether a single motion has a result, and neither that nor its energy at the start overflows."""
+    outcomes = motion.outcomes
+    speed = plain(motion.plan.scene.initial_velocity)
+    return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
     scene = chosen.scene
-    log: list[Any] = []
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:
         problem = problem_of(chosen, invalid)
-        final = integrate(problem, log=None if scene.shape else log)[:ENTRIES]
+        final = integrate(problem)[:ENTRIES]
         if not scene.shape:  # plain numbers are ten times cheaper than arrays of one
-            return Motion(chosen, final[:, 0].tolist(), log, invalid, problem)
-        return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid, problem)
+            return Motion(chosen, final[:, 0].tolist(), invalid, problem)
+        return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid, problem)
     final = np.empty((ENTRIES, lanes))
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
         part = room("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
         final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
-    return Motion(chosen, final.reshape(ENTRIES, *scene.shape), log, invalid)
+    return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

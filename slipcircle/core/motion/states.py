@@ -111,7 +111,7 @@ class State:
 
 def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
     """A state in SI units from dimensionless numbers of the shape of the time, that of the scene and of the times."""
-    axes = np.ndim(time) - len(scene.shape)
+    axes = getattr(time, "ndim", 0) - len(scene.shape)
     scale = before(scene.arc.time_scale, axes)
     radius = before(plain(scene.arc.radius), axes)
     with may_overflow(scene.shape):

@@ -7,7 +7,7 @@ scene's own shape: nothing here knows a law or an effect.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
 from slipcircle.base.checks import choose, may_overflow, plain
-from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.program.definitions import Recipe
@@ -114,7 +114,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     if invalid is not False:
         numbers.start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
     start = _flat(numbers.start, scene.shape)
-    start["ORDER"], start["FACTOR"] = order_and_step(solved_accuracy(plan.accuracy, lanes))
+    start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes)
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
@@ -135,14 +135,12 @@ def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
     return flat
 
 
-def solved_accuracy(accuracy: float, lanes: int) -> float:
-    """The accuracy to which scenes are solved, where one is requested; single scenes are solved to rounding."""
-    return accuracy if lanes > 1 else min(accuracy, FINEST)
+def order_and_step(accuracy: float, lanes: int) -> tuple[int, float]:
+    """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence.
 
-
-def order_and_step(accuracy: float) -> tuple[int, float]:
-    """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence."""
-    attainable = max(accuracy, 1e-16)
+    Single scenes are solved to rounding.
+    """
+    attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
     step = STEP if attainable > FINEST else STEP_TO_ROUNDING
     terms = math.ceil(3.0 + math.log(attainable) / math.log(step))
     return max(terms, LOWEST), step

@@ -4,7 +4,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, overload
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from slipcircle.base.checks import Bounds, Fault, choose, complaint, mistakes, plain, raise_all, shape_mistakes, two_sum
-from slipcircle.base.kinds import Array, Numbers
+from slipcircle.base.kinds import Array, Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 

@@ -5,13 +5,12 @@ Whatever implements it can be solved: nothing in the core asks what kind of mass
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Floats, Names, Values
+from slipcircle.base.kinds import Effects, Floats, Names, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.piecewise import Data, Tables
 

@@ -4,7 +4,6 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
@@ -12,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain, raise_all, shape_mistakes
-from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values
+from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import effect_mistakes, named, resolved

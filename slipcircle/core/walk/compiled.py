@@ -37,6 +37,14 @@ def widest() -> int:
     return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
 
 
+def level() -> str:
+    """The kind of processor whose integrator runs here; empty where that is NumPy's."""
+    if module() is None:
+        return ""
+    names = {number: name for name, number in module().LEVELS.items()}
+    return names[widest()]
+
+
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
 
 
