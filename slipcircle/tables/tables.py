@@ -196,7 +196,9 @@ def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
     jumps = list[Floats]()
     firsts = list[int]()
     pieces = 0
-    never = continuous(np.array([np.inf]), np.zeros((1, 2)))
+    infinity = np.array([np.inf])
+    nothing = np.zeros((1, 2))
+    never = continuous(infinity, nothing)
     for table in tables:
         firsts.append(pieces)
         for part in (table, never):
@@ -205,7 +207,10 @@ def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
             jumps.append(part.jumps)
             pieces += len(part.breaks)
     first = np.array(firsts)[which]
-    return Data(np.concatenate(breaks), np.concatenate(coefficients), np.concatenate(jumps), first=first)
+    every_break = np.concatenate(breaks)
+    every_coefficient = np.concatenate(coefficients)
+    every_jump = np.concatenate(jumps)
+    return Data(every_break, every_coefficient, every_jump, first=first)
 
 
 def _of_pulse(pulse: Pulse) -> Data:
