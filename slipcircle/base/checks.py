@@ -109,9 +109,9 @@ def may_overflow(shape: tuple[int, ...]) -> Any:
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
     """`numpy.where` that also takes plain numbers."""
-    if isinstance(mask, np.ndarray):
-        return np.where(mask, one, other)
-    return one if mask else other
+    if type(mask) is bool or not isinstance(mask, np.ndarray):
+        return one if mask else other
+    return np.where(mask, one, other)
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
@@ -142,8 +142,8 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
         lower, upper, _ = allowed
         plausible = type(value) is float and lower < value < upper  # most are; arrays take twenty times as long
         if not plausible:
-            sentences += _number_mistakes(name, value, allowed, name in one)
-    return [Message(sentence) for sentence in sentences]
+            sentences += map(Message, _number_mistakes(name, value, allowed, name in one))
+    return sentences
 
 
 def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> list[str]:

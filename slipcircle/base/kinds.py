@@ -27,8 +27,7 @@ else:
         def __get__(self, instance, owner=None):
             if instance is None:
                 return self
-            value = self.func(instance)
-            vars(instance)[self.attrname] = value
+            value = instance.__dict__[self.attrname] = self.func(instance)
             return value
 
 

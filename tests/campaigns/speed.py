@@ -64,22 +64,17 @@ def frictions(count: int) -> Floats:
     return np.tan(np.radians(np.linspace(10.0, 19.5, count)))
 
 
-def outcomes(given: Any, accuracy: float | None, *also: str) -> Floats:
-    """Rotation and time at rest, dimensionless; the peak velocity and these others are computed too."""
-    motion = solve(given, accuracy)
-    for name in ("outcomes", *also):
-        getattr(motion, name)
-    return np.array([np.ravel(motion.run_out) / ARC.radius, np.ravel(motion.duration) / ARC.time_scale])
-
-
 def together(law: str, accuracy: float, mu: Floats) -> Floats:
-    """An ensemble of frictions by this package."""
-    return outcomes(replace(VAIONT, friction=friction(law, mu)), accuracy)
+    """An ensemble by this package: rotations and times at rest, dimensionless; peak velocities come along."""
+    motion = solve(replace(VAIONT, friction=friction(law, mu)), accuracy)
+    return np.array([motion.run_out / ARC.radius, motion.duration / ARC.time_scale])
 
 
 def one_scene(law: str, mu: Floats) -> Floats:
-    """One scene that is built, solved to rounding, and asked for its error."""
-    return outcomes(replace(VAIONT, friction=friction(law, float(mu[0]))), None, "error_estimate")
+    """One scene that is built, solved to rounding, and asked for its error; its peak velocity comes along."""
+    motion = solve(Scene(ARC, friction(law, float(mu[0])), VAIONT.effects))
+    assert motion.error_estimate < ACCURACY
+    return np.array([[motion.run_out / ARC.radius], [motion.duration / ARC.time_scale]])
 
 
 def medians(works: Sequence[Callable[[], object]], count: int = 1) -> list[float]:

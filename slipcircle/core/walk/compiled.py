@@ -40,14 +40,9 @@ def level() -> str:
     return asked if asked in levels else next(iter(levels))
 
 
-def _widest() -> Any:
+def widest() -> Any:
     """Its number."""
     return module().LEVELS[level()]
-
-
-def straight_line(program: Program) -> bool:
-    """Whether the compiled module has a function of this very program here, rather than to interpret it."""
-    return module() is not None and module().straight_line(encoded(program), _widest()) >= 0
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
@@ -169,7 +164,7 @@ def integrate(
     count = cells.shape[1]
     if not count:
         return
-    number = binary.LEVELS[level] if level else _widest()
+    number = binary.LEVELS[level] if level else widest()
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
@@ -194,7 +189,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
     if count:
         code = encoded(program)
         pieces = _pieces(tables, count)
-        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
+        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, widest())
     return values
 
 
