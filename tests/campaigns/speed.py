@@ -214,7 +214,7 @@ def panels() -> Iterator[tuple[str, dict[str, list[tuple[float, float]]]]]:
     }
     mu = frictions(COUNT)
     yield (
-        f"one of {COUNT} scenes",
+        f"one of {COUNT:,} scenes",
         {
             "slipcircle": curve([partial(together, DRAWN, x) for x in TOLERANCES], mu, CHECKED),
             f"heyoka, batches of {BATCHES[-1]}": curve(
@@ -224,7 +224,7 @@ def panels() -> Iterator[tuple[str, dict[str, list[tuple[float, float]]]]]:
         },
     )
     yield (
-        "one scene, with its peak and error estimate",
+        "one scene; ours with peak and error estimate",
         {
             "slipcircle": curve([partial(one_scene, DRAWN)], ONE, 1),
             **{name: curve([way(x) for x in TOLERANCES], ONE, 1) for name, way in others.items()},
@@ -244,10 +244,11 @@ def picture(path: Path) -> None:
                 axes.plot(seconds, np.maximum(errors, LEAST), color=colour, ls=dashes, marker=marker, label=name)
             axes.set(title=title, xscale="log", yscale="log", xlabel="processor time (s)")
             axes.grid(alpha=0.3)
+        figure.suptitle(f"{DRAWN} softening")
         figure.axes[0].set_ylabel("largest relative error of the run-out")
         figure.legend(*figure.axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=9)
 
-    path.write_bytes(render(draw, (10.0, 4.5), str(path)))
+    path.write_bytes(render(draw, (9.0, 4.4), str(path)))
 
 
 def measured(level: str) -> list[Row]:
