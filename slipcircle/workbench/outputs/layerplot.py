@@ -15,6 +15,7 @@ from slipcircle.workbench.outputs.shapes import Mass
 _ACROSS = 400  # points of the stress
 _START = 6.0  # width of the arc at the start, in points
 _TURNED = 2.5  # of the turned arc
+_SHORTEST = 1e-9  # rad, a stretch: others are rounding
 _NAMED = 0.03  # of the arc, shorter stretches of which have no name
 
 
@@ -38,27 +39,13 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
 
 def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, float, float]]:
     """Soil and angles of both ends of each stretch under a mass that has turned down-slope, rad."""
-    rows = stretches(section)
-    if section.strength == "mass":
-        for row in rows:
-            yield key_of(row.soil), row.start + moved, row.end + moved
-        return
-    entry = rows[0]
-    exit_ = rows[-1]
-    beyond = section.foreland or exit_.soil
-    above_entry = entry.soil, -np.inf, entry.start
-    below_exit = beyond, exit_.end, np.inf
-    everywhere = [above_entry]
-    for row in rows:
-        everywhere.append((row.soil, row.start, row.end))
-    everywhere.append(below_exit)
-    mass_start = entry.start + moved
-    mass_end = exit_.end + moved
-    for soil, start, end in everywhere:
-        first = max(start, mass_start)
-        last = min(end, mass_end)
-        if first < last:
-            yield key_of(soil), first, last
+    strength = section.arc_strength
+    joints = strength.stretches
+    *inner, last, first = strength.space(np.full((1, 1), moved)).ravel().tolist()
+    layers = [joints.first[0], *joints.after[0]]
+    for layer, start, end in zip(layers, [first, *inner], [*inner, last], strict=True):
+        if end - start > _SHORTEST:
+            yield key_of(section.soils[layer]), start, end
 
 
 def stress_along(motion: Motion, ax: Any = None) -> Any:
