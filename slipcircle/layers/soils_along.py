@@ -54,7 +54,10 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         If the section has lanes.
     """
     _one_lane(section)
-    layers, ends = _layers_along(section)
+    along = soils_under(section)
+    layers, starts, lasts = zip(*along, strict=True)
+    *_, exit_ = lasts
+    ends = np.array([*starts, exit_])
     weight = _from_entry(section, AREA, ends)
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
@@ -115,23 +118,25 @@ def _radius(section: LayeredSection) -> float:
     return float(np.asarray(section.radius))
 
 
-def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
-    """The layer of each stretch, and the directions of their ends, one more."""
-    (first,), (last,) = section.arc_strength.span
-    joints = section.arc_strength.stretches
-    layers = [int(joints.first[0])]
-    ends = [float(first)]
-    (joint_directions,) = joints.joint
-    (layers_after,) = joints.after
-    for joint, after in zip(joint_directions, layers_after, strict=True):
-        if last - joint < _SHORT:
-            break
-        if joint - ends[-1] < _SHORT:
-            layers[-1] = int(after)
-        elif after != layers[-1]:
-            layers.append(int(after))
-            ends.append(float(joint))
-    return layers, np.array([*ends, last])
+def soils_under(section: LayeredSection, rotation: float = 0.0) -> list[tuple[int, float, float]]:
+    """Number of the soil and directions of both ends of each stretch under the mass of one section after a rotation."""
+    strength = section.arc_strength
+    turned = np.full((1, 1), rotation)
+    *joints, last, first = strength.space(turned).ravel().tolist()
+    (after,) = strength.stretches.after
+    soils = [*strength.stretches.first, *after]
+    starts = [first, *joints]
+    ends = [*joints, last]
+    found = list[tuple[int, float, float]]()
+    for soil, start, end in zip(soils, starts, ends, strict=True):
+        if end - start < _SHORT:
+            continue
+        goes_on = found and found[-1][0] == soil
+        if goes_on:
+            _, start, _ = found.pop()
+        row = int(soil), start, end
+        found.append(row)
+    return found
 
 
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:

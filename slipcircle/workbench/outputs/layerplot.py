@@ -1,12 +1,12 @@
 """The soils along the arc of a layered section, and the stress on them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from slipcircle.core import Motion
-from slipcircle.layers import LayeredSection, mean_normal_stress, stretches
+from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of
 from slipcircle.workbench.outputs.scenery import key_of, numbers_of
@@ -15,7 +15,6 @@ from slipcircle.workbench.outputs.shapes import Mass
 _ACROSS = 400  # points of the stress
 _START = 6.0  # width of the arc at the start, in points
 _TURNED = 2.5  # of the turned arc
-_SHORTEST = 1e-9  # rad, a stretch: others are rounding
 _NAMED = 0.03  # of the arc, shorter stretches of which have no name
 
 
@@ -28,24 +27,13 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
     numbers = numbers_of(section.layers)
     facing = float(section.facing)
     for turn, width in zip((0.0, *turns), (_START, _TURNED), strict=False):
-        moved = facing * turn
-        for name, start, end in _soils_under(section, moved):
+        for soil, start, end in soils_under(section, facing * turn):
             from_below = facing * np.linspace(start, end, 40)
             angles = 1.5 * np.pi + from_below
             x, y = mass.on_circle(angles).T
-            _, colour = SOILS[numbers.get(name, -1) % len(SOILS)]  # a foreland may be of another soil
+            number = numbers.get(key_of(section.soils[soil]), -1)  # a foreland may be of another soil
+            _, colour = SOILS[number % len(SOILS)]
             ax.plot(x, y, color=colour, lw=width, zorder=4, solid_capstyle="butt")
-
-
-def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, float, float]]:
-    """Soil and angles of both ends of each stretch under a mass that has turned down-slope, rad."""
-    strength = section.arc_strength
-    joints = strength.stretches
-    *inner, last, first = strength.space(np.full((1, 1), moved)).ravel().tolist()
-    layers = [joints.first[0], *joints.after[0]]
-    for layer, start, end in zip(layers, [first, *inner], [*inner, last], strict=True):
-        if end - start > _SHORTEST:
-            yield key_of(section.soils[layer]), start, end
 
 
 def stress_along(motion: Motion, ax: Any = None) -> Any:
