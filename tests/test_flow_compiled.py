@@ -96,7 +96,7 @@ def test_a_straight_line_program_has_the_bits_of_its_interpretation(law: str, of
     bound = posed(scene, 1e-11)
     number = list(STRAIGHT).index(of) % 4 + 4 * list(FRICTION).index(law)  # cohesion is a cell: the first one serves
     own = {level for level in BINARY.LEVELS if level != "baseline" or platform.machine() not in ("x86_64", "AMD64")}
-    chosen = next(level for level, kind in BINARY.LEVELS.items() if kind == compiled._widest())
+    chosen = next(level for level, kind in BINARY.LEVELS.items() if kind == compiled.widest())
     way = "straight-line" if chosen in own else "interpreted"
     assert slipcircle.plan(scene).method.endswith(f"; {way}")
     for level, kind in BINARY.LEVELS.items():
