@@ -54,10 +54,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         If the section has lanes.
     """
     _one_lane(section)
-    along = soils_under(section)
-    layers, starts, lasts = zip(*along, strict=True)
-    *_, exit_ = lasts
-    ends = np.array([*starts, exit_])
+    layers, ends = soils_under(section)
     weight = _from_entry(section, AREA, ends)
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
@@ -118,25 +115,25 @@ def _radius(section: LayeredSection) -> float:
     return float(np.asarray(section.radius))
 
 
-def soils_under(section: LayeredSection, rotation: float = 0.0) -> list[tuple[int, float, float]]:
-    """Number of the soil and directions of both ends of each stretch under the mass of one section after a rotation."""
+def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
+    """Numbers of the soils of stretches under the mass of one section after a rotation; directions of their ends."""
     strength = section.arc_strength
     turned = np.full((1, 1), rotation)
     *joints, last, first = strength.space(turned).ravel().tolist()
     (after,) = strength.stretches.after
-    soils = [*strength.stretches.first, *after]
-    starts = [first, *joints]
-    ends = [*joints, last]
-    found = list[tuple[int, float, float]]()
-    for soil, start, end in zip(soils, starts, ends, strict=True):
-        if end - start < _SHORT:
+    every_soil = [*strength.stretches.first, *after]
+    soils = list[int]()
+    ends = [first]
+    for soil, end in zip(every_soil, [*joints, last], strict=True):
+        if end - ends[-1] < _SHORT:
             continue
-        goes_on = found and found[-1][0] == soil
+        goes_on = soils[-1:] == [soil]
         if goes_on:
-            _, start, _ = found.pop()
-        row = int(soil), start, end
-        found.append(row)
-    return found
+            ends.pop()
+        else:
+            soils.append(int(soil))
+        ends.append(end)
+    return soils, np.array(ends)
 
 
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:

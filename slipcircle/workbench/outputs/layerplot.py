@@ -27,7 +27,8 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
     numbers = numbers_of(section.layers)
     facing = float(section.facing)
     for turn, width in zip((0.0, *turns), (_START, _TURNED), strict=False):
-        for soil, start, end in soils_under(section, facing * turn):
+        soils, ends = soils_under(section, facing * turn)
+        for soil, start, end in zip(soils, ends[:-1], ends[1:], strict=True):
             from_below = facing * np.linspace(start, end, 40)
             angles = 1.5 * np.pi + from_below
             x, y = mass.on_circle(angles).T
