@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "f4f0817ba77a69972e83b464be5602e594e5f6c2c1d1939879b3728142f8f14f"
+#define DIGEST "4b8c7682bf59f90e5ebbbe682960f2c69bbcdbe3b6e801d668e63bae19380f2c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -307,7 +307,7 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 
 #include <math.h>
 #include <string.h>
-#if WIDE > 128
+#ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
@@ -463,9 +463,8 @@ INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-/* What is added at each k from the first to below another, by turns into parts j = 0 and 1 that do not wait for each
- * other. */
-#define OVER(first, below, add) do { int k = first; \
+/* What is added at each k from 1 to below another, by turns into parts j = 0 and 1 that do not wait for each other. */
+#define OVER(below, add) do { int k = 1; \
     while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
     if (k < (below)) { const int j = 0; add; } } while (0)
 
@@ -493,8 +492,10 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             d[0] = a[0] * b[0];
         } else {
             V sum0_[2] = {{0}};
-            OVER(0, n + 1, sum0_[j] += a[k] * b[n - k]);
+            OVER(n, sum0_[j] += a[k] * b[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
+            sum0 += a[0] * b[n];
+            sum0 += a[n] * b[0];
             d[n] = sum0;
         }
         return at + 4;
@@ -506,9 +507,10 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             d[0] = a[0] * a[0];
         } else {
             V sum0_[2] = {{0}};
-            OVER(0, (n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
+            OVER((n + 1) / 2, sum0_[j] += a[k] * a[n - k]);
             V sum0 = 2.0 * (sum0_[0] + sum0_[1]);
             if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
+            sum0 += 2.0 * a[0] * a[n];
             d[n] = sum0;
         }
         return at + 3;
@@ -533,13 +535,19 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             p7[0] = t2 * t3;
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}}, sum2_[2] = {{0}}, sum3_[2] = {{0}}, sum4_[2] = {{0}}, sum5_[2] = {{0}};
-            OVER(1, n + 1, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
+            OVER(n, sum0_[j] += x[k] * p2[n - k]; sum1_[j] += x[k] * p3[n - k]; sum2_[j] += x[k] * p4[n - k]; sum3_[j] += x[k] * p5[n - k]; sum4_[j] += x[k] * p6[n - k]; sum5_[j] += x[k] * x[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
+            sum0 += x[n] * p2[0];
             V sum1 = sum1_[0] + sum1_[1];
+            sum1 += x[n] * p3[0];
             V sum2 = sum2_[0] + sum2_[1];
+            sum2 += x[n] * p4[0];
             V sum3 = sum3_[0] + sum3_[1];
+            sum3 += x[n] * p5[0];
             V sum4 = sum4_[0] + sum4_[1];
+            sum4 += x[n] * p6[0];
             V sum5 = sum5_[0] + sum5_[1];
+            sum5 += x[n] * x[0];
             p2[n] = sum5 + x[0] * x[n];
             p3[n] = sum0 + p2[n] * x[0];
             p4[n] = sum1 + p3[n] * x[0];
@@ -570,9 +578,11 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             v[0] = 2.0 * (t1 * t1);
         } else {
             V sum0_[2] = {{0}}, sum1_[2] = {{0}};
-            OVER(1, n + 1, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
+            OVER(n, sum0_[j] += q[k] * s[n - k]; sum1_[j] += q[k] * v[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
+            sum0 += q[n] * s[0];
             V sum1 = sum1_[0] + sum1_[1];
+            sum1 += q[n] * v[0];
             s[n] = (q[n] - sum1) * by_n;
             v[n] = by_n * sum0;
         }
@@ -588,8 +598,9 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             m[0] = IN(map)(expm1, z[0]);
         } else {
             V sum0_[2] = {{0}};
-            OVER(1, n + 1, sum0_[j] += q[k] * e[n - k]);
+            OVER(n, sum0_[j] += q[k] * e[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
+            sum0 += q[n] * e[0];
             e[n] = by_n * sum0;
             m[n] = e[n];
         }
@@ -605,8 +616,9 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             m[0] = -(z[0] / t1);
         } else {
             V sum0_[2] = {{0}};
-            OVER(1, n + 1, sum0_[j] += z[k] * h[n - k]);
+            OVER(n, sum0_[j] += z[k] * h[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
+            sum0 += z[n] * h[0];
             h[n] = -(h[0] * sum0);
             m[n] = h[n];
         }
@@ -619,7 +631,7 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             l[0] = IN(map)(log1p, z[0]);
         } else {
             V sum0_[2] = {{0}};
-            OVER(1, n - 1 + 1, sum0_[j] += k * l[k] * z[n - k]);
+            OVER(n, sum0_[j] += k * l[k] * z[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
             l[n] = (z[n] - by_n * sum0) / (1.0 + z[0]);
         }
@@ -636,8 +648,9 @@ INLINE const int32_t *operation(const int32_t *at, const int32_t *own, V *r, con
             m[0] = t1;
         } else {
             V sum0_[2] = {{0}};
-            OVER(1, n + 1, sum0_[j] += (k + k * power - n) * z[k] * p[n - k]);
+            OVER(n, sum0_[j] += (k + k * power - n) * z[k] * p[n - k]);
             V sum0 = sum0_[0] + sum0_[1];
+            sum0 += (n + n * power - n) * z[n] * p[0];
             p[n] = by_n / (1.0 + z[0]) * sum0;
             m[n] = p[n];
         }
@@ -2650,8 +2663,7 @@ static void read_registers(Batch *b)
 /* Where `least` lanes are free the next of the queue take them. */
 enum { LEAST_FREE = LANES / 2 };
 
-int64_t NAMED(flow_integrate, LEVEL)(Job *job);
-int64_t NAMED(flow_integrate, LEVEL)(Job *job)
+static __attribute__((noinline)) int64_t integrate_queue(Job *job)
 {
     V *const memory = (V *)job->memory + MOST_WORKING;
     Batch batch = {.job = job, .c = memory, .r = memory + job->cells}, *const b = &batch;
@@ -2683,6 +2695,23 @@ int64_t NAMED(flow_integrate, LEVEL)(Job *job)
     int64_t left = 0;
     EACH(k, b->held) store_lane(b, k), left++;
     return left + (job->end - next);
+}
+
+/* Numbers below 2^-1022 are zero meanwhile: friction that softens comes to them, and each product of one takes x86 a
+ * hundred cycles. */
+int64_t NAMED(flow_integrate, LEVEL)(Job *job);
+int64_t NAMED(flow_integrate, LEVEL)(Job *job)
+{
+#ifdef __SSE2__
+    enum { FLUSH_RESULTS = 0x8000, FLUSH_OPERANDS = 0x40 };
+    const unsigned mode = _mm_getcsr();
+    _mm_setcsr(mode | FLUSH_RESULTS | FLUSH_OPERANDS);
+#endif
+    const int64_t left = integrate_queue(job);
+#ifdef __SSE2__
+    _mm_setcsr(mode);
+#endif
+    return left;
 }
 
 #ifdef __wasm__

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 13feb77553897e1b7f13a3efd70b4bcce18c11ebcd294a83a67b9cbfce60214c
+# sha256 of the text below: 1c35762a43e263565008e4b9ecee4d833554fc3ed999a189430dc9adf023a122
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "f4f0817ba77a69972e83b464be5602e594e5f6c2c1d1939879b3728142f8f14f"  # of the compiled integrator's source
+DIGEST = "4b8c7682bf59f90e5ebbbe682960f2c69bbcdbe3b6e801d668e63bae19380f2c"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -12,8 +12,7 @@ from flint import ctx
 
 from slipcircle.__main__ import main
 
-# What takes longest goes first, so that no worker is left alone with it; and what shares its intermediate results, the
-# derivation, the judgement of the paper and the notebooks on both, follows in the same process.
+# What takes longest goes first, so that no worker is left alone with it.
 LONGEST = (
     "test_what_is_added",
     "test_mypy",
@@ -29,8 +28,12 @@ LONGEST = (
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Then the files that derive, in one process as far as it gets: they share what `derive` computes once."""
+    derive = {path for path in {item.path for item in items} if "\nfrom derive" in path.read_text("utf-8")}
+
     def place(item: pytest.Item) -> int:
-        return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), len(LONGEST))
+        last = len(LONGEST) + (item.path not in derive)
+        return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), last)
 
     items.sort(key=place)
     if {item.path for item in items} >= {*Path(__file__).parent.glob("test_*.py")}:  # all tests: each name is one's

@@ -31,8 +31,8 @@ def test_accuracy_is_what_the_user_gets(group: str) -> None:
 
 @needs_binary
 def test_numpy_is_as_accurate() -> None:
-    """Every eighth, so that all groups are among them."""
-    for k in range(0, 400, 8):
+    """Some of each group; `test_flow_compiled` holds that both are the same."""
+    for k in (*range(0, 300, 20), *range(300, 400, 8)):
         with backend("NumPy"):
             agrees(k, slipcircle.solve(scene(ROWS[k])))
 
@@ -103,8 +103,8 @@ def test_estimate_is_not_much_above_the_true_error() -> None:
 @needs_binary
 def test_estimates_of_ensembles_are_upper_bounds() -> None:
     """A sample of ``python -m tests.campaigns.estimates``; from rest an order more may add nothing (158, 401)."""
-    cases = [case for number in (*range(0, 400, 40), 158, 401) for case in estimates.stored(number)]
-    cases += [case for number in range(8) for case in estimates.compared(number, 1)]
+    cases = [case for number in (*range(0, 400, 80), 158, 401) for case in estimates.stored(number)]
+    cases += [case for number in range(4) for case in estimates.compared(number, 1)]
     assert not [case for case in cases if case.estimate < case.error]
     ratios = [case.estimate / max(case.error, estimates.ROUNDING) for case in cases if case.estimate > 0.0]
     assert np.median(ratios) <= estimates.MOST

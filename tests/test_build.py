@@ -24,6 +24,7 @@ from tests.support.kernels import COMPILED, LEVELS, needs_binary
 from tests.support.lanes import BINARY
 
 ROOT = Path(__file__).parents[1]
+QUICKLY = ("-O0", *build.FLAGS[1:])  # to compile, where it does not matter how fast loops are
 
 
 def compiler() -> list[str]:
@@ -103,18 +104,18 @@ print(_compiled.LEVEL, *(str(w.message) for w in caught), sep="\\n")
 def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
     """With one warning that says what to do; NumPy serves. So it does, silently, when asked to."""
     folder = small(tmp_path / "generated")
-    binary = build.build(folder)
+    binary = build.build(folder, QUICKLY)
     level, warned = served(tmp_path)
     assert (level, warned) == (COMPILED[0], [])
     assert served(tmp_path, SLIPCIRCLE_COMPILED="0") == ("numpy", [])
     stamp = binary.stat().st_mtime_ns
-    assert build.build(folder).stat().st_mtime_ns == stamp  # made of this source: left alone
+    assert build.build(folder, QUICKLY).stat().st_mtime_ns == stamp  # made of this source: left alone
     small(folder, lambda text: text + "/* later */\n")
     level, (warning,) = served(tmp_path)
     assert level == "numpy"
     assert "another source" in warning
     assert "python -m derive" in warning
-    build.build(folder)
+    build.build(folder, QUICKLY)
     assert served(tmp_path) == (COMPILED[0], [])
     whole = binary.read_bytes()
     for broken in (b"no binary", whole[:-1]):
@@ -170,7 +171,7 @@ def test_other_processors_compile_one_program_plainly(tmp_path: Path, fma: str, 
             text = text.replace(known, value)
         return text
 
-    build.build(small(tmp_path / "generated", elsewhere), (*build.FLAGS, *flags))
+    build.build(small(tmp_path / "generated", elsewhere), (*QUICKLY, *flags))
     assert served(tmp_path) == (level, [])
 
 
@@ -245,7 +246,7 @@ def test_every_processor_shows_the_same_digits(name: str) -> None:
 def test_a_binary_stands_for_its_source(tmp_path: Path) -> None:
     """As in a wheel of a platform: nothing is compiled, and only this text counts as present."""
     folder = small(tmp_path / "generated")
-    binary = build.build(folder)
+    binary = build.build(folder, QUICKLY)
     source = folder / "_kernels.c"
     text = source.read_text("utf-8")
     assert not build.has_binary_alone(source.name, text, folder)

@@ -11,7 +11,18 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle.core.walk.compiled import encoded
-from tests.support.lanes import BACKENDS, BINARY, COUNTED, Program, Samples, compiled, integrate, needs_binary, posed
+from tests.support.lanes import (
+    BACKENDS,
+    BINARY,
+    COUNTED,
+    Program,
+    Samples,
+    backend,
+    compiled,
+    integrate,
+    needs_binary,
+    posed,
+)
 from tests.support.walks import LANES, MU, PUSHED, SCENES, SHAKEN, TURNING, problem
 
 pytestmark = needs_binary
@@ -85,7 +96,7 @@ def test_a_straight_line_program_has_the_bits_of_its_interpretation(law: str, of
     bound = posed(scene, 1e-11)
     number = list(STRAIGHT).index(of) % 4 + 4 * list(FRICTION).index(law)  # cohesion is a cell: the first one serves
     own = {level for level in BINARY.LEVELS if level != "baseline" or platform.machine() not in ("x86_64", "AMD64")}
-    chosen = next(level for level, kind in BINARY.LEVELS.items() if kind == compiled._widest())
+    chosen = next(level for level, kind in BINARY.LEVELS.items() if kind == compiled.widest())
     way = "straight-line" if chosen in own else "interpreted"
     assert slipcircle.plan(scene).method.endswith(f"; {way}")
     for level, kind in BINARY.LEVELS.items():
@@ -113,6 +124,21 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
         one, other = states[0][row], states[1][row]
         assert np.max(np.abs(one - other)) <= 1e-10 * np.max(np.abs(one))
     assert notes[0] == notes[1]
+
+
+@pytest.mark.parametrize("name", BACKENDS)
+def test_friction_that_falls_below_the_smallest_numbers(name: str) -> None:
+    """It softens a thousand times over, to 2^-1022 and below, which counts as zero: the run-out is the residual's."""
+    slide = slipcircle.load("vaiont")
+    residual = slide.friction
+    law = {"law": "exponential", "peak": 1.001 * residual, "residual": residual, "length": 0.005}
+    with backend(name):
+        softened = slipcircle.solve(replace(slide, friction=law))
+        unsoftened = slipcircle.solve(slide)
+    assert softened.run_out > 1000 * 0.005
+    assert softened.run_out == pytest.approx(unsoftened.run_out, rel=1e-6)
+    least = np.nextafter(0.0, 1.0, dtype=np.float64)
+    assert least + least > 0.0  # for everybody else they are numbers
 
 
 def test_threads_walk_side_by_side() -> None:

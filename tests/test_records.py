@@ -131,7 +131,7 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "AT2 with a nan": (AT2.format(line="NPTS= 7, DT= 1").replace(" .7000000E-01", "NaN"), {}, "line 6: value = nan"),
     "AT2 with step": (AT2.format(line="NPTS= 7, DT= 1"), {"step": 1.0}, "step = 1.0: an AT2 file has"),
     "ESM of velocity": (esm("1\n2\n", 2, kind="VELOCITY"), {}, "DATA_TYPE = 'VELOCITY': must be ACCELERATION"),
-    "ESM units": (esm("1\n2\n", 2, units="count"), {}, "UNITS = 'count': must be one of"),
+    "ESM units": (esm("1\n2\n", 2, units="count"), {}, "says the unit 'count': must be one of"),
     "ESM count": (esm("1\n2\n", 3), {}, "holds 2 values, but its header says 3"),
 }  # fmt: skip
 

@@ -151,13 +151,13 @@ def test_components_by_the_names_of_files(name: str, station: str, component: st
 BAD: dict[str, tuple[str, str]] = {
     "corrupt.AT2": (AT2[:900], "but its header says 500; is the file cut short"),
     "nan.csv": ("t (s),a (g)\n0,0.1\n0.1,nan\n", "line 3: value = nan: must be a finite number"),
-    "still.AT2": ("PEER\nNPTS= 4, DT= .0000 SEC\n1 2 3 4\n", "must give NPTS and DT"),
+    "still.AT2": ("PEER\nNPTS= 4, DT= .0000 SEC\n1 2 3 4\n", "says 4 samples with a step of 0 s: must be"),
     "slammer": ("0.1\n0.2\n", "units are missing"),
     "notes.txt": ("nothing here\n", "has no line of numbers"),
-    "counts.V2c": (COSMOS.replace("cm/s^2", "counts"), "units=counts: must be one of g"),
+    "counts.V2c": (COSMOS.replace("cm/s^2", "counts"), "says the unit 'counts': must be one of g"),
     "short.V2": (CSMIP[:6000], "values, but its header says 500"),
     "raw.smc": (SMC.replace("2 C", "1 UNC"), "must be 2 CORRECTED ACCELEROGRAM"),
-    "rate.smc": (SMC.replace("1.0000000E+02", "0.0000000E+00"), "line 18: sampling rate = 0.0"),
+    "rate.smc": (SMC.replace("1.0000000E+02", "0.0000000E+00"), "says 500 samples with a step of inf s: must be"),
     "step.V2c": (COSMOS.replace("10.000000", "99.000000"), "the real header has no such step"),
 }
 

@@ -28,7 +28,7 @@ def refute(expression: Expr, claim: str) -> None:
     symbols = sorted(expression.free_symbols, key=default_sort_key)
     point = {x: Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
     value = N(expression, 30, subs=point)
-    if value in (nan, zoo) or (value.is_Number and abs(value) > Rational(1, 10**20)):
+    if value in (nan, zoo) or (value.is_number and abs(value) > Rational(1, 10**20)):
         raise ProofError(claim, f"{N(value, 8)} at {point}")
 
 

@@ -1,6 +1,7 @@
 """The text that runs the operations of a program: in C over vectors of lanes, and in NumPy over arrays of lanes."""
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from sympy import Expr, Indexed, IndexedBase, Sum, Symbol, cancel
@@ -28,7 +29,11 @@ class _Sum(NamedTuple):
 
 
 class _Target(NamedTuple):
-    """How a language writes operations on series: statements, zero, and sums, of which some have weights."""
+    """How a language writes operations on series: statements, zero, and sums, of which some have weights.
+
+    Of a sum the terms with coefficient n of an argument, k = 0 and k = n, are added last where they have a form: what
+    is known longer does not wait for them.
+    """
 
     language: Language
     zero: str
@@ -36,6 +41,7 @@ class _Target(NamedTuple):
     plain: str
     weighted: str
     symmetric: str
+    newest: str
 
 
 C = _Target(
@@ -45,6 +51,7 @@ C = _Target(
     "V {name} = {name}_[0] + {name}_[1];",
     "V {name} = {name}_[0] + {name}_[1];",
     "V {name} = 2.0 * ({name}_[0] + {name}_[1]);\nif (n % 2 == 0) {name} += {a}[n / 2] * {a}[n / 2];",
+    "{name} += {factor}{a}[{k}] * {b}[{rest}];",
 )
 NUMPY = _Target(
     Language("python", "{name} = {text}", repr, "", "np"),
@@ -53,6 +60,7 @@ NUMPY = _Target(
     "{name} = _over({a}, {b}, n, {first}, {last})",
     "k = np.arange(n + 1.0)[:, None]\n{name} = _over({weight} * {a}[: n + 1], {b}, n, {first}, {last})",
     "{name} = 2.0 * _over({a}, {a}, n, {first}, (n - 1) // 2)\n{name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
+    "",
 )
 # In C all sums of an operation are one loop, each in two parts.
 PARTS = "{name}_[2] = {{{{0}}}}"
@@ -125,10 +133,21 @@ def _body(o: Operation, target: _Target) -> tuple[list[str], list[str]]:
     for s in sums:
         form = target.symmetric if s.symmetric else target.weighted if s.weight else target.plain
         step += form.format(**s._asdict()).split("\n")
+        step += _newest(s, target)
     for x, e in zip(o.results, o.step, strict=True):
         lines, (text,) = _texts([e], target.language, sums)
         step += [*lines, f"{x}[n] = {text}{target.end}"]
     return start, step
+
+
+def _newest(s: _Sum, target: _Target) -> Iterator[str]:
+    """The terms of a sum that are added last."""
+    if target.newest:
+        for at_k, rest in (("0", "n"),) if s.symmetric else (("0", "n"), ("n", "0")):
+            if at_k in (s.first, s.last):
+                weight = "2.0" if s.symmetric else re.sub(r"\bk\b", at_k, s.weight)
+                factor = f"{weight} * " if weight else ""
+                yield target.newest.format(**s._asdict(), k=at_k, rest=rest, factor=factor)
 
 
 def _read(o: Operation) -> list[IndexedBase]:
@@ -151,9 +170,8 @@ def _loop(sums: Sequence[_Sum]) -> list[str]:
         return []
     parts = (PARTS.format(**s._asdict()) for s in sums)
     terms = ((WEIGHTED_TERMS if s.weight else TERMS).format(**s._asdict()) for s in sums)
-    first = sums[0]
-    below = "(n + 1) / 2" if first.symmetric else f"{first.last} + 1"
-    return [f"V {', '.join(parts)};", f"OVER({first.first}, {below}, {'; '.join(terms)});"]
+    below = "(n + 1) / 2" if sums[0].symmetric else "n"
+    return [f"V {', '.join(parts)};", f"OVER({below}, {'; '.join(terms)});"]
 
 
 def _c_case(o: Operation) -> str:

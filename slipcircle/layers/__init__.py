@@ -1,16 +1,17 @@
 """Layered ground: soils, stretches of the arc, strips, cracks."""
 
 from slipcircle.layers.at_rest import friction_at_rest
+from slipcircle.layers.cracks import crack_place
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
 from slipcircle.layers.soils_along import Stretch, mean_normal_stress, stretches
-from slipcircle.layers.strips import arc_crossings, edge_below, line_crossings, meets_circle
+from slipcircle.layers.strips import edge_below, line_crossings, meets_circle
 
 __all__ = [
     "LayeredSection",
     "Soil",
     "Stretch",
-    "arc_crossings",
+    "crack_place",
     "datum_of",
     "edge_below",
     "friction_at_rest",

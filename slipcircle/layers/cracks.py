@@ -62,17 +62,8 @@ class CrackedSection(Section):
         whole = self._uncracked
         _, centre, radius = whole._circle
         left, right = whole._ends
-        x = arc_crossings(self._lowered_ground)
-        first = left.x[:, None]
-        last = right.x[:, None]
-        inside = (x > first) & (x < last)
-        or_right = np.where(inside, x, np.inf)
-        or_left = np.where(inside, x, -np.inf)
-        from_left = or_right.min(axis=1)
-        from_right = or_left.max(axis=1)
-        next_to_entry = np.where(whole._facing > 0.0, from_left, from_right)
-        place = centre[:, 0] + radius * next_to_entry
-        return np.where(np.isfinite(place), place, np.nan)
+        over_radius = crack_place(self._lowered_ground, left.x, right.x, whole._facing)
+        return centre[:, 0] + radius * over_radius
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
@@ -126,6 +117,23 @@ class CrackedSection(Section):
         y = np.interp(x, *ground.T)
         place = 1 if self.facing > 0.0 else -1
         return np.insert(below, place, [x, y], axis=0)
+
+
+def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Floats) -> Floats:
+    """x over R from the centre, (n,), next to the upper end of arcs, where the ground lowered by a crack meets them.
+
+    Grounds are (n, V, 2), from the centre, over R, the ends of arcs at left and right; NaN where it does not.
+    """
+    x = arc_crossings(lowered_ground)
+    first = left[:, None]
+    last = right[:, None]
+    inside = (x > first) & (x < last)
+    or_right = np.where(inside, x, np.inf)
+    or_left = np.where(inside, x, -np.inf)
+    from_left = or_right.min(axis=1)
+    from_right = or_left.max(axis=1)
+    place = np.where(facing > 0.0, from_left, from_right)
+    return np.where(np.isfinite(place), place, np.nan)
 
 
 def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:

@@ -4,6 +4,7 @@ Directions b are from straight below the centre, down-slope positive. Of the pac
 and of the circle; nothing that it computes.
 """
 
+from functools import lru_cache
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -114,6 +115,7 @@ class AlongTheArc:
             load += q * antiderivatives(x, ground + 1e-30j).imag / 1e-30
         return soil * self.radius, load
 
+    @lru_cache(1)  # noqa: B019 (one question follows another of the same state)
     def columns(self, rotation: float = 0.0, strength: str = "base") -> Columns:
         """After the mass has turned; strength is that of the base or turns with the mass."""
         first, last = self.ends

@@ -55,17 +55,19 @@ def over_cube(name: str, alpha: Fraction) -> arb:
             value = 2 * half * (1 - half.cos()) / half**3
         else:
             (power, turned), root = WEIGHTS[name], (arb(3) / 5).sqrt()
-            disc = half.cos().contains(0)
+            cosine = half.cos()
+            disc = cosine.contains(0)
 
             def ring(x: acb, _: bool) -> acb:
-                u = x * half
-                chord = acb(0) if disc else half.cos() / u.cos()
+                across = (x * half).cos()
+                chord = acb(0) if disc else cosine / across
                 middle, reach = (1 + chord) / 2, (1 - chord) / 2
                 outer = (middle + reach * root) ** power + (middle - reach * root) ** power
-                return reach * (5 * outer + 8 * middle**power) / 9 * (u.cos() if turned else 1) / half**2
+                depth = reach * (5 * outer + 8 * middle**power)
+                return depth * across if turned else depth
 
             tolerance = arb(2) ** -(BITS - 20)
-            value = 2 * acb.integral(ring, 0, 1, rel_tol=tolerance, abs_tol=tolerance).real
+            value = 2 * acb.integral(ring, 0, 1, rel_tol=tolerance, abs_tol=tolerance * half**2).real / (9 * half**2)
         assert value.rel_accuracy_bits() > 166, f"{name}({float(alpha)}): {value}"
         return value
 

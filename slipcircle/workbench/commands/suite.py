@@ -121,9 +121,8 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
-        predicted = "-" if math.isnan(c.predicted) else f"{c.predicted:.3g}"
-        numbers = ["-" if math.isnan(x) else f"{x:.2f}" for x in (c.mean, c.std, c.std_ln)]
-        rows.append([c.name, f"{c.records} of {c.of}", predicted, *numbers])
+        numbers = (shown(x, 3) for x in (c.predicted, c.mean, c.std, c.std_ln))
+        rows.append([c.name, f"{c.records} of {c.of}", *numbers])
         if not c.records:
             notes.append(f"{c.name} holds for {c.valid}")
         if not math.isnan(c.negligible):
@@ -140,10 +139,7 @@ def _exceedance_part(study: SuiteStudy) -> Part:
     levels = exceedance(study.displacement, thresholds)
     pga = [] if study.design.to_pga else [[shown(x)] for x in np.median(study.pga, axis=0).tolist()]
     head = ["", *["PGA (g)"] * bool(pga), *(f"D > {shown(d)} m" for d in thresholds.tolist())]
-    rows = []
-    for k, estimates in enumerate(levels):
-        cells = [f"{e.value:.2f} [{e.low:.2f}, {e.high:.2f}]" for e in estimates]
-        rows.append([study.scale_text(k), *(pga[k] if pga else []), *cells])
+    rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
     median = "" if study.design.to_pga else "PGA: median of the records; "
     note = f"{median}95 % intervals, of as many draws as there are records"
     return Part(head, rows, "probability that D exceeds a threshold", note)

@@ -82,10 +82,8 @@ def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float])
         return [f"distribution = {name!r}: must be one of {', '.join(DISTRIBUTIONS)}{asked}"]
     kind, numbers = DISTRIBUTIONS[name], {k: v for k, v in given.items() if k != "distribution"}
     known = kind.parameters
-    meant = {k: "".join(get_close_matches(k, known, 1)) for k in numbers if k not in known}
-    faults = [f"{k}: is missing" for k in known if k not in numbers and k not in meant.values()]
-    for k, near in meant.items():
-        faults.append(f"{k}: is unknown; " + (f"did you mean {near}?" if near else f"known are {', '.join(known)}"))
+    faults = [f"{k}: is missing" for k in known if k not in numbers]
+    faults += [f"{k}: is unknown; known are {', '.join(known)}" for k in numbers if k not in known]
     for k in known:
         value = numbers.get(k, 0.0)
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):

@@ -35,8 +35,7 @@ def inputs(scene: Scene, file: str) -> list[Input]:
     uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
     for place, one in enumerate(given):
         if one.path in uncertain:
-            distribution = {name: value for name, value in uncertain[one.path].items() if name != "key"}
-            given[place] = one._replace(value=f"uncertain, {_shown(distribution)}")
+            given[place] = one._replace(value=f"uncertain, {_shown(uncertain[one.path])}")
     return given
 
 
@@ -101,7 +100,7 @@ def _shown(value: Any) -> str:
     if isinstance(value, Mapping):
         parameters = dict(value)
         name = parameters.pop("distribution")
-        words = [f"{key} {number}" for key, number in parameters.items()]
+        words = [f"{key} {number}" for key, number in parameters.items() if key != "key"]
         return f"{name}: {', '.join(words)}"
     if isinstance(value, str):
         return value
@@ -116,10 +115,7 @@ def _shown(value: Any) -> str:
 
 def uncertain_part(design: Design) -> Iterator[Part]:
     """Distributions of the inputs, where any are uncertain, and which of them are correlated."""
-    rows = []
-    for unknown in design.drawn.values():
-        distribution = [f"{name} {value}" for name, value in unknown.record.items() if name != "key"]
-        rows.append([unknown.key, ", ".join(distribution)])
+    rows = [[unknown.key, _shown(unknown.record)] for unknown in design.drawn.values()]
     note = f"{design.correlations_text}; all others are independent" if design.correlations else "all are independent"
     if rows:
         yield Part(["input", "distribution"], rows, "What is uncertain", note)

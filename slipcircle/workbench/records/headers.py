@@ -79,23 +79,21 @@ def _at2(name: str, first: list[str]) -> Header | None:
     head = next((k for k, line in enumerate(first[:10], 1) if "NPTS" in line.upper() and "DT" in line.upper()), 0)
     if not head:
         return None
-    above, line = " ".join(first[:head]).upper(), first[head - 1].upper()
+    above = " ".join(first[:head]).upper()
+    line = first[head - 1].upper()
     if "VELOCITY" in above or "DISPLACEMENT" in above:
         raise ValueError(f"{name}: its header says that it holds no acceleration; take the AT2 file of the record")
     number = r"([-+]?\d*\.?\d+(?:[ED][-+]?\d+)?)"
     new = re.search(rf"NPTS\s*=\s*{number}.*?DT\s*=\s*{number}", line)
     match = new or re.search(rf"^\s*{number}[\s,]+{number}[\s,]+NPTS", line)
-    count, dt = (float(x.replace("D", "E")) for x in match.groups()) if match else (0.0, 0.0)
-    if not (count >= 1.0 and count == int(count) and dt > 0.0):
+    if match is None:
         raise ValueError(
             f"{name}, line {head}: {first[head - 1].strip()!r}: must give NPTS and DT, as in 'NPTS= 4000, DT= .0050 "
             "SEC'"
         )
+    count, dt = (float(x.replace("D", "E")) for x in match.groups())
     units = re.search(r"UNITS OF\s+(\S+)", above)
-    unit = unit_of(units.group(1).rstrip(".,")) if units else "g"
-    if unit is None:
-        raise ValueError(f"{name}: its header says {units and units.group(0)!r}: must be one of {ACCELERATION.choice}")
-    return Header(head, int(count), dt, unit)
+    return Header(head, int(count), dt, units[1].rstrip(".,") if units else "g")
 
 
 def _esm(name: str, first: list[str]) -> Header | None:
@@ -114,12 +112,7 @@ def _esm(name: str, first: list[str]) -> Header | None:
         raise ValueError(
             f"{name}: SAMPLING_INTERVAL_S and NDATA in its header must be a step in s and a count"
         ) from error
-    if not 0.0 < dt < INFINITY:
-        raise ValueError(f"{name}: SAMPLING_INTERVAL_S = {dt!r}: must be a positive time in s")
-    unit = unit_of(fields["UNITS"]) if fields.get("UNITS") else ""
-    if unit is None:
-        raise ValueError(f"{name}: UNITS = {fields['UNITS']!r}: must be one of {ACCELERATION.choice}")
-    return Header(head, count, dt, unit)
+    return Header(head, count, dt, fields.get("UNITS", ""))
 
 
 def _knet(name: str, first: list[str]) -> Header | None:
@@ -139,8 +132,10 @@ def _knet(name: str, first: list[str]) -> Header | None:
         raise ValueError(
             f"{name}: its header must say Sampling Freq(Hz), Duration Time(s), and Scale Factor as in 3920(gal)/6182761"
         )
-    rate, scale = float(frequency[0]), float(numbers[1]) / float(numbers[2])
-    return Header(head, round(rate * float(seconds[0])), 1.0 / rate, "cm/s2", scale, about_mean=True)
+    rate = float(frequency[0])
+    scale = float(numbers[1]) / float(numbers[2])
+    samples = round(rate * float(seconds[0]))
+    return Header(head, samples, 1.0 / rate, "cm/s2", scale, about_mean=True)
 
 
 _COSMOS_DATA = re.compile(
@@ -163,13 +158,8 @@ def _cosmos(name: str, first: list[str]) -> Header | None:
     if described is None:
         return None
     head, data = described
-    samples, seconds = int(data["samples"]), float(data["seconds"])
-    unit = unit_of(data["units"])
-    if unit is None:
-        raise ValueError(
-            f"{name}, line {head}: units={data['units']}: must be one of {ACCELERATION.choice}; take the file of "
-            "processed accelerations"
-        )
+    samples = int(data["samples"])
+    seconds = float(data["seconds"])
     reals = _cosmos_reals(first)
     steps = [reals.get(_STEP_MS, 0.0) / 1e3, reals.get(_STEP_S, 0.0)]
     fitting = [step for step in steps if step > 0.0 and abs(samples * step - seconds) <= 1.0 + 0.02 * seconds]
@@ -178,7 +168,7 @@ def _cosmos(name: str, first: list[str]) -> Header | None:
             f"{name}, line {head}: {samples} samples in {seconds:g} s, but the real header has no such step (value "
             f"{_STEP_MS} in ms, or {_STEP_S} in s)"
         )
-    return Header(head, samples, fitting[0], unit, width=int(data["width"]))
+    return Header(head, samples, fitting[0], data["units"], width=int(data["width"]))
 
 
 def _cosmos_reals(first: list[str]) -> dict[int, float]:
@@ -205,14 +195,7 @@ def _csmip(name: str, first: list[str]) -> Header | None:
     if data is None:
         return None
     units = (data["units"] or "cm/sec2").rstrip(".")
-    unit = unit_of(units)
-    step = float(data["step"])
-    if unit is None or not step > 0.0:
-        raise ValueError(
-            f"{name}, line {head}: {first[head - 1].strip()!r}: must give a positive step and one of "
-            f"{ACCELERATION.choice}"
-        )
-    return Header(head, int(data["samples"]), step, unit, width=int(data["width"] or 10))
+    return Header(head, int(data["samples"]), float(data["step"]), units, width=int(data["width"] or 10))
 
 
 _SMC_TEXT, _SMC_INTEGERS, _SMC_REALS = 11, 6, 10  # lines
@@ -238,9 +221,8 @@ def _smc(name: str, first: list[str]) -> Header | None:
         raise ValueError(
             f"{name}: its header must have {counts}, and the samples a second, the second number of line 18"
         ) from error
-    if not 0.0 < rate < 1e5:
-        raise ValueError(f"{name}, line {reals_from + 1}: sampling rate = {rate!r}: must be a positive rate in 1/s")
-    return Header(samples_from + max(comments, 0), samples, 1.0 / rate, "cm/s2", width=10)
+    step = 1.0 / rate if rate else INFINITY
+    return Header(samples_from + max(comments, 0), samples, step, "cm/s2", width=10)
 
 
 def fixed_columns(rows: list[str], width: int) -> list[str]:
@@ -266,8 +248,18 @@ def header_of(name: str, first: list[str]) -> tuple[str, Header] | None:
         "an SMC file": _smc,
     }
     for kind, read in kinds.items():
-        if header := read(name, first):
-            return kind, header
+        header = read(name, first)
+        if header is None:
+            continue
+        unit = unit_of(header.units) if header.units else ""
+        if unit is None:
+            choice = f"must be one of {ACCELERATION.choice}"
+            raise ValueError(f"{name}: its header says the unit {header.units!r}: {choice}")
+        is_step = 0.0 < header.step < INFINITY
+        if header.samples < 1 or not is_step:
+            told = f"{header.samples} samples with a step of {header.step:g} s"
+            raise ValueError(f"{name}: its header says {told}: must be one at least, and a positive time")
+        return kind, header._replace(units=unit)
     return None
 
 

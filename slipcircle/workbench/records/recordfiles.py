@@ -166,13 +166,11 @@ def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int
     end = next(ends, len(below))
     if any(" acceleration pts" in line.lower() for line in below[end:]):
         raise ValueError(f"{name}: holds several channels; save each in a file")
-    values = []
-    numbers = []
-    for number, row in enumerate(below[:end], header.lines + 1):
-        for text_of_value in fixed_columns([row], header.width):
-            values.append(_number(name, number, text_of_value))
-            numbers.append(number)
-    return np.array(values), np.array(numbers)
+    fields = [fixed_columns([row], header.width) for row in below[:end]]
+    apart = map(" ".join, fields)
+    above = header.lines * [""]
+    separated = "\n".join([*above, *apart])
+    return _values(name, separated, header.lines, None)
 
 
 class _TableHead(NamedTuple):

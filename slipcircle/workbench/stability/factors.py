@@ -8,7 +8,7 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
-from slipcircle.layers import arc_crossings
+from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
 
@@ -127,19 +127,11 @@ def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
     depth = np.reshape(slope.crack, (-1, 1))
     down = np.stack([np.zeros_like(depth), depth], axis=-1)
     lowered_ground = slope.lines[0] - down
-    sines = arc_crossings(arcs.from_centre(lowered_ground))
-    with np.errstate(invalid="ignore"):
-        angles = np.arcsin(sines)
-    after_first = angles > arcs.first[:, None]
-    before_last = angles < arcs.last[:, None]
-    between = after_first & before_last
-    from_left = np.where(between, angles, np.inf)
-    from_left = from_left.min(axis=1)
-    from_right = np.where(between, angles, -np.inf)
-    from_right = from_right.max(axis=1)
-    first = np.where(facing > 0.0, from_left, arcs.first)
-    last = np.where(facing < 0.0, from_right, arcs.last)
-    deep_enough = np.isfinite(first) & np.isfinite(last) & (first < last)
+    sine = crack_place(arcs.from_centre(lowered_ground), np.sin(arcs.first), np.sin(arcs.last), facing)
+    place = np.where(facing == 0.0, 0.0, np.arcsin(sine))
+    first = np.where(facing > 0.0, place, arcs.first)
+    last = np.where(facing < 0.0, place, arcs.last)
+    deep_enough = np.isfinite(place) & (first < last)
     return arcs._replace(
         first=np.where(deep_enough, first, 0.0), last=np.where(deep_enough, last, 0.0), valid=arcs.valid & deep_enough
     )

@@ -3,14 +3,10 @@
 import math
 from dataclasses import dataclass, replace
 from functools import partial
-from statistics import median
-from time import process_time
-from timeit import timeit
 
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.ground import Section
-
-_PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
+from slipcircle.workbench.cost.rows import medians
 
 
 @dataclass(frozen=True)
@@ -42,8 +38,19 @@ def ladder(scene: Scene) -> list[Rung]:
         chosen = tuple(e for e in chosen if e != least)
         order.insert(0, least)
         motions.insert(0, motion)
+    seconds = medians([partial(solve, motion.plan.scene) for motion in motions])
     return [
-        _rung(added, tuple(order[:k]), motion, full)
+        Rung(
+            added,
+            tuple(order[:k]),
+            motion.plan.method,
+            seconds[k],
+            float(motion.peak.velocity),
+            motion.run_out,
+            motion.duration,
+            motion.arrested,
+            _distance(motion, full),
+        )
         for k, (added, motion) in enumerate(zip(["", *order], motions, strict=True))
     ]
 
@@ -71,20 +78,3 @@ def _distance(motion: Motion, full: Motion) -> float:
         else:
             distances.append(math.inf if value else 0.0)
     return max(distances)
-
-
-def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion) -> Rung:
-    taken = list[float]()
-    while len(taken) < 5 and sum(taken) < _PATIENCE:
-        taken.append(timeit(partial(solve, motion.plan.scene), timer=process_time, number=1))
-    return Rung(
-        added,
-        effects,
-        motion.plan.method,
-        median(taken),
-        float(motion.peak.velocity),
-        motion.run_out,
-        motion.duration,
-        motion.arrested,
-        _distance(motion, full),
-    )
