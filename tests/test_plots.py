@@ -19,7 +19,7 @@ from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
-from slipcircle.workbench.outputs.tables import motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import cell_text, motion_column, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
