@@ -161,7 +161,9 @@ def _judged(
     by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
     by_number = [column.swapaxes(0, 1) for column in by_outcome]
     every = [[_of_one(*one) for one in zip(*of_number, strict=True)] for of_number in zip(*by_number, strict=True)]
-    goals = GOAL * size[..., 0]
+    next_step = steps[:, 0, 0] * 2.0**-RUNGS
+    least_error = ROUNDING * largest[..., 0] / next_step  # that shorter steps leave
+    goals = np.maximum(GOAL * size[..., 0], least_error)
     return every, goals.T.tolist()
 
 

@@ -59,26 +59,28 @@ class Profile(NamedTuple):
         directions, circles = beta.shape
         by_circle = beta.T.ravel()
         circle = np.repeat(np.arange(circles), directions)
-        parts = list[Floats]()
-        for some in _blocks(beta.size, _DIRECTIONS):
-            of_some = self._up_to(by_circle[some], circle[some])
-            parts.append(of_some)
-        integrals = np.concatenate(parts)
-        _, *rest = integrals.shape
+        is_beyond = by_circle >= self.edges[-1, circle]
+        is_within = (by_circle > self.edges[0, circle]) & ~is_beyond
+        _, _, *rest = self.before.shape
+        integrals = np.zeros((beta.size, *rest))
+        integrals[is_beyond] = self.before[-1, circle[is_beyond]]
+        (within,) = np.nonzero(is_within)
+        for some in _blocks(within.size, _DIRECTIONS):
+            which = within[some]
+            integrals[which] = self._up_to(by_circle[which], circle[which])
         by_direction = integrals.reshape(circles, directions, *rest)
         return by_direction.T
 
     def _up_to(self, beta: Floats, circle: Integers) -> Floats:
-        """The same of directions each in a circle, (M, columns, integrals)."""
+        """The same of directions within the arcs, each in a circle, (M, columns, integrals)."""
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges[:, circle]
-        inside = np.clip(beta, edges[0], edges[-1])
-        piece = np.sum(inside >= edges[1:-1], axis=0, dtype=np.int16)
+        piece = np.sum(beta >= edges[1:-1], axis=0, dtype=np.int16)
         first = self.edges[piece, circle]
         last = self.edges[piece + 1, circle]
         width = last - first
         divisor = np.where(width != 0.0, width, 1.0)
-        share = (inside - first) / divisor
+        share = (beta - first) / divisor
         place = 2.0 * share - 1.0
         polynomials = _chebyshev(place, terms)
         every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
