@@ -55,7 +55,7 @@ class Profile(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        """The integrals up to directions (M, circles), (integrals, columns, M, circles); 0 before the arcs."""
         directions, circles = beta.shape
         by_circle = beta.T.ravel()
         circle = np.repeat(np.arange(circles), directions)
@@ -74,13 +74,11 @@ class Profile(NamedTuple):
     def _up_to(self, beta: Floats, circle: Integers) -> Floats:
         """The same of directions within the arcs, each in a circle, (M, columns, integrals)."""
         pieces, circles, columns, integrals, terms = self.series.shape
-        edges = self.edges[:, circle]
-        piece = np.sum(beta >= edges[1:-1], axis=0, dtype=np.int16)
+        inner_edges = self.edges[1:-1, circle]
+        piece = np.sum(beta >= inner_edges, axis=0, dtype=np.int16)
         first = self.edges[piece, circle]
         last = self.edges[piece + 1, circle]
-        width = last - first
-        divisor = np.where(width != 0.0, width, 1.0)
-        share = (beta - first) / divisor
+        share = (beta - first) / (last - first)
         place = 2.0 * share - 1.0
         polynomials = _chebyshev(place, terms)
         every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
