@@ -123,15 +123,16 @@ class RotationTables(NamedTuple):
             return np.inf
         contact_lost = upright(self.section)
         farthest = float(contact_lost.max())
-        rotation = _SHARES[:, None] * farthest
-        net_moment = self._net_moment(rotation, friction)
-        energy = np.cumsum(net_moment, axis=0)
-        if np.any(energy[-1] >= 0.0):
-            return np.inf
-        stops = np.argmax(energy < 0.0, axis=0)
-        last_stop = _SHARES[stops.max()]
-        share = last_stop * _MARGIN + _SHARES[1]
-        return float(share) * farthest
+        for shares in _SHARES[:10], _SHARES:  # most masses rest in the first quarter
+            rotation = shares[:, None] * farthest
+            net_moment = self._net_moment(rotation, friction)
+            energy = np.cumsum(net_moment, axis=0)
+            if np.all(energy[-1] < 0.0):
+                stops = np.argmax(energy < 0.0, axis=0)
+                last_stop = shares[stops.max()]
+                share = last_stop * _MARGIN + shares[1]
+                return float(share) * farthest
+        return np.inf
 
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
         """Driving moment less the least strength, over Theta*, of a sample of lanes at rotations, (M, lanes)."""

@@ -31,18 +31,18 @@ def module() -> Any:
 
 
 @cache
-def widest() -> int:
-    """The kind of processor with the widest vectors of those that run here, or the one that is asked for by name."""
-    levels = module().LEVELS
-    return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
-
-
 def level() -> str:
-    """The kind of processor whose integrator runs here; empty where that is NumPy's."""
+    """The kind of processor whose integrator runs: the widest here, or the one asked for; empty where NumPy's does."""
     if module() is None:
         return ""
-    names = {number: name for name, number in module().LEVELS.items()}
-    return names[widest()]
+    levels = module().LEVELS
+    asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
+    return asked if asked in levels else next(iter(levels))
+
+
+def widest() -> Any:
+    """Its number."""
+    return module().LEVELS[level()]
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
