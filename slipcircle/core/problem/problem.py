@@ -202,7 +202,7 @@ class Numbers:
         velocity = plain(scene.initial_velocity)
         pushed = velocity != 0.0
         upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in plan.recipe.effects
-        tolerance = plan.accuracy / 100 if lanes > 1 else FINEST
+        tolerance = max(plan.accuracy / 100, FINEST) if lanes > 1 else FINEST
         tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance, self.shape)
         for name, table in tables.items():
             self.add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])

@@ -74,8 +74,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
         of_soils = []
         for k, law in enumerate(friction["soils"].values()):
             name, parameters = law_parts(law)[0]
-            name_of_soil = f"{name}{OF_SOIL}{k}"
-            of_soils.append((name_of_soil, parameters))
+            of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
         return (*of_soils, *rate)
     parameters = dict(friction)
     name = parameters.pop("law")
