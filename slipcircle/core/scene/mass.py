@@ -108,7 +108,6 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
-    lanes_shape: Any = ()  # of its own tables
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 
