@@ -15,7 +15,7 @@ from derive.declare.effects import EFFECTS, SLIP, THETA, Effect, Parameter
 from derive.flow import fragments, linked, recurrences
 from generated import series
 from tests.campaigns import flow_oracle
-from tests.support.lanes import Program, build_program
+from tests.support.lanes import Program, Recipe, build_program
 
 
 @pytest.fixture
@@ -75,7 +75,7 @@ def test_programs_are_the_equation_of_motion() -> None:
 def test_sums_add_terms_in_the_order_in_which_they_are_ready() -> None:
     """By register, whatever the cells are called: last bits do not depend on names, nor on who integrates."""
     for case in random.Random(8).sample(list(flow_oracle.cases()), 200):
-        sums = [op for op in build_program(*case, ("energy",)).series if op[0] == "lin"]
+        sums = [op for op in build_program(Recipe(*case), ("energy",)).series if op[0] == "lin"]
         for *_, terms in sums:
             registers = [register for _, register in terms]
             assert registers == sorted(set(registers)), case
@@ -86,17 +86,19 @@ def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
     def names(p: Program) -> list[str]:
         return [op[0] for op in p.series]
 
-    frozen = build_program((), ("constant",))
+    frozen = build_program(Recipe((), ("constant",)))
     assert names(frozen) == ["lin"]
     assert frozen.series[0][3] == ()
     assert frozen.roles["normal"] == frozen.roles["upright"] == -1
-    turning = build_program(("rotation", "centripetal"), ("constant",))
+    turning = build_program(Recipe(("rotation", "centripetal"), ("constant",)))
     assert sorted(names(turning)) == ["lin"] * 3 + ["sqr", "tim", "turn"]
-    water = build_program(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio", "water"))
-    dry = build_program(("rotation",), ("constant",))
+    water = build_program(
+        Recipe(("rotation", "pore_pressure"), ("constant",), absent=("pore_pressure", "pore_ratio", "water"))
+    )
+    dry = build_program(Recipe(("rotation",), ("constant",)))
     assert (names(water), sorted(op[0] for op in water.scalar)) == (names(dry), sorted(op[0] for op in dry.scalar))
-    one = build_program(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))
-    both = build_program(("rotation", "shaking"), ("constant",), moving=("k_h", "k_v"))
+    one = build_program(Recipe(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",)))
+    both = build_program(Recipe(("rotation", "shaking"), ("constant",), moving=("k_h", "k_v")))
     assert (names(one).count("mul"), names(both).count("mul")) == (2, 4)
 
 
@@ -128,7 +130,7 @@ def test_what_has_no_operation_is_refused() -> None:
 @pytest.mark.parametrize(("peak", "residual"), [(0.6, 0.1), (0.1, 0.6), (1e9, 0.3), (0.3, 1e9), (0.1 + 2.0**-57, 0.1)])
 def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, residual: float) -> None:
     """The peak itself at no slip, and full accuracy at any: neither form of the law has it everywhere."""
-    program = build_program((), (law,))
+    program = build_program(Recipe((), (law,)))
     law_numbers = {f"{law}.peak": peak, f"{law}.residual": residual, f"{law}.length": 0.7}
     for slip in (0.0, *np.geomspace(1e-18, 40.0, 200).tolist()):
         given = {**law_numbers, "DIRECTION": 1.0, "normal_load": 1.0, "SLIP": slip}
@@ -144,7 +146,7 @@ def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, r
 
 def test_the_limit_friction_of_a_frozen_slope_stays_that_of_the_start() -> None:
     """From the balance of a later moment it would lose digits where friction is next to it."""
-    program = build_program((), ("exponential",))
+    program = build_program(Recipe((), ("exponential",)))
     given = dict.fromkeys(("DIRECTION", "driving_moment", "normal_load", "resistance_factor", "TIME"), 1.0)
     given |= {f"exponential.{name}": 0.1 for name in ("peak", "residual", "length")}
     drives = [flow_oracle.cells_at(program, given | {"LIMIT": x})[program.roles["cell_drive"], 0] for x in (0.5, 0.7)]

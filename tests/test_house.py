@@ -188,6 +188,7 @@ CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # What opens each door: a scene that ships, with what no file can say, and a question about its motion.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "given": ("vaiont-as-printed", {}, bool),
+    "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),

@@ -9,7 +9,7 @@ import pytest
 
 from slipcircle import Scene, Section, load, solve
 from slipcircle.derivatives.parameters import with_parameter_arrays
-from slipcircle.layers import LayeredSection, Soil, stretches
+from slipcircle.layers import LayeredSection, Soil, soils_under, stretches
 from slipcircle.layers.strength import Needs
 from slipcircle.tables import Series
 from slipcircle.workbench.common.records import foreland_words
@@ -119,6 +119,22 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
             assert np.all(columns.friction[here] == row.soil.friction)
             computed = np.array([1.0, row.normal_stress, row.pore_pressure, row.strength]) * row.length / arc.radius
             assert [*computed, row.weight_share * above[6].sum()] == pytest.approx(sums, rel=1e-11)
+
+
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_soils_under_a_turned_mass_are_those_at_its_arc(strength: str) -> None:
+    """Where they stay with the base below the arc in space, else below the arc before it turned."""
+    section, rotation = profile("constant friction", strength), 0.2
+    soils, ends = soils_under(section, rotation)
+    (first,), (last,) = section.arc_strength.span
+    assert ends[[0, -1]] == pytest.approx([first + rotation, last + rotation], abs=1e-14)
+    at = (ends[1:] + ends[:-1]) / 2 - (rotation if strength == "mass" else 0.0)
+    x, y = 30.0 + 48.0 * np.sin(at), 45.0 - 48.0 * np.cos(at)
+    tops = [np.interp(x, *np.transpose(GROUND)), *(np.full(x.size, top) for _, top in section.layers[1:])]
+    layers = np.count_nonzero(np.minimum.accumulate(tops) > y, axis=0) - 1
+    inside = at < last
+    assert np.array(soils)[inside].tolist() == layers[inside].tolist()
+    assert len(set(soils)) > 2
 
 
 @pytest.mark.parametrize(

@@ -51,7 +51,8 @@ def test_numbers_are_those_of_the_json() -> None:
     for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
         number, unit = str(cells[label].text).split(" ")
         factor, known = prefixed(record["energy"][key], "J")
-        assert (float(number), unit) == (pytest.approx(factor * record["energy"][key], rel=1e-5), f"{known}/m")
+        assert float(number) == pytest.approx(factor * record["energy"][key], rel=1e-5)
+        assert unit == f"{known}/m"
     folded = {d.find("summary").text: d.find("pre").text for d in tree(page()).iter("details")}
     folded_record = json.loads(folded["All numbers, as JSON in SI units and radians"])
     assert folded_record == {"format": "slipcircle-json-1"} | record

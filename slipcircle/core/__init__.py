@@ -6,13 +6,14 @@ The names listed here are public: all that the workbench, or any program built o
 need stands in rooms beside it, which `slipcircle.core.doors` lists.
 """
 
+from slipcircle.core.doors import room
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH, Arc
-from slipcircle.core.scene.friction import RATE_LAWS, law_depends, law_mistakes, law_names, law_parts, may_have_rate
+from slipcircle.core.scene.arc import ARC_BOUNDS, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.walk.compiled import numpy_only, program_integers
@@ -20,7 +21,6 @@ from slipcircle.core.walk.compiled import numpy_only, program_integers
 __all__ = [
     "ANSWERED",
     "ARC_BOUNDS",
-    "GIVEN",
     "GRAVITY",
     "RATE_LAWS",
     "STATUS_OF_END",
@@ -35,7 +35,7 @@ __all__ = [
     "State",
     "Status",
     "checked",
-    "law_depends",
+    "depends_on",
     "law_mistakes",
     "law_names",
     "law_parts",
@@ -44,5 +44,6 @@ __all__ = [
     "plan",
     "problem_of",
     "program_integers",
+    "room",
     "solve",
 ]

@@ -14,6 +14,7 @@ class Door(NamedTuple):
 
 DOORS = {
     "given": Door("coefficients are given in place of computed ones", "slipcircle.given"),
+    "arc": Door("an arc is no mass that can slide", "slipcircle.words.arc"),
     "history": Door("states, forces, stresses or energy are asked for", "slipcircle.history.history"),
     "journey": Door("where a rotation brings the mass is asked for", "slipcircle.history.journey"),
     "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),

@@ -149,9 +149,8 @@ def _judged(
     steepness = np.abs(slopes)
     errors = errors + off * steepness
     is_sure = errors < KNOWN * steepness
-    is_sure &= jumps == 0.0
-    sure = np.where(is_sure, steepness, 0.0)
-    size = _greatest(sure, scales[..., 0], largest)
+    sure = np.where(is_sure & (jumps == 0.0), steepness, 0.0)
+    size = _greatest(sure, scales, largest)
     is_known = errors <= KNOWN * size
     errors = np.where(is_known, errors, np.inf)
     central, of_central = _central(beside, noise, steps)
@@ -160,9 +159,21 @@ def _judged(
     shortest = np.broadcast_to(steps[:, 0, -1], central.shape)
     by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
     by_number = [column.swapaxes(0, 1) for column in by_outcome]
-    every = [[_of_one(*one) for one in zip(*of_number, strict=True)] for of_number in zip(*by_number, strict=True)]
-    goals = GOAL * size[..., 0]
-    return every, goals.T.tolist()
+    every = list[list[Derivatives]]()
+    for of_number in zip(*by_number, strict=True):
+        outcomes = zip(*of_number, strict=True)
+        every.append([_of_one(*one) for one in outcomes])
+    return every, _goals(size, largest, steps)
+
+
+def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
+    """Errors below which derivatives need no other ladder, (numbers, outcomes): no less than rounding leaves it."""
+    longest = steps[..., 0]
+    longest_of_next = longest * 2.0**-RUNGS
+    from_rounding = ROUNDING * largest / longest_of_next
+    goals = np.maximum(GOAL * size, from_rounding)
+    by_number: list[list[float]] = goals[..., 0].T.tolist()
+    return by_number
 
 
 def _largest(here: Floats, beside: Floats) -> Floats:
@@ -175,8 +186,9 @@ def _largest(here: Floats, beside: Floats) -> Floats:
     return np.where(largest, largest, by_outcome)
 
 
-def _greatest(steepness: Floats, scale: Floats, largest: Floats) -> Floats:
+def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
     """The most that a change of any number by its scale does to an outcome, over the scale of each number."""
+    scale = scales[..., 0]
     changes = steepness * scale
     most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
     most = np.maximum(largest, most_by_any)

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Motion
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import JUMP, SMOOTH, UNRESOLVED, Derivatives, neighbour_derivatives
 from slipcircle.derivatives.parameters import Free, parameters
@@ -14,20 +14,24 @@ OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration"
 SIDES = ("below", "above")
 
 
-def sensitivity(scene: Scene[float], outputs: Mapping[str, float], error: float) -> Sensitivity:
+def sensitivity(motion: Motion) -> Sensitivity:
     """Derivatives of a single motion's outputs by every number of its scene, and what is to be said of them.
-
-    ``error`` is the estimated relative error of the motion.
 
     Notes
     -----
     Of a mass that nothing brings to rest they are those of its first standstill. Coordinates of a section on which the
     motion does not depend are left out, as of the ground beside the mass.
     """
+    if motion.shape:
+        raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
+    if not motion.moves and motion.limit_friction == motion.friction:
+        raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
+    scene = motion.plan.scene
+    outputs = {name: float(value) if motion.moves else 0.0 for name, value in motion.outcomes.items()}
     free = parameters(scene)
     warnings = list[str]()
     if any(outputs.values()):
-        found = neighbour_derivatives(scene, _outcomes, free, error)
+        found = neighbour_derivatives(scene, _outcomes, free, motion.error_estimate)
         kept = list(_mattering(found, free))
         found = Derivatives(*(array[:, kept] for array in found))
         names = [*free]
@@ -38,7 +42,7 @@ def sensitivity(scene: Scene[float], outputs: Mapping[str, float], error: float)
         warnings.append("does not move, so that small changes have no effect")
     units = {name: number.unit for name, number in free.items()}
     values = {name: number.value for name, number in free.items()}
-    at = dict(outputs) | values
+    at = outputs | values
     return Sensitivity(OUTPUTS, units, at, *found, scene=scene, warnings=tuple(warnings))
 
 

@@ -8,11 +8,20 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import choose, mistakes
+from slipcircle.base.checks import INFINITY, Bounds, choose, mistakes
 from slipcircle.base.kinds import Effects, Numbers
-from slipcircle.core import GIVEN, Arc, Dimensionless
+from slipcircle.core import Arc, Dimensionless
 
-__all__ = ["GivenArc"]
+__all__ = ["GIVEN", "GivenArc"]
+# What `Arc(given=...)` holds; the other coefficients are their quotients.
+_POSITIVE = (0.0, INFINITY, "a positive number")
+GIVEN: Mapping[str, Bounds] = {
+    "moment_of_inertia": _POSITIVE,
+    "radial_weight": _POSITIVE,
+    "weight_moment": (-INFINITY, INFINITY, "a finite number"),
+    "resistance_factor": _POSITIVE,
+    "dynamic_coefficient": _POSITIVE,
+}
 
 
 @dataclass(frozen=True)

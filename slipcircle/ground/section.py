@@ -2,6 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
+import math
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -151,11 +152,6 @@ class Section(SectionGeometry, Mass):
         return self._moments
 
     @cached_property
-    def mass_per_metre(self) -> Any:
-        """kg/m."""
-        return self.area * np.divide(self.mean_unit_weight, self.gravity)
-
-    @cached_property
     def centroid(self) -> Any:
         """Of the mass, x and y in m."""
         _, centre, radius = self._circle
@@ -242,13 +238,24 @@ class Section(SectionGeometry, Mass):
         pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
         return pressure[()]
 
-    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+    def tables(
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+    ) -> tuple[Tables, Farther | None]:
         """The mean pressure below the water level, Pa."""
         pressure = effects.get("pore_pressure", {}).get("level")
         if pressure is None:
             return {}, None
         table = room("water").pressure_table(self, pressure, rotates(effects), upslope, tolerance)
-        return {"water": table}, None
+        return self._for_lanes({"water": table}, shape), None
+
+    def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:
+        """Tables of its own lanes for those of a scene."""
+        own = self.lanes_shape
+        if own in ((), shape):
+            return tables
+        numbers = np.arange(math.prod(own)).reshape(own)
+        lanes = np.broadcast_to(numbers, shape).ravel()
+        return {name: table.lanes(lanes) for name, table in tables.items()}
 
     @cached_property
     def pressure_kinks(self) -> Any:

@@ -7,8 +7,8 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.mass import Mass
-from slipcircle.core.scene.piecewise import Data, continuous
-from slipcircle.tables.interpolation import TERMS, between_kinks
+from slipcircle.core.scene.piecewise import Data
+from slipcircle.tables.interpolation import TERMS, between_kinks, continuous
 
 
 def upright(mass: Mass) -> Floats:

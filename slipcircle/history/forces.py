@@ -1,17 +1,22 @@
 """Forces on the mass, at the start and along the way, as its program says them where phases begin in its states."""
 
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple, Self
 
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.checks import EPS, plain
+from slipcircle.base.kinds import Floats, Names
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.program import Program
+from slipcircle.core.program.definitions import Recipe
+from slipcircle.core.program.program import Program, build_program
+from slipcircle.core.scene.effects import in_order, symbols_of
+from slipcircle.core.scene.mass import Mass
 from slipcircle.core.walk.compiled import engine
-from slipcircle.core.walk.lanes import BLOCK, States, begin
+from slipcircle.core.walk.lanes import BLOCK
+from slipcircle.history.states import States, begin
 
 OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated beside the states
 
@@ -30,6 +35,38 @@ class Balance(NamedTuple):
         return cls(*(cells[program.roles[name]] for name in names))
 
 
+def stress_unit(mass: Mass) -> Any:
+    """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
+    return plain(mass.reference_stress / mass.moment_coefficients.resistance_factor)
+
+
+def energy_unit(mass: Mass) -> Any:
+    """J for one of omega*^2/2."""
+    weight_of_area = np.multiply(mass.width, mass.mean_unit_weight)
+    weight_times_radius = weight_of_area * np.power(mass.radius, 3.0)
+    return plain(weight_times_radius * mass.dimensionless.moment_of_inertia)
+
+
+def with_outputs(problem: Problem, outputs: Names) -> Problem:
+    """The same lanes with a program that computes further outputs, too."""
+    return _with_program(problem, build_program(problem.recipe, outputs))
+
+
+def _with_steady_shaking(problem: Problem) -> Problem:
+    """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
+    effects, laws, moving, absent = problem.recipe
+    shaking = symbols_of("shaking").values()
+    effects = in_order((*effects, "shaking"))
+    moving = tuple(symbol for symbol in moving if symbol not in shaking)
+    others = [symbol for symbol in absent if symbol not in shaking]
+    return _with_program(problem, build_program(Recipe(effects, laws, moving, (*others, "k_v"))))
+
+
+def _with_program(problem: Problem, program: Program) -> Problem:
+    """The same lanes with a program that computes more of them."""
+    return replace(problem, program=program, start={**problem.start, **program.constants})
+
+
 class Forces:
     """Forces on the lanes of a problem."""
 
@@ -38,7 +75,7 @@ class Forces:
 
     @cached_property
     def _with_outputs(self) -> Problem:
-        return self.problem.with_outputs(OUTPUTS)
+        return with_outputs(self.problem, OUTPUTS)
 
     # --- in any states -----------------------------------------------------------------------------------------------
 
@@ -96,7 +133,7 @@ class Forces:
 
         All are read off the program. The excess of drive over resistance is linear in k_h: k_y is where it is zero.
         """
-        problem = self.problem.with_steady_shaking()
+        problem = _with_steady_shaking(self.problem)
         parts = [self._statics(problem, slice(k, k + BLOCK)) for k in range(0, max(problem.lanes, 1), BLOCK)]
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 

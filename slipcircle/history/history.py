@@ -3,6 +3,7 @@
 The integration keeps a few cells of each lane's end; what happens on the way is integrated again on request.
 """
 
+from copy import copy
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any, NamedTuple
@@ -13,14 +14,16 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.core.motion.states import State
-from slipcircle.core.motion.trajectory import Trajectory, before
+from slipcircle.core.motion.motion import Motion
+from slipcircle.core.motion.states import State, before, state_of
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program.program import Log
-from slipcircle.core.walk.lanes import States, integrate, read
-from slipcircle.history.forces import Forces
+from slipcircle.core.scene.scene import Scene
+from slipcircle.core.walk.lanes import integrate
+from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_outputs
 from slipcircle.history.phases import Energy, Phase
+from slipcircle.history.states import States, read
 
 ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
@@ -33,16 +36,27 @@ class Stresses(NamedTuple):
     effective: Any
 
 
+def of_means(scene: Scene) -> Scene:
+    """The same scene, in which stresses are means over the arc, not weighted by the friction of soils."""
+    called = scene.arc.effects_of_means(scene.called)
+    if called is scene.called:
+        return scene
+    other = copy(scene)
+    vars(other).update(called=called, law={"law": "constant", "coefficient": 0.0})
+    vars(other).pop("laws", None)
+    return other
+
+
 class History:
     """What a solved scene is asked beyond its end; times and states are those of the methods of `Motion`."""
 
-    def __init__(self, motion: Trajectory) -> None:
+    def __init__(self, motion: Motion) -> None:
         self.motion = motion
         self.plan = motion.plan
         self.problem = motion.problem
         self.shape = motion.shape
         self._final = motion._final
-        self._duration = motion._duration
+        self._duration = motion.duration
         self._radius = motion._radius
         self._time_scale = motion._time_scale
         self._last_read: tuple[bytes, Floats] | None = None
@@ -54,7 +68,7 @@ class History:
     @cached_property
     def _mean_forces(self) -> Forces:
         """Forces of which the stresses are means over the arc."""
-        scene = self.plan.scene.of_means()
+        scene = of_means(self.plan.scene)
         if scene is self.plan.scene:
             return self.forces
         plan = replace(self.plan, scene=scene, recipe=recipe_of(scene))
@@ -67,7 +81,7 @@ class History:
         time = self._checked(times)
         rotation, omega, rate, *_ = (self._over_time(time, row) for row in self._rows(time))
         every_time = np.broadcast_to(time, self.shape + time.shape)[()]
-        return self.motion._state(every_time, rotation, omega, rate, lambda: self._stresses(time).total)
+        return state_of(self.plan.scene, every_time, rotation, omega, rate, lambda: self._stresses(time).total)
 
     def _checked(self, times: ArrayLike) -> Floats:
         """Times as an array, none of them beyond the end of a lane that still moves there."""
@@ -141,7 +155,7 @@ class History:
 
     def _stresses(self, time: Floats) -> Stresses:
         outputs = self._mean_forces.outputs(self._states(time))
-        unit = before(self.motion.stress_unit, time.ndim)
+        unit = before(stress_unit(self.plan.scene.arc), time.ndim)
         total = self._by_state(time, outputs["pressing"])
         effective = self._by_state(time, outputs["normal"])
         return Stresses(total * unit, effective * unit)
@@ -151,7 +165,7 @@ class History:
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
-        return pressing * self.motion.stress_unit + 0.0
+        return pressing * stress_unit(self.plan.scene.arc) + 0.0
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """`Motion.pore_pressure_at`."""
@@ -185,13 +199,13 @@ class History:
         """`Motion.energy_at`."""
         time = self._checked(times)
         flat_times = np.ravel(time)
-        problem = self.problem.with_outputs(("energy",))
+        problem = with_outputs(self.problem, ("energy",))
         program = problem.program
         _, omega, _, _, *further = self._read(problem, flat_times)
         names = [program.cells[cell] for cell, _, _ in program.states[2:]]
         rows = dict(zip(names, further, strict=True))
-        unit = self.motion.energy_unit
-        rests = np.ravel(self.motion._rests_at_end) & self._has_ended(flat_times)
+        unit = energy_unit(self.plan.scene.arc)
+        rests = np.ravel(self.motion.arrested) & self._has_ended(flat_times)
         kinetic = np.where(rests, 0.0, omega**2 / 2)
         of_times = partial(self._over_time, time)
         over_time = before(unit, time.ndim)
@@ -229,7 +243,7 @@ class History:
     def phases(self) -> tuple[Phase, ...]:
         """`Motion.phases`."""
         scale = self._time_scale
-        last = self.motion._settling_time
+        last = self.motion.settling_time
         phases = list[Phase]()
         for event, time, rotation, direction in self._events:
             if event == ix.NOTE_BEGINS:
@@ -242,7 +256,7 @@ class History:
 
     def energy_error_estimate(self) -> float:
         """`Motion.energy_error_estimate`."""
-        times = np.linspace(0.0, self.motion._settling_time, ENERGY_CHECKS)
+        times = np.linspace(0.0, self.motion.settling_time, ENERGY_CHECKS)
         energy = self.energy_at(times)
         exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
         greatest = np.maximum.accumulate(exchanged)

@@ -41,11 +41,11 @@ def journey(mass: Any, rotation: Any) -> Journey:
 
     The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
     """
-    toe = mass.placed(mass.exit, rotation)
+    toe = placed(mass, mass.exit, rotation)
     toe_moved = toe - mass.exit
-    moved = mass.placed(mass.centroid, rotation) - mass.centroid
+    moved = placed(mass, mass.centroid, rotation) - mass.centroid
     half_rotation = np.multiply(rotation, 0.5)
-    half_way = mass.placed(mass.centroid, half_rotation)
+    half_way = placed(mass, mass.centroid, half_rotation)
     from_centre = np.subtract(half_way, mass.centre)
     moves_back = np.less(rotation, 0.0)
     sign = np.where(moves_back, 1.0, -1.0)
@@ -59,3 +59,17 @@ def journey(mass: Any, rotation: Any) -> Journey:
         fall=-moved[..., 1],
         travel_angle=np.arctan2(fall, run),
     )
+
+
+def placed(mass: Any, points: Any, rotation: Any) -> Any:
+    """Points (..., 2) of the mass after a rotation, m."""
+    turn = np.multiply(rotation, mass.facing)
+    from_centre = np.subtract(points, mass.centre)
+    x = from_centre[..., 0]
+    y = from_centre[..., 1]
+    cosine = np.cos(turn)
+    sine = np.sin(turn)
+    turned_x = x * cosine - y * sine
+    turned_y = x * sine + y * cosine
+    turned = np.stack([turned_x, turned_y], axis=-1)
+    return np.asarray(mass.centre) + turned

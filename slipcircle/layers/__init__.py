@@ -4,7 +4,7 @@ from slipcircle.layers.at_rest import friction_at_rest
 from slipcircle.layers.cracks import crack_place
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
-from slipcircle.layers.soils_along import Stretch, mean_normal_stress, stretches
+from slipcircle.layers.soils_along import Stretch, mean_normal_stress, soils_under, stretches
 from slipcircle.layers.strips import edge_below, line_crossings, meets_circle
 
 __all__ = [
@@ -19,5 +19,6 @@ __all__ = [
     "line_crossings",
     "mean_normal_stress",
     "meets_circle",
+    "soils_under",
     "stretches",
 ]

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Parameters
-from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.core.scene.piecewise import Data, Tables
 from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
-from slipcircle.tables.interpolation import between_kinks
+from slipcircle.tables.interpolation import between_kinks, continuous
 
 _SAMPLE = 256  # lanes whose reach is estimated
 _SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated
@@ -31,6 +31,8 @@ class RotationTables(NamedTuple):
         First neglected coefficient of a piece over the greatest one.
     upslope : bool
         Whether the mass may move up-slope beyond where it began.
+    shape : tuple of int
+        Of the scene's lanes.
     """
 
     section: Any
@@ -38,8 +40,9 @@ class RotationTables(NamedTuple):
     functions: Mapping[str, OfRotation]
     tolerance: float
     upslope: bool
+    shape: tuple[int, ...]
 
-    def laid_out(self, reach: float = np.inf) -> dict[str, Data]:
+    def laid_out(self, reach: float = np.inf) -> Tables:
         """Tables up to a rotation, or until contact is lost; beyond, they are constants."""
         lanes = max(_lanes(function) for function in self.functions.values())
         contact_lost = upright(self.section)
@@ -49,7 +52,16 @@ class RotationTables(NamedTuple):
             farthest = np.broadcast_to(contact_lost, (lanes,))
         last = np.minimum(farthest, reach)
         first = first_rotation(last, self.upslope)
-        return self._between(first, last)
+        tables = self._between(first, last)
+        of_lanes: Tables = self.section._for_lanes(tables, self.shape)
+        return of_lanes
+
+    def reach_farther(self, data: dict[str, Data], rotation: Floats, lane: Any) -> bool:
+        """Lay tables out to their full range if a lane exceeds them; whether one does."""
+        if not any(_is_exceeded(data[name], rotation, lane) for name in self.functions):
+            return False
+        data.update(self.laid_out())
+        return True
 
     @property
     def share_geometry(self) -> bool:
@@ -111,15 +123,16 @@ class RotationTables(NamedTuple):
             return np.inf
         contact_lost = upright(self.section)
         farthest = float(contact_lost.max())
-        rotation = _SHARES[:, None] * farthest
-        net_moment = self._net_moment(rotation, friction)
-        energy = np.cumsum(net_moment, axis=0)
-        if np.any(energy[-1] >= 0.0):
-            return np.inf
-        stops = np.argmax(energy < 0.0, axis=0)
-        last_stop = _SHARES[stops.max()]
-        share = last_stop * _MARGIN + _SHARES[1]
-        return float(share) * farthest
+        for shares in _SHARES[:10], _SHARES:  # most masses rest in the first quarter
+            rotation = shares[:, None] * farthest
+            net_moment = self._net_moment(rotation, friction)
+            energy = np.cumsum(net_moment, axis=0)
+            if np.all(energy[-1] < 0.0):
+                stops = np.argmax(energy < 0.0, axis=0)
+                last_stop = shares[stops.max()]
+                share = last_stop * _MARGIN + shares[1]
+                return float(share) * farthest
+        return np.inf
 
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
         """Driving moment less the least strength, over Theta*, of a sample of lanes at rotations, (M, lanes)."""
@@ -172,3 +185,11 @@ class RotationTables(NamedTuple):
 def _lanes(function: OfRotation) -> int:
     """Number of lanes in which a function differs."""
     return max(values.shape[1] for values in function.coefficients.values())
+
+
+def _is_exceeded(table: Data, places: Floats, lane: Any) -> bool:
+    """Whether a place lies beyond the table of its lane."""
+    last = table.breaks[-1]
+    if table.breaks.ndim == 2:  # each lane has other breaks
+        last = last[lane]
+    return bool(np.any(places > last + 1e-9))

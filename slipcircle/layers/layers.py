@@ -354,7 +354,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         shared = {name: effects[name] for name in effects if not name.startswith("soil_friction")}
         return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}
 
-    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+    def tables(
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+    ) -> tuple[Tables, Farther | None]:
         """The functions of the rotation that belong to its soils, as far as the mass is likely to move."""
         functions = {}
         for effect, terms in effects.items():
@@ -363,8 +365,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
                     functions[symbols_of(effect)[name]] = term
         if not functions:
             return {}, None
-        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope)
-        return tables.laid_out(tables.likely_reach(friction)), tables.laid_out
+        tables = RotationTables(self, effects["layered_strength"], functions, tolerance, upslope, shape)
+        return tables.laid_out(tables.likely_reach(friction)), tables.reach_farther
 
     def takes_geometry(self, other: Section) -> bool:
         """Whether nothing differs from another section but numbers of soils."""

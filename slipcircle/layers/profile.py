@@ -28,7 +28,7 @@ _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_DIRECTIONS = 2048  # at once
+_DIRECTIONS = 4096  # at once, about
 _TOGETHER = 120  # pieces
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
@@ -57,37 +57,33 @@ class Profile(NamedTuple):
     def up_to(self, beta: Floats) -> Floats:
         """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
         directions, circles = beta.shape
-        by_circle = beta.T.ravel()
-        circle = np.repeat(np.arange(circles), directions)
-        parts = list[Floats]()
-        for some in _blocks(beta.size, _DIRECTIONS):
-            of_some = self._up_to(by_circle[some], circle[some])
-            parts.append(of_some)
+        by_circle = beta.T
+        together = 1 + _DIRECTIONS // (directions + 1)
+        parts = [self._up_to(by_circle[some], some) for some in _blocks(circles, together)]
         integrals = np.concatenate(parts)
-        _, *rest = integrals.shape
-        by_direction = integrals.reshape(circles, directions, *rest)
-        return by_direction.T
+        return integrals.T
 
-    def _up_to(self, beta: Floats, circle: Integers) -> Floats:
-        """The same of directions each in a circle, (M, columns, integrals)."""
+    def _up_to(self, beta: Floats, some: slice) -> Floats:
+        """The same of directions in some circles, (circles, M, columns, integrals)."""
         pieces, circles, columns, integrals, terms = self.series.shape
-        edges = self.edges[:, circle]
+        edges = self.edges[:, some, None]
         inside = np.clip(beta, edges[0], edges[-1])
-        piece = np.sum(inside >= edges[1:-1], axis=0, dtype=np.int16)
-        first = self.edges[piece, circle]
-        last = self.edges[piece + 1, circle]
+        piece = np.zeros(beta.shape, dtype=np.intp)
+        for edge in edges[1:-1]:
+            piece += inside >= edge
+        circle = np.arange(circles)[some, None]
+        number = piece * circles + circle
+        first = self.edges.take(number)
+        last = self.edges.take(number + circles)
         width = last - first
         divisor = np.where(width != 0.0, width, 1.0)
         share = (inside - first) / divisor
         place = 2.0 * share - 1.0
-        polynomials = _chebyshev(place, terms)
+        polynomials = np.ascontiguousarray(chebyshev.chebvander(place, terms - 1))
         every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
-        number = piece * circles + circle
-        of_pieces = every_piece.take(number, axis=0)
-        within = np.einsum("nit,nt->ni", of_pieces, polynomials)
+        within = np.einsum("...it,...t->...i", every_piece.take(number, axis=0), polynomials)
         before = self.before[piece, circle]
-        since = within.reshape(before.shape)
-        return before + since
+        return before + within.reshape(before.shape)
 
     @property
     def whole(self) -> Floats:
@@ -105,17 +101,6 @@ class Profile(NamedTuple):
 def _blocks(count: int, together: int) -> list[slice]:
     """One or more parts of so many, small enough that their numbers stay in the processor's cache."""
     return [slice(first, first + together) for first in range(0, max(count, 1), together)]
-
-
-def _chebyshev(place: Floats, terms: int) -> Floats:
-    """Values of the first Chebyshev polynomials at places in [-1, 1], (places, terms)."""
-    values = np.empty((terms, place.size))
-    values[0] = 1.0
-    values[1] = place
-    twice = 2.0 * place
-    for k in range(2, terms):
-        values[k] = twice * values[k - 1] - values[k - 2]
-    return np.ascontiguousarray(values.T)
 
 
 _Piece = tuple[Floats, Floats, Floats]  # a part of the arcs: its ends, (circles,), and the series of its integrals

@@ -54,7 +54,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         If the section has lanes.
     """
     _one_lane(section)
-    layers, ends = _layers_along(section)
+    layers, ends = soils_under(section)
     weight = _from_entry(section, AREA, ends)
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
@@ -115,23 +115,25 @@ def _radius(section: LayeredSection) -> float:
     return float(np.asarray(section.radius))
 
 
-def _layers_along(section: LayeredSection) -> tuple[list[int], Floats]:
-    """The layer of each stretch, and the directions of their ends, one more."""
-    (first,), (last,) = section.arc_strength.span
-    joints = section.arc_strength.stretches
-    layers = [int(joints.first[0])]
-    ends = [float(first)]
-    (joint_directions,) = joints.joint
-    (layers_after,) = joints.after
-    for joint, after in zip(joint_directions, layers_after, strict=True):
-        if last - joint < _SHORT:
-            break
-        if joint - ends[-1] < _SHORT:
-            layers[-1] = int(after)
-        elif after != layers[-1]:
-            layers.append(int(after))
-            ends.append(float(joint))
-    return layers, np.array([*ends, last])
+def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
+    """Numbers of the soils of stretches under the mass of one section after a rotation; directions of their ends."""
+    strength = section.arc_strength
+    turned = np.full((1, 1), rotation)
+    *joints, last, first = strength.space(turned).ravel().tolist()
+    (after,) = strength.stretches.after
+    every_soil = [*strength.stretches.first, *after]
+    soils = list[int]()
+    ends = [first]
+    for soil, end in zip(every_soil, [*joints, last], strict=True):
+        if end - ends[-1] < _SHORT:
+            continue
+        goes_on = soils[-1:] == [soil]
+        if goes_on:
+            ends.pop()
+        else:
+            soils.append(int(soil))
+        ends.append(end)
+    return soils, np.array(ends)
 
 
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:

@@ -136,11 +136,7 @@ class StretchIntegrals:
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
         """Parts by their names, of what presses all at once."""
-        every: dict[str, Floats] = {}
-        others = {"space": self.space, "heads": self.heads, "growth": self.growth}
-        for name, part in others.items():
-            if name in names:
-                every[name] = part(rotation)
+        every = {name: getattr(self, name)(rotation) for name in ("space", "heads", "growth") if name in names}
         if len(every) < len(names):
             every |= self._of_weight(rotation)
         return every

@@ -1,1 +1,5 @@
 """Implicit steps, for brakes that explicit steps cannot follow."""
+
+from slipcircle.stiff.creep import may_creep
+
+__all__ = ["may_creep"]

@@ -19,14 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from generated import walk as in_numpy
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import Mask, first_section
 from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program.program import Samples
-from slipcircle.core.walk.compiled import engine
+from slipcircle.core.scene.friction import depends_on
+from slipcircle.core.walk import compiled
 
 Lanes = NDArray[np.intp]
 Integrate = Callable[[Floats, Samples | None], Floats]  # final cells of those to begin with
@@ -66,6 +66,22 @@ class Ahead(NamedTuple):
     greatest: Floats  # N/y from here on, at most
 
 
+def may_creep(problem: Problem) -> bool:
+    """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
+    return "viscosity" in problem.recipe.effects and not other_than_position(problem)
+
+
+def other_than_position(problem: Problem) -> str:
+    """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
+    recipe = problem.recipe
+    if recipe.moving:
+        return "what changes in time"
+    if "thermal_pressurisation" in recipe.effects:
+        return "frictional heat"
+    others = set(depends_on(recipe.laws)) - {"slip"}
+    return f"a friction law of {min(others)}" if others else ""
+
+
 def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
     """Final cells of lanes, some of which may creep: these end at an infinite time, at their equilibrium.
 
@@ -80,13 +96,13 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
     integrate_lanes : callable
         Integrates all lanes to their end.
     """
+    if not may_creep(problem):
+        return integrate_lanes(begin, samples)
     which, end_time, damping = _candidates(problem, begin)
     if not which.size:
         return integrate_lanes(begin, samples)
     begin = begin.copy()
-    explicit_steps = STEPS * damping * end_time
-    is_stiff = explicit_steps > (IN_NUMPY if engine() is in_numpy else COMPILED)
-    begin[ix.STEPS, which] = np.where(is_stiff, ix.MOST_STEPS, 0.0)  # implicit steps take over after the first one
+    begin[ix.STEPS, which] = _first_steps(STEPS * damping * end_time)
     creeping = np.zeros(which.size, dtype=bool)
     undecided = ~creeping
     while undecided.any() and end_time.max() < LONGEST:
@@ -115,6 +131,8 @@ def slow_rotation(problem: Problem) -> Floats:
 
     That is the first root of the net moment at rest; 0 where the mass stands at its start.
     """
+    if other_than_position(problem):
+        return np.full(problem.lanes, np.nan)
     lanes = np.arange(problem.lanes)
     cells = problem.cells()
     place = problem.program.places["driving_moment"]
@@ -128,6 +146,15 @@ def slow_rotation(problem: Problem) -> Floats:
     left = np.where(stands, 0.0, ahead.left)
     is_endless = np.isinf(left)
     return np.where(is_endless, np.nan, direction * left)
+
+
+def _first_steps(explicit_steps: Floats) -> Floats:
+    """Steps that lanes count as done: all that are allowed where explicit ones would take longer than implicit ones.
+
+    These take over after the first one.
+    """
+    most = COMPILED if compiled.engine() is compiled else IN_NUMPY
+    return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 
 def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:
@@ -246,7 +273,7 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     problem.reach_farther(cells[ix.ROTATION], lanes)
     if problem.function is not None:
         room("functions").extend(problem, cells)
-    registers = engine().begin_phase(problem.program, problem.tables(lanes), cells)
+    registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
     net = problem.program.roles["net"]
     return np.reshape(registers[net], distance.shape)
 

@@ -9,8 +9,8 @@ from numpy.polynomial.chebyshev import chebvander
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.scene.piecewise import Data, continuous
-from slipcircle.tables.interpolation import NODES, ORDERS, POWERS, TERMS, TO_CHEBYSHEV
+from slipcircle.core.scene.piecewise import Data
+from slipcircle.tables.interpolation import NODES, ORDERS, POWERS, TERMS, TO_CHEBYSHEV, continuous
 
 Function = Callable[[Any], Any]
 FIRST_SLIP = 1 / 256  # over the radius, to which a function is sampled at first

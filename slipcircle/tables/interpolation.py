@@ -12,6 +12,7 @@ from numpy.polynomial import Chebyshev, Polynomial
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import distinct
+from slipcircle.core.scene.piecewise import Data
 
 Function = Callable[[Any], Any]
 TERMS = 8  # of a piece
@@ -167,3 +168,9 @@ def _constant(function: Function, end: Floats) -> Floats:
     coefficients = np.zeros((1, TERMS, *value.shape))
     coefficients[0, 0] = value
     return coefficients
+
+
+def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
+    """A piecewise polynomial without discontinuities."""
+    jumps = np.zeros(len(breaks))
+    return Data(breaks, coefficients, jumps, sine)

@@ -9,25 +9,47 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.kinds import Floats
-from slipcircle.core.scene.piecewise import Data, continuous
+from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.core.scene.piecewise import Data
+from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import LaneSeries, Pulse, Series
 
 # --- friction laws and functions of time -----------------------------------------------------------------------------
 
 
-def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> tuple[Data, Any, str]:
-    """A friction law in pieces or by a list; the scale of its argument, and the unit of that."""
+def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> tuple[Data, Any, str]:
+    """A friction law in pieces, of lanes of a shape, or by a list; the scale of its argument, and the unit of that."""
     if name in PIECES:
         length, _, _ = PIECES[name]
-        return _of_pieces(name, parameters), parameters[length], "m"
+        return _of_pieces(name, parameters, shape), parameters[length], "m"
     law = LAWS[name]
     (argument,) = law.depends_on
-    x, y = (np.asarray(parameters[p.name], dtype=np.float64) for p in law.parameters)
-    return of_list(argument, x, y), 1.0, law.parameters[0].unit
+    of_places, of_values = law.parameters
+    places = np.asarray(parameters[of_places.name], dtype=np.float64)
+    values = np.asarray(parameters[of_values.name], dtype=np.float64)
+    table = of_list(argument, places, values)
+    return table, 1.0, of_places.unit
 
 
-def _of_pieces(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
+def list_faults(path: str, name: str, parameters: Parameters) -> list[str]:
+    """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
+    argument = LAWS[name].parameters[0].name
+    places = np.asarray(parameters[argument], dtype=float)
+    coefficients = np.asarray(parameters["coefficient"], dtype=float)
+    key = f"{{{path}.{argument}}}"
+    is_list = places.ndim == 1 and places.size > 1
+    is_pair = places.shape == coefficients.shape
+    if not (is_list and is_pair):
+        return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
+    steps = np.diff(places)
+    increases = np.all(steps > 0.0)
+    starts_at_0 = places[0] == 0.0
+    if name == "tabulated" and not (increases and starts_at_0):
+        return [f"{key}: must start at 0 and increase"]
+    return [] if increases else [f"{key}: must increase"]
+
+
+def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> Data:
     """A friction law that is declared in pieces, of the slip over its scale."""
     _, breaks, polynomials = PIECES[name]
     arrays = dict[str, Floats]()
@@ -35,10 +57,15 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
         arrays[key] = np.add(value, 0.0)
     pieces = polynomials(**arrays)
     every = chain.from_iterable(pieces)
-    values = np.array(np.broadcast_arrays(*every))
-    lanes = values.shape[1:]
-    coefficients = values.reshape(len(pieces), -1, *lanes)
-    return continuous(np.array(breaks), coefficients)
+    values = [*np.broadcast_arrays(*every)]
+    if values[0].ndim:
+        of_lanes = [np.broadcast_to(value, shape) for value in values]
+        values = [value.ravel() for value in of_lanes]
+    rows = np.array(values)
+    _, *lanes = rows.shape
+    coefficients = rows.reshape(len(pieces), -1, *lanes)
+    starts = np.array(breaks)
+    return continuous(starts, coefficients)
 
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
@@ -48,7 +75,8 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
     first_values = values[:-1]
     heights = np.concatenate([[before], first_values, [after]])
     rise = np.diff(values)
-    secant = rise / np.diff(places)
+    step = np.diff(places)
+    secant = rise / step
     level = [0.0]
     slopes = np.concatenate([level, secant, level])
     jumps = np.zeros_like(heights)
@@ -168,7 +196,9 @@ def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
     jumps = list[Floats]()
     firsts = list[int]()
     pieces = 0
-    never = continuous(np.array([np.inf]), np.zeros((1, 2)))
+    infinity = np.array([np.inf])
+    nothing = np.zeros((1, 2))
+    never = continuous(infinity, nothing)
     for table in tables:
         firsts.append(pieces)
         for part in (table, never):
@@ -177,7 +207,10 @@ def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
             jumps.append(part.jumps)
             pieces += len(part.breaks)
     first = np.array(firsts)[which]
-    return Data(np.concatenate(breaks), np.concatenate(coefficients), np.concatenate(jumps), first=first)
+    every_break = np.concatenate(breaks)
+    every_coefficient = np.concatenate(coefficients)
+    every_jump = np.concatenate(jumps)
+    return Data(every_break, every_coefficient, every_jump, first=first)
 
 
 def _of_pulse(pulse: Pulse) -> Data:

@@ -42,8 +42,7 @@ CLOSEST = 1e-13
 # What single motions are compared by.
 COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.END_ROTATION, ix.PEAK_OMEGA])
 # Shares of the duration at which states are compared, of each run the same.
-_MIDDLES = (np.arange(8) + 0.5) / 8
-SHARES = np.tile(_MIDDLES[:, None], RUNS)
+SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
 @lru_cache(maxsize=256)
@@ -134,7 +133,7 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
 
     Results are compared as Python's floats, of which a few cost less than an array.
     """
-    states = np.zeros((2 + len(problem.program.states), *SHARES.shape))
+    states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     of_motion = _summary(final)
     samples = Samples(of_motion[0] * SHARES, states)
     cells = integrate(problem, perturbed_runs(problem, slice(None), rounding), samples)
@@ -151,8 +150,7 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
         rotation_and_velocity = states[:2]
         of_run_0 = rotation_and_velocity[:, :, :1]
         change = np.abs(rotation_and_velocity - of_run_0)
-        of_each = change.reshape(2, -1)
-        greatest += np.fmax.reduce(of_each, axis=1).tolist()
+        greatest += np.fmax.reduce(change, axis=(1, 2)).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in (*of_motion, *of_motion[1:])]
     return max(map(truediv, greatest, sizes)), False
 

@@ -6,10 +6,11 @@ from typing import NamedTuple
 
 from generated.effects import ALL_EFFECTS
 from slipcircle.base.kinds import Names
-from slipcircle.core.problem.plan import Plan, Recipe
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.program.definitions import Recipe
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 from slipcircle.core.scene.friction import depends_on
-from slipcircle.core.walk.compiled import level, module, straight_line
+from slipcircle.core.walk.compiled import encoded, level, module, widest
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
@@ -27,7 +28,9 @@ class PlanWords(NamedTuple):
 def words_of(plan: Plan) -> PlanWords:
     """What a plan says in words."""
     words = _words(plan.recipe)
-    way = "straight-line" if straight_line(plan.program) else "interpreted"
+    binary = module()
+    is_straight = binary is not None and binary.straight_line(encoded(plan.program), widest()) >= 0
+    way = "straight-line" if is_straight else "interpreted"
     return words._replace(method=f"{words.method}; {way}")
 
 

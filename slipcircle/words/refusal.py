@@ -5,9 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from generated.layout import MOST_TURNS
+from generated.layout import MOST_TURNS, TIME
 from slipcircle.base.checks import InputError
 from slipcircle.core import Status
+from slipcircle.core.scene.effects import rotates
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
@@ -17,14 +18,15 @@ def refusal(motion: Any) -> InputError:
     scene = motion.plan.scene
     speed = float(np.asarray(scene.initial_velocity))
     status = motion.status
-    turns = motion.plan.turns
+    turns = rotates(motion.plan.recipe.effects)
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
     overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
     velocity, end_time = (f"{{{n}}} = {getattr(scene, n)!r}" for n in ("initial_velocity", "end_time"))
+    stopped_at = motion._final[TIME] * scene.arc.time_scale
     few_turnings = status == Status.ENDLESS and motion.turnings < 20
     if status == Status.UPRIGHT:
         why = (
-            f"{velocity}, friction: the chord is vertical after {motion.stopped_at:.6g} s and the mass would hang "
+            f"{velocity}, friction: the chord is vertical after {stopped_at:.6g} s and the mass would hang "
             "over, which this method cannot follow; give an earlier {end_time} or a lower velocity"
         )
     elif not turns and (status == Status.ENDLESS or overflows):
@@ -37,7 +39,7 @@ def refusal(motion: Any) -> InputError:
     elif few_turnings:
         why = (
             "{end_time}: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or "
-            f"trembles on: it has not rested after {motion.stopped_at:.3g} s; give {{end_time}} in s"
+            f"trembles on: it has not rested after {stopped_at:.3g} s; give {{end_time}} in s"
         )
     elif status == Status.ENDLESS:
         times = min(motion.turnings, MOST_TURNS)

@@ -7,6 +7,8 @@ import numpy as np
 from slipcircle.base.text import digits_left, shown
 from slipcircle.core.motion.states import Status
 
+SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
+
 
 def standing(motion: Any) -> str:
     """That a single mass does not move, with its factor of safety."""
@@ -41,3 +43,10 @@ def ensemble_summary(motion: Any) -> str:
         greatest = shown(known.max())
         span = f"{least} to {greatest} m"
     return f"{', '.join(counts)}; run-out {span}"
+
+
+def swings_back(motion: Any) -> Any:
+    """Whether a mass has been farther from its start than at the end."""
+    farthest = np.abs(motion.reach.displacement)
+    end = np.abs(motion.run_out)
+    return farthest > end * (1 + SWING)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.words.plausible import questions
+from slipcircle.words.summary import swings_back
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
 ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
@@ -14,9 +15,9 @@ SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is 
 LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
 
 
-def collect_warnings(motion: Any, written: Callable[[str, float], str] | None) -> tuple[str, ...]:
+def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
     """Sentences about odd input as it was written, lift-off, conditioning, water and swinging back; empty where all is
-    well.
+    well. ``written`` words a number by its name and its value in SI units.
     """
     odd_input = questions(motion.plan.scene, written)
     return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
@@ -65,7 +66,7 @@ def _submergence(motion: Any) -> Iterator[str]:
 
 
 def _swing(motion: Any) -> Iterator[str]:
-    if motion.swings_back:
+    if swings_back(motion):
         farthest, end = abs(motion.reach.displacement), abs(motion.run_out)
         yield (
             f"the mass swings back: it reaches {farthest:.4g} m after {motion.reach.time:.4g} s, farther than its "

@@ -63,7 +63,7 @@ def main(file: str) -> None:
     for level in (*(binary.LEVELS if binary else ()), None):
         for name, problem in problems(1 if level else 20):
             if level:
-                with patch.object(compiled, "_widest", partial(binary.LEVELS.get, level)):
+                with patch.object(compiled, "widest", partial(binary.LEVELS.get, level)):
                     final = integrate(problem)
             else:
                 with compiled.numpy_only():

@@ -18,7 +18,7 @@ from flint import arb, arb_series, ctx
 
 from generated.series import scalar_ops, series_ops
 from slipcircle.base.kinds import Floats
-from tests.support.lanes import Program, build_program
+from tests.support.lanes import Program, Recipe, build_program
 
 ORDER = 7
 Point = dict[str, Any]  # numbers and short series of a scene and of a moment of its motion
@@ -194,7 +194,7 @@ def numbers(p: Point) -> tuple[dict[str, float], dict[str, float]]:
 
 def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, Floats, Point]:
     """The program of a case, the series of its registers at a random moment, and the numbers of that moment."""
-    program, p = build_program(*case, asked), point(random.Random(f"{case} {seed}"), case)
+    program, p = build_program(Recipe(*case), asked), point(random.Random(f"{case} {seed}"), case)
     return program, series_at(program, *numbers(p), p), p
 
 

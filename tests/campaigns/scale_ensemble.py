@@ -1,7 +1,4 @@
-"""Processor seconds of a block, and of this process for handing one out, by which the time of a cluster is forecast.
-
-A regional study of 1e9 scenes in blocks of 2**18, 0.16 s each at 0.6 microseconds a scene, with 3 ms for each that
-nobody shares, takes 610, 61, 12 and 11 s on 1, 10, 50 and 100 workers: b blocks take max(b s/w, b c).
+"""Processor seconds of a block, and of this process for handing one out: what `engines.forecast` needs.
 
 `python -m tests.campaigns.scale_ensemble` needs the extra `dask`.
 """

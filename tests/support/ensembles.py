@@ -40,9 +40,13 @@ RAISED = np.array(GROUND) + np.array([0.0, 0.2, -0.1])[:, None, None] * [[0, 0],
 LOWERED = np.array(LEVEL) - np.array([0.5, 1.0, 2.0])[:, None, None] * [0, 1]
 SOILS = {"soils.soil 2.friction.peak": tangent([9.0, 8.0]), "soils.soil 1.unit_weight": [19e3, 18e3]}
 CUT = {"crack": [4.0, 3.5], "surcharge.1.pressure": [3e4, 5e4], "layers.3.top": [3.0, 5.0]}
+COLUMN: dict[str, Any] = {"radius": np.array([[60.0], [45.0]])}
+TWO = Arc(**golden.SLOPE | COLUMN)
+LINEAR = {"law": "linear", "peak": np.array([0.2, 0.22, 0.24]), "residual": 0.17, "length": 2.0}
 PAIRS = [*zip(2 * [*golden.LAWS], 2 * [*golden.EFFECTS], strict=False)]
 SCENES: dict[str, Scene] = {
     **{f"{law}, {effects}": of_arcs(law, effects) for law, effects in PAIRS},
+    "rows and columns": replace(golden.built("", golden.scene(LINEAR, {"rotation": {}})), arc=TWO),
     "radius": of_sections(radius=np.array([28.3, 28.5, 28.4])),
     "circles": of_sections(centre=[[30.5, 53.6], [30.4, 53.5], [30.6, 53.4]], radius=np.array([28.4, 28.35, 28.3])),
     "grounds": of_sections(ground=RAISED),

@@ -12,11 +12,12 @@ from generated import walk as in_numpy
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, problem_of
+from slipcircle.core.program.definitions import Recipe
 from slipcircle.core.program.program import Program, Samples, build_program
 from slipcircle.core.walk import compiled
 from slipcircle.layers.layered import RotationTables
 
-__all__ = ["Problem", "Program", "RotationTables", "Samples", "build_program", "compiled"]
+__all__ = ["Problem", "Program", "Recipe", "RotationTables", "Samples", "build_program", "compiled"]
 
 BINARY: Any = compiled.module()  # None where there is none
 BACKENDS = ("C", "NumPy") if BINARY else ("NumPy",)

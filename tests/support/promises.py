@@ -83,7 +83,7 @@ def _of_module(module: Any) -> Iterator[str]:
 
 def _of_class(kind: Any, path: str) -> Iterator[str]:
     """Public attributes that are the package's own, and the parameters of methods."""
-    members = [*kind.__members__] if isinstance(kind, EnumType) else []
+    members = [*kind.__members__, *inspect.get_annotations(kind)] if isinstance(kind, EnumType) else []
     own = [field.name for field in fields(kind)] if is_dataclass(kind) else [*getattr(kind, "_fields", ())]
     for base in kind.__mro__:
         if base.__module__.startswith("slipcircle"):

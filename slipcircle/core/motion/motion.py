@@ -1,30 +1,31 @@
 """The motion of a scene, or of each lane of an ensemble: what happened, read off at its end, and as functions of time.
 
+Final cells are of the scene's shape, (cells, *shape); of a single scene they are numbers. Dimensionless numbers become
+SI units here: times by sqrt(R/g), lengths along the arc by R.
 Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
 import math
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, Generic, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core.doors import room
-from slipcircle.core.motion.states import State, Status
-from slipcircle.core.motion.trajectory import Trajectory
-from slipcircle.core.problem.problem import problem_of
+from slipcircle.core.motion.states import State, Status, state_of, statuses
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.walk.lanes import integrate
 
-SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
 
-
-class Motion(Trajectory, Forms, Generic[Numbers]):
+class Motion(Forms, Generic[Numbers]):
     """A solved scene. For a scene of arrays every attribute is an array, NaN for cases without a result (`reason`).
 
     Attributes
@@ -74,11 +75,36 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     tables.
     """
 
+    def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
+        self.plan = plan
+        self.shape: tuple[int, ...] = plan.scene.shape
+        self.invalid = invalid
+        self._final = final
+        self._radius = plain(plan.scene.arc.radius)
+        self._time_scale = plan.scene.arc.time_scale
+        if problem is not None:
+            self.problem = problem
+
+    @cached_property
+    def _history(self) -> Any:
+        return room("history").History(self)
+
+    @cached_property
+    def problem(self) -> Problem:
+        return problem_of(self.plan, self.invalid)
+
+    def _shaped(self, values: Any) -> Any:
+        """One number of each lane in the scene's shape; of a single scene a Python number."""
+        if self.shape:
+            return np.reshape(values, self.shape)
+        return values.item() if hasattr(values, "item") else values
+
     # --- how it ended ------------------------------------------------------------------------------------------------
 
-    @property
+    @cached_property
     def status(self) -> Any:
-        return self._status if self.shape else Status(self._status)
+        status = statuses(self._final, self.invalid)
+        return status if self.shape else Status(status)
 
     @property
     def reason(self) -> Any:
@@ -89,7 +115,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def count(self) -> dict[str, int]:
         """Number of cases of each status, by its name."""
-        counts = Counter(np.ravel(self._status).tolist())
+        counts = Counter(np.ravel(self.status).tolist())
         return {status.name: counts[status] for status in Status if status in counts}
 
     @property
@@ -98,13 +124,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def arrested(self) -> Any:
-        return self._rests_at_end
-
-    @property
-    def stopped_at(self) -> Numbers:
-        """Time at which the integration stopped, s, with a result or without."""
-        time: Numbers = self._final[ix.TIME] * self._time_scale
-        return time
+        """Whether it is at rest at its end, for good or until something changes beyond its end time."""
+        status = self._final[ix.STATUS]
+        return (status == ix.PAUSED) | (status == ix.ARRESTED)
 
     @property
     def turnings(self) -> Any:
@@ -125,6 +147,15 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         """q, twice the decrease of the rate per unit of omega*^2 at the start: the speed decays like exp(-q phi/2)."""
         return self._shaped(self._history.forces.brake)
 
+    @cached_property
+    def _solved(self) -> Any:
+        """Which lanes have a result."""
+        return self.status <= Status.CREEPS
+
+    def _known(self, values: Any) -> Any:
+        """Values of lanes with a result, NaN of the others; without negative zeros."""
+        return choose(self._solved, values, np.nan) + 0.0
+
     # --- results -----------------------------------------------------------------------------------------------------
 
     @cached_property
@@ -138,22 +169,18 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
                 "peak_velocity": self._radius * angular_velocity,
             }
         known = {name: self._known(value) for name, value in values.items()}
-        return known | {"duration": self._duration}
+        return known | {"duration": self.duration}
 
-    @property
-    def is_finite(self) -> bool:
-        """Whether a single motion has a result, and neither that nor its energy at the start overflows."""
-        speed = plain(self.plan.scene.initial_velocity)
-        outcomes: Mapping[str, Any] = self.outcomes
-        return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
-
-    @property
+    @cached_property
     def duration(self) -> Numbers:
-        return self.outcomes["duration"]
+        rest = self._final[ix.REST_SINCE] * self._time_scale
+        ended = self._final[ix.STATUS] == ix.ENDED
+        return self._known(choose(ended, self.plan.scene.until, rest))
 
-    @property
+    @cached_property
     def settling_time(self) -> Numbers:
-        return self._settling_time
+        time = self._final[ix.REST_SINCE] * self._time_scale
+        return choose(self.status == Status.CREEPS, time, self.duration)
 
     @property
     def run_out(self) -> Numbers:
@@ -166,27 +193,25 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         However slowly a mass creeps, it rests there: with constant friction and no water at R (psi_0 - delta). A free
         mass arrives with speed and rests about twice as far from the start. Its initial velocity is ignored.
         """
-        if self.problem.other_than_position:
-            return self._shaped(np.full(self.problem.lanes, np.nan))
         rotation = self._shaped(room("creep").slow_rotation(self.problem))
         return self._known(self._radius * rotation)
 
     @property
     def no_slow_run_out(self) -> str:
-        if other := self.problem.other_than_position:
+        if other := room("creep").other_than_position(self.problem):
             return f"forces depend on {other}"
         return "nothing holds it" if np.any(np.isnan(self.slow_run_out)) else ""
 
     @cached_property
     def end(self) -> State:
-        return self._final_state(self._duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
+        return self._final_state(self.duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
 
     @cached_property
     def reach(self) -> State:
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
         reach_time = final[ix.REACH_TIME] * self._time_scale
-        time = choose(at_end, self._duration, reach_time)
+        time = choose(at_end, self.duration, reach_time)
         return self._final_state(time, ix.REACH_ROTATION, ix.END_OMEGA, ix.END_RATE, moving=at_end)
 
     @cached_property
@@ -197,8 +222,8 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         last = peak_time == final[ix.END_TIME]
         still = final[ix.PHASES] == 0.0
         at_end = last & ended | still
-        time = choose(at_end, self._duration, peak_time * self._time_scale)
-        if not self.shape and self._varies_in_time and 0.0 < time < self._duration:
+        time = choose(at_end, self.duration, peak_time * self._time_scale)
+        if not self.shape and self._varies_in_time and 0.0 < time < self.duration:
             return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
 
@@ -211,21 +236,57 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         speed = choose(moving, self._final[omega], 0.0)
         gain = choose(moving, self._final[rate], 0.0)
         angle, speed, gain = map(self._known, (self._final[rotation], speed, gain))
-        return self._state(time + 0.0, angle, speed, gain, lambda: self._history.final_stress(time, angle, speed))
-
-    @property
-    def swings_back(self) -> Any:
-        """Whether it has been farther from its start than at the end."""
-        farthest = np.abs(self.reach.displacement)
-        end = np.abs(self.run_out)
-        return farthest > end * (1 + SWING)
+        rows = angle, speed, gain
+        return state_of(self.plan.scene, time + 0.0, *rows, lambda: self._history.final_stress(time, angle, speed))
 
     @property
     def journey(self) -> Any:
         """Where it ends: rise and horizontal travel of toe and centroid, travel angle."""
         return self.plan.scene.arc.journey(self.end.rotation)
 
-    # --- along the way, of a single motion ---------------------------------------------------------------------------
+    # --- along the way -----------------------------------------------------------------------------------------------
+
+    def at(self, times: ArrayLike) -> State:
+        """The state at any times between the start and the end, and at rest after an arrest.
+
+        Parameters
+        ----------
+        times : float or array_like
+            s; the same for all lanes of an ensemble, whose states get the scene's shape followed by theirs.
+
+        Raises
+        ------
+        ValueError
+            For times before the start, not finite, or after the end of a motion that has not come to rest.
+        """
+        return self._history.at(times)
+
+    def pore_pressure_at(self, times: ArrayLike) -> Any:
+        """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
+        return self._history.pore_pressure_at(times)
+
+    def effective_stress_at(self, times: ArrayLike) -> Any:
+        """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
+        return self._history.effective_stress_at(times)
+
+    def friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
+        return self._history.friction_at(times)
+
+    def holding_friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
+
+        NaN where contact is lost.
+        """
+        return self._history.holding_friction_at(times)
+
+    def path_at(self, times: ArrayLike) -> Any:
+        """The path travelled from the start, there and back, m; times as for `at`."""
+        return self._history.path_at(times)
+
+    def energy_at(self, times: ArrayLike) -> Any:
+        """The energy balance from the start to any times, as for `at`; integrated with the motion on request."""
+        return self._history.energy_at(times)
 
     @property
     def velocity_class(self) -> str:
@@ -272,13 +333,9 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
     # --- accuracy ----------------------------------------------------------------------------------------------------
 
     @cached_property
-    def _errors(self) -> Any:
-        final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
-        return room("estimate").estimate(self.plan, self.problem, final)
-
-    @property
     def error_estimate(self) -> Numbers:
-        return self._shaped(self._errors)
+        final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
+        return self._shaped(room("estimate").estimate(self.plan, self.problem, final))
 
     @cached_property
     def energy(self) -> Any:
@@ -292,11 +349,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return self.warnings_with(None)
-
-    def warnings_with(self, written: Callable[[str, float], str] | None) -> tuple[str, ...]:
-        """The warnings, with numbers as ``written`` words them from their names and values in SI units."""
-        sentences: tuple[str, ...] = room("warnings").collect_warnings(self, written)
+        sentences: tuple[str, ...] = room("warnings").collect_warnings(self)
         return sentences
 
     def sensitivity(self) -> Any:
@@ -309,14 +362,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         ValueError
             If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
         """
-        if self.shape:
-            raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
-        if not self.moves and self.limit_friction == self.friction:
-            raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
-        at: dict[str, Any] = dict(self.outcomes)
-        if not self.moves:
-            at = dict.fromkeys(at, 0.0)
-        return room("sensitivity").sensitivity(self.plan.scene, at, self.error_estimate)
+        return room("sensitivity").sensitivity(self)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
 from slipcircle.core.doors import room
 from slipcircle.core.motion.motion import Motion
@@ -56,9 +57,16 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
-    if not (scene.shape or motion.is_finite):
+    if not (scene.shape or _is_finite(motion)):
         raise room("refusal").refusal(motion)
     return motion
+
+
+def _is_finite(motion: Motion) -> bool:
+    """Whether a single motion has a result, and neither that nor its energy at the start overflows."""
+    outcomes = motion.outcomes
+    speed = plain(motion.plan.scene.initial_velocity)
+    return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:

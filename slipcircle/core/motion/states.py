@@ -3,54 +3,47 @@
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass, field
 from enum import IntEnum
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from generated import layout as ix
+from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.core.scene.scene import Scene
 
 
 class Status(IntEnum):
     """How the motion of a scene ended."""
 
-    RESTS = 0  #: it moved, and came to rest without turning back
-    STAYS = 1  #: it does not move
-    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
-    TURNED = 3  #: it turned back at least once, and came to rest
-    CREEPS = 4  #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
-    UPRIGHT = 5  #: no result: the chord stands upright and the mass would hang over
-    ENDLESS = 6  #: no result: it never rests, or turns back too often
-    FAILED = 7  #: no result: overflow
-    INVALID = 8  #: its numbers are no scene
+    words: str  #: the same, for people
+    reason: str  #: why there is no result; empty if there is one
 
-    @property
-    def words(self) -> str:
-        """How the motion ended, for people."""
-        return _WORDS[self.name]
+    def __new__(cls, number: int, words: str = "", reason: str = "") -> Self:
+        status = int.__new__(cls, number)
+        status._value_ = number
+        status.words = words
+        status.reason = reason
+        return status
 
-    @property
-    def reason(self) -> str:
-        """Why there is no result; empty if there is one."""
-        return _REASONS.get(self.name, "")
+    RESTS = 0, "comes to rest"  #: it moved, and came to rest without turning back
+    STAYS = 1, "does not move"  #: it does not move
+    #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    MOVING = 2, "still moving"
+    TURNED = 3, "comes to rest after turning back"  #: it turned back at least once, and came to rest
+    #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
+    CREEPS = 4, "creeps to its equilibrium"
+    #: no result: the chord stands upright and the mass would hang over
+    UPRIGHT = 5, "turns over", "the chord is vertical, and the mass would overhang"
+    #: no result: it never rests, or turns back too often
+    ENDLESS = 6, "never rests", "it never rests, or turns back too often"
+    FAILED = 7, "overflow", "overflow"  #: no result: overflow
+    #: its numbers are no scene
+    INVALID = (
+        8,
+        "invalid",
+        ("its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground"),
+    )
 
-
-_WORDS = {
-    "RESTS": "comes to rest",
-    "STAYS": "does not move",
-    "MOVING": "still moving",
-    "TURNED": "comes to rest after turning back",
-    "CREEPS": "creeps to its equilibrium",
-    "UPRIGHT": "turns over",
-    "ENDLESS": "never rests",
-    "FAILED": "overflow",
-    "INVALID": "invalid",
-}
-_REASONS = {
-    "UPRIGHT": "the chord is vertical, and the mass would overhang",
-    "ENDLESS": "it never rests, or turns back too often",
-    "FAILED": "overflow",
-    "INVALID": "its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground",
-}
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED, Status.CREEPS)
 # How a lane that moved has ended, by the status in which the integration leaves it.
@@ -63,6 +56,21 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
     Status.UPRIGHT,
     Status.ENDLESS,
 )
+
+
+def statuses(final: Any, invalid: Any) -> Any:
+    """The status of each lane, as a number, by its final cells."""
+    ended = final[ix.STATUS]
+    has_shape = isinstance(ended, np.ndarray)
+    status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
+    has_turned = final[ix.TURNS] > 0.0
+    status = choose((status == Status.RESTS) & has_turned, int(Status.TURNED), status)
+    status = choose(final[ix.TIME] == np.inf, int(Status.CREEPS), status)
+    answered = status <= Status.CREEPS
+    still = final[ix.PHASES] == 0.0
+    stays = still & (ended != ix.STOPPED)
+    status = choose(answered & stays, int(Status.STAYS), status)
+    return choose(invalid, int(Status.INVALID), status)
 
 
 @dataclass(frozen=True)
@@ -99,3 +107,22 @@ class State:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         object.__setattr__(self, name, self._stress())
         return self.normal_stress
+
+
+def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
+    """A state in SI units from dimensionless numbers of the shape of the time, that of the scene and of the times."""
+    axes = getattr(time, "ndim", 0) - len(scene.shape)
+    scale = before(scene.arc.time_scale, axes)
+    radius = before(plain(scene.arc.radius), axes)
+    with may_overflow(scene.shape):
+        angular_velocity = omega / scale
+        velocity = radius * angular_velocity
+        acceleration = radius * rate / scale**2
+        displacement = radius * rotation
+    columns = (rotation, angular_velocity, velocity, displacement, acceleration)
+    return State(time, *(column + 0.0 for column in columns), stress=stress)
+
+
+def before(values: Any, axes: int) -> Any:
+    """Numbers of lanes with further axes for times; one number stays one."""
+    return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

@@ -1,26 +1,18 @@
 """How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
 
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.doors import room
+from slipcircle.core.program.definitions import Recipe
 from slipcircle.core.program.program import Program, build_program
-from slipcircle.core.scene.effects import in_order, rotates, symbols_of
+from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
-
-
-class Recipe(NamedTuple):
-    """What a program is made from: the first arguments of `build_program`."""
-
-    effects: Names
-    laws: Names
-    moving: Names  # symbols of parameters that are functions of time or of the rotation
-    absent: Names  # symbols of optional parameters that the scene does not give
 
 
 @dataclass(frozen=True)
@@ -51,7 +43,7 @@ class Plan:
     @property
     def program(self) -> Program:
         """Its operations, linked once for all scenes with this recipe."""
-        return build_program(*self.recipe)
+        return build_program(self.recipe)
 
     @property
     def effects(self) -> Names:
@@ -61,11 +53,6 @@ class Plan:
     def left_out(self) -> Names:
         known = (*self.effects, *self.scene.arc.own_effects)
         return tuple(effect for effect in EFFECTS if effect not in known)
-
-    @property
-    def turns(self) -> bool:
-        """Whether an effect lets the mass rotate."""
-        return rotates(self.recipe.effects)
 
     @property
     def fragments(self) -> Names:
@@ -108,8 +95,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         If the accuracy is not between 0 and 1, or for an argument that is not a scene.
     """
     checked(scene, "plan")
-    if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
-        raise_all("plan", accuracy_mistakes(accuracy))
+    raise_all("plan", accuracy_mistakes(accuracy))
     if accuracy is None:
         accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy
     return Plan(scene, recipe_of(scene), accuracy)

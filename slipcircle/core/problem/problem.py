@@ -6,7 +6,7 @@ scene's own shape: nothing here knows a law or an effect.
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -18,10 +18,10 @@ from generated.flow import FRAGMENTS, INPUTS
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.doors import room
-from slipcircle.core.problem.plan import Plan, Recipe
-from slipcircle.core.program.program import Program, build_program
-from slipcircle.core.scene.effects import in_order, rotates, soil_number, symbols_of, without_soil
-from slipcircle.core.scene.friction import depends_on
+from slipcircle.core.problem.plan import Plan
+from slipcircle.core.program.definitions import Recipe
+from slipcircle.core.program.program import Program
+from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -34,8 +34,6 @@ LOWEST = 7  # order: below it the radius of convergence is that of one or two co
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # then the number of a soil
 EVERY = slice(None)  # lane
-Function = Callable[[Any], Any]
-Shape = tuple[int, ...]
 
 
 @dataclass
@@ -63,48 +61,17 @@ class Problem:
     start: Mapping[str, Any]
     data: dict[str, Data]
     lanes: int
-    function: Function | None = None
+    function: Callable[[Any], Any] | None = None
     farther: Farther | None = None
 
-    @property
-    def may_creep(self) -> bool:
-        """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
-        return "viscosity" in self.recipe.effects and not self.other_than_position
-
-    @property
-    def other_than_position(self) -> str:
-        """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
-        recipe = self.recipe
-        if recipe.moving:
-            return "what changes in time"
-        if "thermal_pressurisation" in recipe.effects:
-            return "frictional heat"
-        others = set(depends_on(recipe.laws)) - {"slip"}
-        return f"a friction law of {min(others)}" if others else ""
-
-    def with_outputs(self, outputs: Names) -> "Problem":
-        """The same lanes with a program that computes further outputs, too."""
-        return self._with(build_program(*self.recipe, outputs))
-
-    def with_steady_shaking(self) -> "Problem":
-        """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
-        effects, laws, moving, absent = self.recipe
-        shaking = symbols_of("shaking").values()
-        effects = in_order((*effects, "shaking"))
-        moving = tuple(symbol for symbol in moving if symbol not in shaking)
-        others = [symbol for symbol in absent if symbol not in shaking]
-        return self._with(build_program(effects, laws, moving, (*others, "k_v")))
-
-    def _with(self, program: Program) -> "Problem":
-        return replace(self, program=program, start={**self.start, **program.constants})
-
     def cells(self, which: Any = EVERY) -> Floats:
-        """The cells of some lanes at their start, a column each."""
+        """The cells of some lanes at their start, a column each; what a phase computes is not there yet."""
         if self.lanes == 1 and which is EVERY:
             return self._only_lane.copy()
         places = self.program.places
         count = np.arange(self.lanes)[which].size
-        cells = np.zeros((len(places), count))
+        cells = np.empty((len(places), count))
+        cells[: self.program.given] = 0.0
         for name, value in self.start.items():
             if name in places:  # not every program needs it
                 cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
@@ -126,18 +93,12 @@ class Problem:
         tables = [self.data[table.name] for table in self.program.tables]
         return tables if which is None else [table.lanes(which) for table in tables]
 
-    def reach_farther(self, rotation: Floats, lane: Any = slice(None)) -> bool:
+    def reach_farther(self, rotation: Floats, lane: Any = EVERY) -> bool:
         """Lay out functions of the rotation to their full range if a lane exceeds them; whether one does.
 
         ``lane`` is the lane that each rotation belongs to, by default one after the other.
         """
-        if self.farther is None:
-            return False
-        names = [table.name for table in self.program.tables if table.kind == "rotation"]
-        if not any(self.data[name].is_exceeded(rotation, lane) for name in names):
-            return False
-        self.data.update(self.farther())
-        return True
+        return self.farther is not None and self.farther(self.data, rotation, lane)
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
@@ -163,7 +124,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     return Problem(plan.recipe, program, start, numbers.tables, lanes, function, farther)
 
 
-def _flat(numbers: dict[str, Any], shape: Shape) -> dict[str, Any]:
+def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
     """Arrays with one axis of lanes; a number that all lanes share stays one, as those of a single lane do."""
     if not shape:
         return numbers
@@ -196,7 +157,7 @@ class Numbers:
     tables : dict of Data
     """
 
-    def __init__(self, mass: Mass, shape: Shape) -> None:
+    def __init__(self, mass: Mass, shape: tuple[int, ...]) -> None:
         self.mass = mass
         self.shape = shape
         self.radius = plain(mass.radius)
@@ -210,14 +171,6 @@ class Numbers:
         self.start[f"{name}.PIECE"] = table.first
         self.start[f"{name}.SCALE"] = scale
         self.start[f"{name}.SCALED_BY"] = factor
-
-    def _of_lanes(self, table: Data) -> Data:
-        """A table of the mass's own lanes for those of the scene."""
-        own = self.mass.lanes_shape
-        if own in ((), self.shape):
-            return table
-        numbers = np.arange(math.prod(own)).reshape(own)
-        return table.lanes(np.broadcast_to(numbers, self.shape).ravel())
 
     def add_effect(self, effect: str, parameters: Parameters) -> None:
         """Add the parameters of an effect: numbers by their symbols, functions of time as tables."""
@@ -249,31 +202,20 @@ class Numbers:
         velocity = plain(scene.initial_velocity)
         pushed = velocity != 0.0
         upslope = bool(pushed if type(velocity) is float else pushed.any()) or "shaking" in plan.recipe.effects
-        tolerance = plan.accuracy / 100 if lanes > 1 else FINEST
-        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance)
+        tolerance = max(plan.accuracy / 100, FINEST) if lanes > 1 else FINEST
+        tables, farther = self.mass.tables(scene.called, scene.law, upslope, tolerance, self.shape)
         for name, table in tables.items():
-            self.add_table(name, self._of_lanes(table), factor=self.start[f"{name}.SCALED_BY"])
-        if farther is None:
-            return None
-        lay_out = farther
-
-        def of_lanes() -> Mapping[str, Data]:
-            return {name: self._of_lanes(table) for name, table in lay_out().items()}
-
-        return of_lanes
+            self.add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])
+        return farther
 
     def add_law(self, name: str, parameters: Parameters) -> None:
         """Add a friction law: a table, or dimensionless numbers by its name."""
         law = without_soil(name)
-        units = {"": 1.0, "m": self.radius, "m/s": self.mass.speed_scale, "s": self.mass.time_scale}
+        units = {"": 1.0, "m": self.radius, "m/s": self.radius / self.mass.time_scale, "s": self.mass.time_scale}
         if law == "callable":
             self.add_table(name, room("functions").first_table(parameters["function"], self.radius), self.radius)
         elif FRAGMENTS[law].tables:
-            table, scale, unit = room("tables").of_law(law, parameters)
-            pieces, terms, *varied = table.coefficients.shape
-            if varied:
-                every = np.broadcast_to(table.coefficients, (pieces, terms, *self.shape))
-                table = table._replace(coefficients=every.reshape(pieces, terms, -1))
+            table, scale, unit = room("tables").of_law(law, parameters, self.shape)
             self.add_table(name, table, units[unit] / scale)
         else:
             for p in LAWS[law].parameters:

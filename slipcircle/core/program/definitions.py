@@ -19,6 +19,26 @@ ZERO, ONE = "=0.0", "=1.0"
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series; the others have one
 
 
+class Recipe(NamedTuple):
+    """What a program is made from: effects and laws by name, as in `generated.effects`, and kinds of parameters.
+
+    Attributes
+    ----------
+    effects : tuple of str
+    laws : tuple of str
+        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it.
+    moving : tuple of str
+        Symbols of parameters that are functions of time, or of the rotation.
+    absent : tuple of str
+        Symbols of optional parameters that a scene does not give; their terms are not included.
+    """
+
+    effects: Names
+    laws: Names
+    moving: Names = ()
+    absent: Names = ()
+
+
 class OnSeries(NamedTuple):
     """An operation on series: its kind, the registers and the cells that it takes, and of a ramp its table.
 
@@ -84,8 +104,9 @@ class Definitions:
         return [*self.states, *(cell for table in self.tables for cell in table.cells)]
 
 
-def definitions_of(effects: Names, laws: Names, moving: Names, absent: Names, further: Names) -> Definitions:
-    """All definitions of a scene's effects, laws and ``further`` fragments; see `build_program`."""
+def definitions_of(recipe: Recipe, further: Names) -> Definitions:
+    """All definitions of a scene's effects, laws and ``further`` fragments."""
+    effects, laws, moving, absent = recipe
     made = Definitions()
     slip_factor = _take_laws(made, laws)
     for effect in ("gravity", *effects, "balance", *further):

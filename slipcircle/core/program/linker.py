@@ -32,6 +32,7 @@ class Linked(NamedTuple):
     series: list[tuple[OnSeries, Names]]
     registers: Mapping[str, str | None]  # of what is read, by name; None for an event that never happens
     outputs: Mapping[str, str]  # cells by role
+    constants: list[str]
 
 
 def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
@@ -49,7 +50,9 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
-    return Linked(_needed(linker.scalar, pending), series, registers, outputs)
+    scalar = _needed(linker.scalar, pending)
+    constants = sorted(name for name in pending if name and name.startswith("="))
+    return Linked(scalar, series, registers, outputs, constants)
 
 
 def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:

@@ -1,14 +1,15 @@
 """Flow programs: operations on the cells and registers of a lane, and those that the integrator reads."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any, NamedTuple
+from itertools import chain
+from typing import Any, NamedTuple, Self
 
 from generated.flow import FRAGMENTS
 from generated.layout import CELLS, TABLE
 from slipcircle.base.kinds import Floats, Names
-from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, definitions_of
+from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, Recipe, definitions_of
 from slipcircle.core.program.linker import EVENTS, Linked, link
 
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
@@ -61,72 +62,40 @@ class Program:
 
 
 @lru_cache(maxsize=256)
-def build_program(effects: Names, laws: Names, moving: Names = (), absent: Names = (), outputs: Names = ()) -> Program:
+def build_program(recipe: Recipe, outputs: Names = ()) -> Program:
     """The program of a scene.
 
-    Parameters
-    ----------
-    effects : tuple of str
-        Names, as in `generated.effects.EFFECTS`.
-    laws : tuple of str
-        The friction law, as in `generated.effects.LAWS` or "callable", or the laws of soils, ``linear#0``; then the law
-        of speed that multiplies it, if any.
-    moving : tuple of str
-        Symbols of parameters that are functions of time, or of the rotation.
-    absent : tuple of str
-        Symbols of optional parameters that a scene does not set; their terms are not included.
-    outputs : tuple of str
-        Further outputs: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
-        ``work`` and ``dissipation``.
-
-    Returns
-    -------
-    Program
+    ``outputs`` are further ones: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
+    ``work`` and ``dissipation``.
     """
     further = tuple(name for name in outputs if name in FRAGMENTS)
     asked = tuple(name for name in outputs if name not in FRAGMENTS)
-    definitions = definitions_of(effects, laws, moving, absent, further)
+    definitions = definitions_of(recipe, further)
     given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
     linked = link(definitions, given, asked)
-    return _encoded(definitions, linked, _places(definitions, linked, given), asked)
+    return _encoded(definitions, linked, given, asked)
 
 
 class _Places(NamedTuple):
-    """Where a program has its cells, its registers and its tables, by name; how many cells are given; its constants."""
+    """Where a program has its cells, its registers and its tables, by name."""
 
     cells: dict[str, int]
     registers: dict[str, int]
     tables: dict[str, int]
-    given: int
-    constants: dict[str, float]
+
+    @classmethod
+    def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
+        """Cells that are given, computed and constant, and registers of the states and of what is computed."""
+        computed = chain.from_iterable(results for _, results in linked.scalar)
+        made = chain.from_iterable(results for _, results in linked.series)
+        tables = [table.name for table in definitions.tables]
+        every = [*given, *computed, *linked.constants], [*definitions.states, *made], tables
+        return cls(*({name: place for place, name in enumerate(names)} for names in every))
 
 
-def _numbered(names: Iterable[str]) -> dict[str, int]:
-    """Names with their places."""
-    return {name: place for place, name in enumerate(names)}
-
-
-def _places(definitions: Definitions, linked: Linked, given: Names) -> _Places:
-    """Cells that are given, computed and constant, and registers of the states and of what is computed."""
-    cells = [*given]
-    taken = {*linked.outputs.values()}
-    for operation, results in linked.scalar:
-        taken.update(operation[1:])
-        cells += results
-    registers = [*definitions.states]
-    for on_series, results in linked.series:
-        taken.update(on_series.cells)
-        registers += results
-    constants = {}
-    for name in sorted(taken):
-        if name.startswith("="):
-            constants[name] = float(name[1:])
-    tables = [table.name for table in definitions.tables]
-    return _Places(_numbered([*cells, *constants]), _numbered(registers), _numbered(tables), len(given), constants)
-
-
-def _encoded(definitions: Definitions, linked: Linked, places: _Places, asked: Names) -> Program:
+def _encoded(definitions: Definitions, linked: Linked, given: Names, asked: Names) -> Program:
     """A program with places instead of names; registers ``asked`` for have roles, too."""
+    places = _Places.of(definitions, linked, given)
     cells = places.cells
     registers = places.registers
     read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
@@ -146,7 +115,7 @@ def _encoded(definitions: Definitions, linked: Linked, places: _Places, asked: N
         states.append((cells[state], registers[state], read[rate]))
     return Program(
         cells=tuple(cells),
-        given=places.given,
+        given=len(given),
         registers=tuple(registers),
         scalar=tuple(scalar),
         series=tuple(_on_series(operation, results, places) for operation, results in linked.series),
@@ -154,7 +123,7 @@ def _encoded(definitions: Definitions, linked: Linked, places: _Places, asked: N
         tables=tuple(tables),
         roles=roles,
         autonomous=_autonomous(definitions, linked),
-        constants=places.constants,
+        constants={name: float(name[1:]) for name in linked.constants},
     )
 
 

@@ -4,24 +4,14 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import (
-    INFINITY,
-    Bounds,
-    Fault,
-    choose,
-    complaint,
-    mistakes,
-    plain,
-    raise_all,
-    shape_mistakes,
-    two_sum,
-)
+from slipcircle.base.checks import Bounds, Fault, choose, complaint, mistakes, plain, raise_all, shape_mistakes, two_sum
 from slipcircle.base.kinds import Array, Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
@@ -37,17 +27,6 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
 QUANTITIES = tuple(ARC_BOUNDS)
 GRAVITY = 9.81  # by default
 WIDTH = 1.0
-
-
-# What `Arc(given=...)` holds; the other coefficients are their quotients.
-_POSITIVE = (0.0, INFINITY, "a positive number")
-GIVEN: Mapping[str, Bounds] = {
-    "moment_of_inertia": _POSITIVE,
-    "radial_weight": _POSITIVE,
-    "weight_moment": (-INFINITY, INFINITY, "a finite number"),
-    "resistance_factor": _POSITIVE,
-    "dynamic_coefficient": _POSITIVE,
-}
 
 
 @dataclass(frozen=True)
@@ -68,8 +47,8 @@ class Arc(Mass, Generic[Numbers]):
     width : float or array_like, optional
         Length perpendicular to the section, m.
     given : mapping, optional
-        Dimensionless coefficients, all those of ``GIVEN``, to be used instead of computed ones, for repeating a
-        calculation from a printed table. They belong to the initial position.
+        Dimensionless coefficients, all those of `slipcircle.given.GIVEN`, to be used instead of computed ones, for
+        repeating a calculation from a printed table. They belong to the initial position.
 
     Raises
     ------
@@ -151,38 +130,19 @@ class Arc(Mass, Generic[Numbers]):
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Invalid arcs, and arcs without a normal load."""
-
-        def degrees(k: int) -> list[float]:
-            ends = np.broadcast_arrays(self.theta_1, self.theta_2)
-            return [float(np.degrees(end.flat[k])) for end in ends]
-
-        def in_degrees() -> str:
-            two_turns = 4 * np.pi  # 12.6 rad are more than anybody turns, and few degrees
-            is_beyond = np.abs(self.theta_1) > two_turns
-            return "; theta_1 and theta_2 are in rad: were they in degrees?" if np.any(is_beyond) else ""
-
-        def swapped(k: int) -> str:
-            one, two = degrees(k)
-            return f"{{theta_2}} = {two:.10g} deg: must be above {{theta_1}} = {one:.10g} deg; swap them?"
-
-        def too_wide(k: int) -> str:
-            one, two = degrees(k)
-            return f"{{theta_2}} - {{theta_1}} = {two - one:.10g} deg: must be at most 180 deg{in_degrees()}"
-
-        def unpressed(k: int) -> str:
-            one, two = degrees(k)
-            return (
-                f"{{theta_1}} = {one:.10g} deg, {{theta_2}} = {two:.10g} deg: there is no normal load; the middle of "
-                f"the arc must lie between 180 and 360 deg, below its centre{in_degrees()}"
-            )
-
         with np.errstate(invalid="ignore"):  # J_r/Theta*: NaN beyond a half disc, and where the ends are no angles
-            normal_load = self._radial_amplitude * self._cosine_of_dip
-        normal_load = np.ravel(normal_load)
-        are_swapped = np.less_equal(self.theta_2, self.theta_1)
-        yield np.ravel(are_swapped), swapped
-        yield np.isnan(normal_load), too_wide
-        yield normal_load <= 0.0, unpressed
+            normal_load = np.ravel(self._radial_amplitude * self._cosine_of_dip)
+        faults = {
+            "swapped": np.ravel(np.less_equal(self.theta_2, self.theta_1)),
+            "too_wide": np.isnan(normal_load),
+            "without_load": normal_load <= 0.0,
+        }
+        for fault, lanes in faults.items():
+            yield lanes, partial(self._complaint, fault)
+
+    def _complaint(self, fault: str, lane: int) -> str:
+        sentence: str = getattr(room("arc"), fault)(self, lane)
+        return sentence
 
     @cached_property
     def half_angle(self) -> Any:
@@ -319,11 +279,6 @@ class Arc(Mass, Generic[Numbers]):
         for k in range(30, 2, -2):  # more than x = pi needs
             share = 1.0 - x * x * share / (k * (k + 1))
         return np.square(self.radius) * x**3 / 12 * share
-
-    @property
-    def mass_per_metre(self) -> Any:
-        """Of width, kg/m."""
-        return self.area * np.divide(self.unit_weight, self.gravity)
 
     @cached_property
     def centroid(self) -> Any:

@@ -7,6 +7,7 @@ import numpy as np
 from generated.effects import LAWS
 from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import MAPPING, Names, Parameters
+from slipcircle.core.doors import room
 from slipcircle.core.scene.effects import OF_SOIL, without_soil
 
 NAMES = tuple(LAWS)
@@ -55,23 +56,8 @@ def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
     faults = parameter_mistakes(path, parameters, declared)
     if faults or declared[0].kind != "list":
         return faults
-    return _table_faults(path, name, parameters)
-
-
-def _table_faults(path: str, name: str, parameters: Parameters) -> list[str]:
-    """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
-    argument = LAWS[name].parameters[0].name
-    places = np.asarray(parameters[argument], dtype=float)
-    coefficients = np.asarray(parameters["coefficient"], dtype=float)
-    key = f"{{{path}.{argument}}}"
-    is_list = places.ndim == 1 and places.size > 1
-    if not is_list or places.shape != coefficients.shape:
-        return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
-    increases = np.all(np.diff(places) > 0.0)
-    starts_at_0 = places[0] == 0.0
-    if name == "tabulated" and not (increases and starts_at_0):
-        return [f"{key}: must start at 0 and increase"]
-    return [] if increases else [f"{key}: must increase"]
+    of_list: list[str] = room("tables").list_faults(path, name, parameters)
+    return of_list
 
 
 def law_parts(friction: Any) -> tuple[Law, ...]:
@@ -88,8 +74,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
         of_soils = []
         for k, law in enumerate(friction["soils"].values()):
             name, parameters = law_parts(law)[0]
-            name_of_soil = f"{name}{OF_SOIL}{k}"
-            of_soils.append((name_of_soil, parameters))
+            of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
         return (*of_soils, *rate)
     parameters = dict(friction)
     name = parameters.pop("law")
@@ -115,11 +100,6 @@ def number_name(path: str, name: str) -> str:
 def law_names(given: Any) -> Names:
     """Of the law that a scene's friction stands for, and of the law of speed that multiplies it."""
     return tuple(name for name, _ in law_parts(given))
-
-
-def law_depends(given: Any) -> Names:
-    """What a scene's friction depends on: some of slip, speed, time."""
-    return depends_on(law_names(given))
 
 
 def depends_on(laws: Names) -> Names:

@@ -10,9 +10,9 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Names, Values, cached_property
+from slipcircle.base.kinds import Effects, Floats, Names, Values, cached_property
 from slipcircle.core.doors import room
-from slipcircle.core.scene.piecewise import Tables
+from slipcircle.core.scene.piecewise import Data, Tables
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,8 @@ class MomentCoefficients(NamedTuple):
     cover: Any  # the stress of which r_u is a share, over the static normal stress
 
 
-Farther = Callable[[], Tables]
+# Lays out functions of the rotation to their full range where a rotation of a lane exceeds them; whether one does.
+Farther = Callable[[dict[str, Data], Floats, Any], bool]
 
 
 class Mass:
@@ -86,6 +87,8 @@ class Mass:
         Coefficients in place of computed ones.
     centre, exit, centroid : array
         x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
+    area : float or array
+        Of the mass in its section, m^2.
     """
 
     radius: Any
@@ -98,13 +101,13 @@ class Mass:
     moment_coefficients: Any
     centre: Any
     exit: Any
+    area: Any
     centroid: Any
     quantities: ClassVar[Mapping[str, int]]
     rounding: ClassVar[float] = 4 * EPS
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
-    lanes_shape: Any = ()  # of its own tables
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 
@@ -124,10 +127,13 @@ class Mass:
         """The same effects, but of its soils what gives means over the arc: the same where all of it is one soil."""
         return effects
 
-    def tables(self, effects: Effects, friction: Any, upslope: bool, tolerance: float) -> tuple[Tables, Farther | None]:
+    def tables(
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+    ) -> tuple[Tables, Farther | None]:
         """Its functions of the rotation by their symbols, and what lays them out farther, where that may be needed.
 
-        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error.
+        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error, ``shape`` that
+        of the scene's lanes.
         """
         return {}, None
 
@@ -165,16 +171,7 @@ class Mass:
 
     def placed(self, points: Any, rotation: Any) -> Any:
         """Points (..., 2) of the mass after a rotation, m."""
-        turn = np.multiply(rotation, self.facing)
-        from_centre = np.subtract(points, self.centre)
-        x = from_centre[..., 0]
-        y = from_centre[..., 1]
-        cosine = np.cos(turn)
-        sine = np.sin(turn)
-        turned_x = x * cosine - y * sine
-        turned_y = x * sine + y * cosine
-        turned = np.stack([turned_x, turned_y], axis=-1)
-        return np.asarray(self.centre) + turned
+        return room("journey").placed(self, points, rotation)
 
     def journey(self, rotation: Any) -> Any:
         """Where a rotation brings toe and centroid, a `slipcircle.history.Journey`."""
@@ -187,6 +184,11 @@ class Mass:
         """Weight over area, N/m^3."""
         return self.unit_weight
 
+    @property
+    def mass_per_metre(self) -> Any:
+        """Of width, kg/m."""
+        return self.area * np.divide(self.mean_unit_weight, self.gravity)
+
     @cached_property
     def sagitta(self) -> Any:
         """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
@@ -197,11 +199,6 @@ class Mass:
     def time_scale(self) -> Any:
         """t_c = sqrt(R/g) (3.9), s."""
         return plain(np.sqrt(np.divide(self.radius, self.gravity)))
-
-    @property
-    def speed_scale(self) -> Any:
-        """sqrt(R g), m/s."""
-        return plain(self.radius) / self.time_scale
 
     @cached_property
     def scales(self) -> Values:

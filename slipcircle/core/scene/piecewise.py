@@ -35,18 +35,5 @@ class Data(NamedTuple):
         of_lanes = self.coefficients[..., which]
         return self._replace(breaks=breaks, coefficients=np.ascontiguousarray(of_lanes))
 
-    def is_exceeded(self, places: Floats, lane: Any = slice(None)) -> bool:
-        """Whether a place lies beyond the table of its lane."""
-        last = self.breaks[-1]
-        if self.breaks.ndim == 2:  # each lane has other breaks
-            last = last[lane]
-        return bool(np.any(places > last + 1e-9))
-
-
-def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
-    """A piecewise polynomial without discontinuities."""
-    jumps = np.zeros(len(breaks))
-    return Data(breaks, coefficients, jumps, sine)
-
 
 Tables = Mapping[str, Data]  # by name

@@ -3,7 +3,6 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from copy import copy
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, overload
 
@@ -169,16 +168,6 @@ class Scene(Generic[Numbers]):
     def law(self) -> Any:
         """The friction that it is given, or that of the soils of its mass."""
         return self.friction if self.arc.friction is None else self.arc.friction
-
-    def of_means(self) -> Scene:
-        """The same scene, in which stresses are means over the arc, not weighted by the friction of soils."""
-        called = self.arc.effects_of_means(self.called)
-        if called is self.called:
-            return self
-        other = copy(self)
-        vars(other).update(called=called, law={"law": "constant", "coefficient": 0.0})
-        vars(other).pop("laws", None)
-        return other
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:

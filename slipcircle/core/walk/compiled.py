@@ -31,23 +31,18 @@ def module() -> Any:
 
 
 @cache
-def _widest() -> int:
-    """The kind of processor with the widest vectors of those that run here, or the one that is asked for by name."""
-    levels = module().LEVELS
-    return levels.get(os.environ.get("SLIPCIRCLE_COMPILED"), min(levels.values()))
-
-
 def level() -> str:
-    """The kind of processor whose integrator runs here; empty where that is NumPy's."""
+    """The kind of processor whose integrator runs: the widest here, or the one asked for; empty where NumPy's does."""
     if module() is None:
         return ""
-    names = {number: name for name, number in module().LEVELS.items()}
-    return names[_widest()]
+    levels = module().LEVELS
+    asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
+    return asked if asked in levels else next(iter(levels))
 
 
-def straight_line(program: Program) -> bool:
-    """Whether the compiled module has a function of this very program here, rather than to interpret it."""
-    return module() is not None and module().straight_line(encoded(program), _widest()) >= 0
+def widest() -> Any:
+    """Its number."""
+    return module().LEVELS[level()]
 
 
 _numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
@@ -169,7 +164,7 @@ def integrate(
     count = cells.shape[1]
     if not count:
         return
-    number = binary.LEVELS[level] if level else _widest()
+    number = binary.LEVELS[level] if level else widest()
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
@@ -194,7 +189,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
     if count:
         code = encoded(program)
         pieces = _pieces(tables, count)
-        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, _widest())
+        binary.integrate(code, pieces, cells, 0, count, begins, _NOTHING, values, _NOTHING, widest())
     return values
 
 

@@ -1,8 +1,6 @@
-"""Lanes of a problem: integrated to their end, read on the way, and phases that begin in any states of theirs."""
+"""Lanes of a problem, integrated to their end."""
 
-from collections.abc import Iterator
 from functools import partial
-from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,7 +27,7 @@ def integrate(
     log : list, optional
         Takes the events of the first lane.
     """
-    if problem.may_creep:
+    if "viscosity" in problem.recipe.effects:
         begin = problem.cells() if begin is None else begin
         if np.any(begin[ix.END_TIME] == np.inf):
             walk = partial(_integrate, problem, log=log)
@@ -71,49 +69,5 @@ def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | 
             room("functions").extend(problem, cells[:, which])
 
 
-def read(problem: Problem, times: Floats) -> Floats:
-    """Rotation, omega, its rate, slip and further states, (rows, times, lanes), at dimensionless times, increasing."""
-    rows = np.zeros((2 + len(problem.program.states), *times.shape))
-    integrate(problem, samples=Samples(np.ascontiguousarray(times), rows))
-    return rows
-
-
 BLOCK = 8200  # lanes at once, so that their numbers stay in the cache; rows a power of two apart would share its lines
 ENTRIES = len(ix.CELLS)  # cells that every lane has, whatever its program
-
-
-class States(NamedTuple):
-    """States of lanes, dimensionless: time, rotation, omega, slip, further states, and the lane of each."""
-
-    time: Any
-    rotation: Any
-    omega: Any
-    further: Any
-    lane: Any
-
-    def parts(self) -> Iterator["States"]:
-        """The states in blocks."""
-        for first in range(0, max(self.lane.size, 1), BLOCK):
-            which = slice(first, first + BLOCK)
-            further = None if self.further is None else [values[which] for values in self.further]
-            yield States(self.time[which], self.rotation[which], self.omega[which], further, self.lane[which])
-
-
-def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
-    """Cells and registers of phases that begin in some states, in a direction of travel."""
-    cells = problem.cells(states.lane)
-    cells[ix.TIME] = states.time
-    cells[ix.ROTATION] = states.rotation
-    cells[ix.OMEGA] = abs(states.omega)
-    cells[ix.DIRECTION] = side
-    cells[ix.LIFTED] = 0.0
-    if states.further is not None:
-        slip, *others = states.further
-        cells[ix.SLIP] = slip
-        problem.reach_farther(states.rotation, states.lane)
-        if problem.function is not None:
-            room("functions").extend(problem, cells)
-        for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
-            cells[cell] = value
-    registers = engine().begin_phase(problem.program, problem.tables(states.lane), cells)
-    return cells, registers

@@ -5,10 +5,11 @@ from dataclasses import replace
 from functools import partial
 from time import process_time
 from timeit import repeat
+from typing import Any
 
 import numpy as np
 
-from slipcircle.core import numpy_only, solve
+from slipcircle.core import Scene, numpy_only, solve
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.tables import Answer, Part
@@ -28,8 +29,8 @@ def run(_: argparse.Namespace) -> Answer:
 
 def _speed() -> str:
     """What a scene of an ensemble takes, and how many times as long NumPy takes, measured now."""
-    ensemble = replace(load("vaiont"), friction=np.linspace(0.1, 0.2, 2_000))
-    work = partial(solve, ensemble)
+    scene: Scene[Any] = load("vaiont")
+    work = partial(solve, replace(scene, friction=np.linspace(0.1, 0.2, 2_000)))
     timed = partial(repeat, work, process_time, number=1, repeat=3)
     here = min(timed())
     with numpy_only():

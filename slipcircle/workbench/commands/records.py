@@ -4,7 +4,6 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from slipcircle.base.text import shown
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.tables import Answer, Part
 from slipcircle.workbench.records.suite import Suite, read_suite
@@ -91,9 +90,7 @@ def records_part(suite: Suite) -> Part:
     rows = []
     for entry in suite:
         component = [entry.component or "-"] if with_components else []
-        samples = [str(entry.samples), shown(entry.step), entry.unit]
-        measures = map(shown, entry.intensities)
-        rows.append([entry.name, *component, *samples, *measures])
+        rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *entry.intensities])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
     pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""
     return Part(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)

@@ -14,7 +14,6 @@ from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
-from slipcircle.workbench.studies.statistics import value_text
 from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, variance_shares
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
@@ -86,8 +85,7 @@ def _by_record_part(study: SuiteStudy, scale: int) -> Part:
     """Displacements and the like of each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
-    names, *numbers = columns.values()
-    rows = [[name, *map(shown, row)] for name, *row in zip(names, *numbers, strict=True)]
+    rows = zip(*columns.values(), strict=True)
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
     others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
@@ -104,7 +102,7 @@ def _statistics_part(study: SuiteStudy) -> Part:
     for k in range(study.scales.size):
         moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
         lengths = (mean, p16, median, p84, geometric, std_ln)
-        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *map(value_text, lengths)])
+        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *lengths])
     return Part(
         head,
         rows,
@@ -121,8 +119,7 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
-        numbers = (shown(x, 3) for x in (c.predicted, c.mean, c.std, c.std_ln))
-        rows.append([c.name, f"{c.records} of {c.of}", *numbers])
+        rows.append([c.name, f"{c.records} of {c.of}", c.predicted, c.mean, c.std, c.std_ln])
         if not c.records:
             notes.append(f"{c.name} holds for {c.valid}")
         if not math.isnan(c.negligible):
@@ -137,7 +134,7 @@ def _exceedance_part(study: SuiteStudy) -> Part:
     """Exceedance probabilities at each scale."""
     thresholds = study.design.thresholds
     levels = exceedance(study.displacement, thresholds)
-    pga = [] if study.design.to_pga else [[shown(x)] for x in np.median(study.pga, axis=0).tolist()]
+    pga = [] if study.design.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
     head = ["", *["PGA (g)"] * bool(pga), *(f"D > {shown(d)} m" for d in thresholds.tolist())]
     rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
     median = "" if study.design.to_pga else "PGA: median of the records; "

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.text import shown
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
@@ -207,7 +206,7 @@ def _of_grid(study: Study) -> _Tables:
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), *factors, "status", "reason"]
     *columns, statuses = (values.tolist() for values in study.samples.values())
     rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, statuses, strict=True)]
-    cells = [[*map(shown, numbers), reason or Status[name].words] for *numbers, name, reason in rows]
+    cells = [[*numbers, reason or Status[name].words] for *numbers, name, reason in rows]
     columns_shown = [*keys, *(q.heading for q in OUTCOMES.values()), *factors, "status"]
     table: Part | str = Part(columns_shown, cells, study.scene.name)
     if len(rows) > _MOST_ROWS:
@@ -226,7 +225,7 @@ def _of_grid(study: Study) -> _Tables:
 def _factor_part(shares: Mapping[str, Mapping[str, float]]) -> Part:
     """Factors of safety over the combinations of a grid as a table."""
     head = ["method", "P(F < 1)", *(f"{100 * p:g} %" for p in _GRID_QUANTILES)]
-    rows = [[method, *map(shown, values.values())] for method, values in shares.items()]
+    rows = [[method, *values.values()] for method, values in shares.items()]
     return Part(head, rows, "factor of safety, each combination counted alike")
 
 

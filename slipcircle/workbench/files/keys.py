@@ -14,7 +14,8 @@ import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
 from slipcircle.base import SCENE_FORMAT
-from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
+from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
+from slipcircle.given import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from slipcircle.base.kinds import Numbers
-from slipcircle.core import Motion, Scene
+from slipcircle.core import Motion, Scene, room
 from slipcircle.workbench.files.numbers import by_name
 
 if TYPE_CHECKING:
@@ -45,4 +45,4 @@ def warnings_of(motion: Motion) -> tuple[str, ...]:
     stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []
     of_file = scene.remarks if isinstance(scene, SlopeScene) else ()
-    return (*of_file, *of_circle, *motion.warnings_with(written))
+    return (*of_file, *of_circle, *room("warnings").collect_warnings(motion, written))

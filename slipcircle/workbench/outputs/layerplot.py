@@ -1,12 +1,12 @@
 """The soils along the arc of a layered section, and the stress on them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from slipcircle.core import Motion
-from slipcircle.layers import LayeredSection, mean_normal_stress, stretches
+from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of
 from slipcircle.workbench.outputs.scenery import key_of, numbers_of
@@ -27,38 +27,14 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
     numbers = numbers_of(section.layers)
     facing = float(section.facing)
     for turn, width in zip((0.0, *turns), (_START, _TURNED), strict=False):
-        moved = facing * turn
-        for name, start, end in _soils_under(section, moved):
+        soils, ends = soils_under(section, facing * turn)
+        for soil, start, end in zip(soils, ends[:-1], ends[1:], strict=True):
             from_below = facing * np.linspace(start, end, 40)
             angles = 1.5 * np.pi + from_below
             x, y = mass.on_circle(angles).T
-            _, colour = SOILS[numbers.get(name, -1) % len(SOILS)]  # a foreland may be of another soil
+            number = numbers.get(key_of(section.soils[soil]), -1)  # a foreland may be of another soil
+            _, colour = SOILS[number % len(SOILS)]
             ax.plot(x, y, color=colour, lw=width, zorder=4, solid_capstyle="butt")
-
-
-def _soils_under(section: LayeredSection, moved: float) -> Iterator[tuple[str, float, float]]:
-    """Soil and angles of both ends of each stretch under a mass that has turned down-slope, rad."""
-    rows = stretches(section)
-    if section.strength == "mass":
-        for row in rows:
-            yield key_of(row.soil), row.start + moved, row.end + moved
-        return
-    entry = rows[0]
-    exit_ = rows[-1]
-    beyond = section.foreland or exit_.soil
-    above_entry = entry.soil, -np.inf, entry.start
-    below_exit = beyond, exit_.end, np.inf
-    everywhere = [above_entry]
-    for row in rows:
-        everywhere.append((row.soil, row.start, row.end))
-    everywhere.append(below_exit)
-    mass_start = entry.start + moved
-    mass_end = exit_.end + moved
-    for soil, start, end in everywhere:
-        first = max(start, mass_start)
-        last = min(end, mass_end)
-        if first < last:
-            yield key_of(soil), first, last
 
 
 def stress_along(motion: Motion, ax: Any = None) -> Any:

@@ -16,7 +16,8 @@ from generated import layout as ix
 from slipcircle.base.kinds import Floats, Names
 from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
-from slipcircle.history import OUTPUTS
+from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with_outputs
+from slipcircle.stiff import may_creep
 from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name
@@ -127,7 +128,7 @@ def unsolvable(motion: Motion) -> str:
     scene, problem = motion.plan.scene, motion.problem
     if "callable" in motion.plan.recipe.laws:
         return "its friction is a function in Python"
-    if problem.may_creep and scene.end_time is None:
+    if may_creep(problem) and scene.end_time is None:
         return "it creeps, for which the page has no implicit steps"
     size = sum(data.breaks.size + data.coefficients.size for data in problem.tables())
     if size > MOST_NUMBERS:
@@ -146,7 +147,7 @@ class _Inputs:
         self.scene, self.sliders = scene, sliders
         self.motion = _at_start(scene, accuracy)
         self.problem = self.motion.problem
-        self.forces = self.problem.with_outputs((*OUTPUTS, "energy"))
+        self.forces = with_outputs(self.problem, (*OUTPUTS, "energy"))
         self.names: Names = tuple(self.forces.start)
         self.others = _others(self.motion)
         self.base = self._rows(self.motion, 1)[:, 0]
@@ -181,7 +182,7 @@ class _Inputs:
 
     def _rows(self, motion: Motion, count: int) -> Floats:
         problem = motion.problem
-        start = problem.with_outputs((*OUTPUTS, "energy")).start
+        start = with_outputs(problem, (*OUTPUTS, "energy")).start
         rows = [np.broadcast_to(start[name], (1, count)) for name in self.names]
         for table in problem.tables():
             for values in (table.breaks, table.coefficients):
@@ -196,8 +197,7 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
     """A scene that is not integrated yet, its functions of the rotation laid out to the end."""
     chosen = plan(scene, accuracy)
     problem = problem_of(chosen)
-    if problem.farther is not None:
-        problem.data.update(problem.farther())
+    problem.reach_farther(np.full(problem.lanes, np.inf))
     return Motion(chosen, np.zeros((len(ix.CELLS), *scene.shape)), False, problem)
 
 
@@ -207,7 +207,7 @@ def _others(motion: Motion) -> dict[str, Any]:
     radius = np.asarray(arc.radius)
     second = np.asarray(arc.time_scale)
     units = {"rad": 1.0, "s": second, "m": radius, "m/s": radius / second, "m/s^2": radius / second**2}
-    units |= {"Pa": motion.stress_unit, "J": motion.energy_unit}
+    units |= {"Pa": stress_unit(arc), "J": energy_unit(arc)}
     return units | {"factor_of_safety": motion.factor_of_safety}
 
 
@@ -302,7 +302,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
         "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
         "runs": _runs(inputs),
         "rounded": ROUNDED,
-        "stresses": scene.of_means() is scene,
+        "stresses": of_means(scene) is scene,
         "input_error": _greatest_error(inputs, fits),
         "statuses": [[status.name, status.words, status.reason] for status in Status],
         "of_end": STATUS_OF_END.tolist(),

@@ -15,7 +15,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.tables import in_time
-from slipcircle.words import standing
+from slipcircle.words import standing, swings_back
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate
@@ -161,7 +161,7 @@ def _rotation_axis(ax: Any, motion: Motion) -> None:
 def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, str]]:
     """Mark, time and label of the peak velocity, the greatest displacement if the mass swings back, and the end."""
     marks = [("peak", float(motion.peak.time), "peak velocity")]
-    if with_reach and motion.swings_back:
+    if with_reach and swings_back(motion):
         marks.append(("reach", float(motion.reach.time), "farthest"))
     return [*marks, ("end", motion.settling_time, ending(motion))]
 

@@ -22,12 +22,20 @@ from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import Part, beside, interval, motion_column, motion_words, stretches_part
+from slipcircle.workbench.outputs.tables import (
+    Part,
+    beside,
+    cell_text,
+    interval,
+    motion_column,
+    motion_words,
+    stretches_part,
+)
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.searched import SEARCHED
-from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
@@ -80,7 +88,7 @@ def _table(part: Part) -> Iterator[Raw]:
     """A table with its title and its note."""
     if part.title:
         yield tag("h3", part.title)
-    rows = [[interval(cell) if isinstance(cell, Estimate) else cell for cell in row] for row in part.rows]
+    rows = [[cell if isinstance(cell, Raw) else cell_text(cell) for cell in row] for row in part.rows]
     yield _scrolling(rows, part.head)
     if part.note:
         yield tag("p", part.note)
@@ -246,7 +254,7 @@ def parts(study: Study) -> Iterator[Part]:
         yield _indices(study)
     yield Part(
         ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
-        [[str(c.n), c.moving, c.median, c.upper] for c in study.convergence],
+        [[c.n, c.moving, c.median, c.upper] for c in study.convergence],
         "Convergence",
     )
 
@@ -281,7 +289,7 @@ def _moments(study: Study, heads: Sequence[str]) -> Part:
     for moment, (name, estimate) in enumerate(moments):
         rows.append([name, *map(estimate, OUTCOMES)])
         if study.linear:
-            propagated = [shown(study.linear[outcome][moment]) for outcome in OUTCOMES]
+            propagated = [study.linear[outcome][moment] for outcome in OUTCOMES]
             rows.append([f"linear {name}", *propagated])
     note = f"no linear propagation: {study.no_linear}" if study.no_linear else "linear: derivatives at the means"
     return Part(["", *heads], rows, "Mean and standard deviation", note)

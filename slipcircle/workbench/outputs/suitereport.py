@@ -1,10 +1,7 @@
 """Reports on suites of records: picture and key numbers first, then the tables of the command, inputs and method."""
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
-
-import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import plan
@@ -13,6 +10,8 @@ from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.provenance import uncertain_part
 from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page
 from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.studies.statistics import value_text
+from slipcircle.workbench.studies.suitestatistics import distribution
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _CAPTION = (
@@ -50,16 +49,11 @@ def _contents(study: SuiteStudy, tables: Sequence[Part], file: bytes) -> Iterato
     yield Part([], method, "Method and accuracy")
 
 
-def _key_numbers(study: SuiteStudy) -> list[tuple[str, str]]:
+def _key_numbers(study: SuiteStudy) -> Iterator[tuple[str, str]]:
     """Displacements at the records' own scale, the share of motions that move, yield coefficient and Gamma."""
-    displacement = study.displacement[:, :, study.own_scale]
-    known = displacement[np.isfinite(displacement)]
-    numbers = [("yield coefficient", shown(study.yield_coefficient))]
-    if known.size:
-        quantiles = np.quantile(known, [0.16, 0.5, 0.84])
-        for words, value in zip(("16 % of", "median", "84 % of"), quantiles, strict=True):
-            numbers.append((f"{words} displacements", f"{shown(float(value))} m"))
-        numbers.append(("that move", f"{100 * float(np.mean(known > 0.0)):.3g} %"))
-    if not math.isnan(study.block_factor):
-        numbers.append(("displacement of the arc over that of a block", shown(study.block_factor)))
-    return numbers
+    found = distribution(study.displacement, study.own_scale)
+    yield "yield coefficient", shown(study.yield_coefficient)
+    for words, value in (("16 % of", found.p16), ("median", found.median), ("84 % of", found.p84)):
+        yield f"{words} displacements", f"{value_text(value)} m"
+    yield "that move", f"{100 * found.moving:.3g} %"
+    yield "displacement of the arc over that of a block", shown(study.block_factor)

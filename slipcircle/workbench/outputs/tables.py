@@ -32,7 +32,7 @@ from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies.ladder import Rung
-from slipcircle.workbench.studies.statistics import BEYOND, Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
@@ -142,8 +142,8 @@ def stretches_part(motion: Motion) -> Part | None:
         whole[name] = sum(record["length"] * record[name] for record in records) / length
     rows = []
     for record in (*records, whole):
-        in_kilopascal = [shown(record[name] / 1e3) for name in stresses]
-        rows.append([record["soil"], shown(record["length"]), f"{100 * record['weight_share']:.1f}", *in_kilopascal])
+        in_kilopascal = [record[name] / 1e3 for name in stresses]
+        rows.append([record["soil"], record["length"], f"{100 * record['weight_share']:.1f}", *in_kilopascal])
     head = ["soil", "length (m)", "weight (%)", *(f"{words(name)} (kPa)" for name in stresses)]
     note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
     if beyond := foreland_words(motion.plan.scene.arc):
@@ -237,8 +237,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key of each parameter."""
-    outcomes = [shown(sensitivity.at[output]) for output in sensitivity.distinct]
-    rows = [["", "", *outcomes]]
+    rows: list[list[Any]] = [["", "", *(sensitivity.at[output] for output in sensitivity.distinct)]]
     keys = by_name(sensitivity.scene)
     for parameter in sensitivity.parameters:
         key = keys[parameter]
@@ -285,7 +284,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
     """Lines of a table in blocks: the first column and as many others as fit, until all are printed."""
     every_row = [head, *rows] if head else rows
-    first, *rest = ([*map(_cell_text, column)] for column in zip(*every_row, strict=True))
+    first, *rest = ([*map(cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)
     widest_lead = max(width * 6 // 10, _LEAST)
     (lead,) = _widths([first], widest_lead)
@@ -303,9 +302,11 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
     yield from wrap(clean(note), width, break_on_hyphens=False)
 
 
-def _cell_text(cell: Any) -> str:
-    """A cell as printable text."""
-    return clean(interval(cell) if isinstance(cell, Estimate) else cell)
+def cell_text(cell: Any) -> str:
+    """A cell as printable text: an estimate with its interval, a number in some digits."""
+    if isinstance(cell, Estimate):
+        return interval(cell)
+    return value_text(cell) if isinstance(cell, float) else clean(str(cell))
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:

@@ -12,7 +12,7 @@ from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
-from slipcircle.core import ANSWERED, Scene, Status, law_depends
+from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
@@ -300,7 +300,7 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     turns = any(EFFECTS[effect].turns for effect in scene.called)
     if is_constant and scene.end_time is None and not turns:
         shares = [np.ones(1)]  # with less it never rests
-    creeps = "speed" in law_depends(scene.friction)  # with more it creeps, which takes long to follow
+    creeps = "speed" in depends_on(law_names(scene.friction))  # with more it creeps, which takes long to follow
     has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))

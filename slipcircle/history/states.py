@@ -1,0 +1,58 @@
+"""States of lanes along the way, and phases that begin in them."""
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated import layout as ix
+from slipcircle.base.kinds import Floats
+from slipcircle.core.doors import room
+from slipcircle.core.problem.problem import Problem
+from slipcircle.core.program.program import Samples
+from slipcircle.core.walk.compiled import engine
+from slipcircle.core.walk.lanes import BLOCK, integrate
+
+
+class States(NamedTuple):
+    """States of lanes, dimensionless: time, rotation, omega, slip, further states, and the lane of each."""
+
+    time: Any
+    rotation: Any
+    omega: Any
+    further: Any
+    lane: Any
+
+    def parts(self) -> Iterator["States"]:
+        """The states in blocks."""
+        for first in range(0, max(self.lane.size, 1), BLOCK):
+            which = slice(first, first + BLOCK)
+            further = None if self.further is None else [values[which] for values in self.further]
+            yield States(self.time[which], self.rotation[which], self.omega[which], further, self.lane[which])
+
+
+def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
+    """Cells and registers of phases that begin in some states, in a direction of travel."""
+    cells = problem.cells(states.lane)
+    cells[ix.TIME] = states.time
+    cells[ix.ROTATION] = states.rotation
+    cells[ix.OMEGA] = abs(states.omega)
+    cells[ix.DIRECTION] = side
+    cells[ix.LIFTED] = 0.0
+    if states.further is not None:
+        slip, *others = states.further
+        cells[ix.SLIP] = slip
+        problem.reach_farther(states.rotation, states.lane)
+        if problem.function is not None:
+            room("functions").extend(problem, cells)
+        for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
+            cells[cell] = value
+    registers = engine().begin_phase(problem.program, problem.tables(states.lane), cells)
+    return cells, registers
+
+
+def read(problem: Problem, times: Floats) -> Floats:
+    """Rotation, omega, its rate, slip and further states, (rows, times, lanes), at dimensionless times, increasing."""
+    rows = np.zeros((2 + len(problem.program.states), *times.shape))
+    integrate(problem, samples=Samples(np.ascontiguousarray(times), rows))
+    return rows
