@@ -30,7 +30,7 @@ def shaken(horizontal: Series | LaneSeries, vertical: Series | None = None, mu: 
 @pytest.mark.parametrize("name", BACKENDS)
 def test_a_suite_is_that_of_the_exact_block(name: str) -> None:
     """Records at scales in one ensemble: displacements, greatest speeds, last stops, and how often it slides."""
-    record = quake(11, 700)
+    record = quake(11, 400)
     scales = np.array([0.2, 0.35, 0.5, 0.8, 1.0, 1.7, 2.6])
     with backend(name):
         motion = shaken(record, scale=scales)
