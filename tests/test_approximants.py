@@ -8,6 +8,9 @@ import pytest
 from derive.approximate import search
 from derive.approximate.programs import variants
 from derive.approximate.shapes import Kernel, kernels, records
+from derive.check import midpoints
+from derive.check.proof import ProofError
+from derive.check.records import Record
 from derive.code import operations
 
 
@@ -41,6 +44,18 @@ def test_exponent_and_significand_are_exact() -> None:
 def factor() -> Kernel:
     """The kernel whose search takes least."""
     return next(kernel for kernel in kernels() if kernel.name == "resistance_factor")
+
+
+def test_degrees_that_round_wrongly_are_not_kept(factor: Kernel, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Though their bound is within the goal."""
+    ((_, above, below),) = [row for row in records()[factor.definition].cheap if row[0] == "float32"]
+
+    def rounds_wrongly(record: Record) -> list[str]:
+        raise ProofError("float32: rounding", "one side", "the other")
+
+    for hard, kept in ((lambda record: [], 2), (rounds_wrongly, 0)):
+        monkeypatch.setattr(midpoints, "hard", hard)
+        assert len(search.kept(factor, "float32", (above, below))) == kept
 
 
 def test_the_recorded_shape_is_what_the_search_finds(factor: Kernel) -> None:

@@ -133,6 +133,7 @@ def test_what_shakes_varies_everywhere() -> None:
         run_outs(PULSE, "shaking.duration_s", [1.0])
 
 
+@pytest.mark.usefixtures("unseen")
 def test_pairs_are_correlated() -> None:
     """The correlation of the normal scores is the one asked for; the marginals are what they were; linear too."""
     normal = {"distribution": "normal", "mean": 22, "std": 1}

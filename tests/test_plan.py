@@ -319,6 +319,7 @@ def test_the_printed_numbers_of_soils_are_the_means_along_their_stretches(scene:
 
 
 @pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.usefixtures("unseen")
 def test_what_is_said_of_layered_scenes_has_no_name_of_the_program(name: str, said: Any, tmp_path: Path) -> None:
     """Each soil is named once in the plan's equation, and the strength of the soils in one reason."""
     scene: Any = load(name)

@@ -105,6 +105,7 @@ def test_pages_need_nothing_else_and_names_are_texts_on_them() -> None:
         assert not list(page.iter("b"))
 
 
+@pytest.mark.usefixtures("unseen")
 def test_pages_are_all_that_is_written(tmp_path: Path, said: Any) -> None:
     pages = {tmp_path / "live.html", tmp_path / "report.html"}
     said("run layered-slope", *(part for page in sorted(pages) for part in (f"--{page.stem}", page)))

@@ -17,8 +17,8 @@ PUSHED = np.where(np.arange(LANES) % 3 == 0, _RNG.normal(size=LANES) * 3.0, 0.0)
 
 
 def _record(size: float) -> Series:
-    values = np.convolve(_RNG.normal(size=180), np.exp(-np.arange(21) / 5.0), "valid") * size
-    return Series(np.linspace(0.0, 7.95, 160), values, held=False)
+    values = np.convolve(_RNG.normal(size=100), np.exp(-np.arange(21) / 5.0), "valid") * size
+    return Series(np.linspace(0.0, 3.95, 80), values, held=False)
 
 
 SHAKEN = {"horizontal": _record(0.08), "vertical": _record(0.2)}
