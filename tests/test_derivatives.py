@@ -84,6 +84,22 @@ def test_a_kink_has_two_slopes() -> None:
     assert found.values[place] == slopes.mean()
 
 
+def test_a_circle_through_a_vertex_cuts_another_mass_off_beyond_it() -> None:
+    """Raising the vertex: the derivative is that of lowering it, and the run-out is another at once."""
+    scene: Scene[Any] = load("layered-slope")
+    found = solve(scene).sensitivity()
+    place = list(found.outputs).index("run_out"), list(found.parameters).index("ground.1.y")
+    step = 2.0**-10
+    steps = np.array([-2.0, -1.0, 1.0, 2.0]) * step
+    lowest, lower, higher, highest = grid(scene, {"ground.points_m.1.y": 25.0 + steps}).samples["run_out"]
+    here = found.at["run_out"]
+    assert found.kinds[place] == "jump"
+    assert found.values[place] == pytest.approx((3 * here - 4 * lower + lowest) / (2 * step), rel=1e-5)
+    assert found.jumps[place] == pytest.approx([0.0, 2 * higher - highest - here], rel=1e-4)
+    assert abs(found.jumps[place][1]) > 0.2
+    assert "unresolved" not in found.kinds
+
+
 def check_motion(
     scene: golden.Data, which: Sequence[str] | slice, digits: int, cap: float = 1e-7, unknown: Sequence[str] = ()
 ) -> None:

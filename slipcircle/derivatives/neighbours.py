@@ -22,6 +22,7 @@ from slipcircle.derivatives.parameters import Free, with_parameter_arrays
 RUNGS = 11  # of a ladder
 FIRST = 2.0**-5  # the longest step, over the scale of its number
 LADDERS = 3  # so that steps go down to 2^-37 = 7e-12 of the scale
+OF_SHAPE = 2  # of a section's shape: places that are 1e-9 of the radius apart are one to it
 ACCURACY = 1e-13  # of the neighbours; a smaller jump is none
 ROUNDING = 4e-16  # that an outcome has at least, relative
 GOAL = 1e-9  # error times scale, over the most that any number does, below which no other ladder is needed
@@ -71,7 +72,8 @@ def neighbour_derivatives(
             known = found.get(number.name, by_number)
             pairs = zip(known, by_number, strict=True)
             found[number.name] = [_nearer(*pair) for pair in pairs]
-            if _is_open(by_number, goal):
+            ladders = OF_SHAPE if _is_shape(scene, number) else LADDERS
+            if ladder + 1 < ladders and _is_open(by_number, goal):
                 are_open.append(number)
         remaining = are_open
         if not remaining:
@@ -100,8 +102,7 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
 
     Numbers of a section's shape have an ensemble apart: each of its lanes has a section, which takes time.
     """
-    is_section = "ground" in scene.arc.quantities
-    is_shape = np.array([is_section and number.name.startswith(SHAPE) for number in numbers])
+    is_shape = np.array([_is_shape(scene, number) for number in numbers])
     parts = [np.flatnonzero(is_shape), np.flatnonzero(~is_shape)]
     here = []
     beside = []
@@ -114,6 +115,11 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
     all_here = np.concatenate(here, axis=1)
     all_beside = np.concatenate(beside, axis=1)
     return all_here[:, in_order, None], all_beside[:, in_order]
+
+
+def _is_shape(scene: Scene[float], number: Free) -> bool:
+    """Whether a number is one of a section's shape."""
+    return "ground" in scene.arc.quantities and number.name.startswith(SHAPE)
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
