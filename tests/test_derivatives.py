@@ -137,12 +137,12 @@ ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r[
 LIFTED = range(len(ROWS) - references.LIFTED, len(ROWS))
 
 
-@pytest.mark.parametrize("number", [*range(0, len(ROWS), 32), *LIFTED[::3]])
+@pytest.mark.parametrize("number", [*range(0, len(ROWS), 16), *LIFTED[::3]])
 def test_random_scenes_against_differences(number: int) -> None:
     """Frozen and turning, all effects, swings, lift-off, next to the limit; every second number of each scene."""
     assert number not in LIFTED or solve(golden.built("", ROWS[number])).lift_off
     next_to_limit = accuracy.near_limit(number)
-    check_motion(ROWS[number], slice(number // 32 % 2, None, 2), 42 if next_to_limit else 32)
+    check_motion(ROWS[number], slice(number // 16 % 2, None, 2), 42 if next_to_limit else 32)
 
 
 @cache

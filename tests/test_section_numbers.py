@@ -91,7 +91,7 @@ def in_two_layers(scene: Scene) -> Scene:
                    friction=None)  # fmt: skip
 
 
-@pytest.mark.parametrize(("index", "layered"), [(0, False), (1, True), (4, False)])
+@pytest.mark.parametrize(("index", "layered"), [(0, False), (1, False), (1, True), (4, False)])
 def test_derivatives_against_thirty_digits(index: int, layered: bool) -> None:
     """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
     given = section_references.row(index)["scene"]
