@@ -72,16 +72,21 @@ def neighbour_derivatives(
             known = found.get(number.name, by_number)
             pairs = zip(known, by_number, strict=True)
             found[number.name] = [_nearer(*pair) for pair in pairs]
-            ladders = OF_SHAPE if _is_shape(scene, number) else LADDERS
-            if ladder + 1 < ladders and _is_open(by_number, goal):
+            ladders = LADDERS
+            if _is_shape(scene, number):
+                ladders = OF_SHAPE
+            is_last = ladder + 1 == ladders
+            if not is_last and _is_open(by_number, goal):
                 are_open.append(number)
         remaining = are_open
         if not remaining:
             break
     columns = []
     for name in Derivatives._fields:
-        column = np.array([[getattr(one, name) for one in by_outcome] for by_outcome in found.values()])
-        columns.append(column.swapaxes(0, 1))
+        rows = []
+        for by_outcome in found.values():
+            rows.append([getattr(one, name) for one in by_outcome])
+        columns.append(np.array(rows).swapaxes(0, 1))
     return Derivatives(*columns)
 
 
@@ -119,7 +124,8 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
 
 def _is_shape(scene: Scene[float], number: Free) -> bool:
     """Whether a number is one of a section's shape."""
-    return "ground" in scene.arc.quantities and number.name.startswith(SHAPE)
+    is_section = "ground" in scene.arc.quantities
+    return is_section and number.name.startswith(SHAPE)
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
