@@ -174,26 +174,29 @@ def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
     return done
 
 
-def _of_pieces(strips: Strips, weights: Floats, strip: Integers, first: Floats, last: Floats) -> list[Floats]:
+def _of_pieces(
+    strips: Strips, weights: Floats, strip: Integers, first: Floats, last: Floats
+) -> tuple[Floats, Floats, Floats]:
     """Series of pieces in all circles, and sizes of their coefficients, (pieces, circles, ...)."""
     count, circles = first.shape
     every_circle = np.tile(np.arange(circles), count)
     every_strip = np.repeat(strip, circles)
     lefts = first.ravel()
     rights = last.ravel()
-    parts = []
+    columns = len(weights)
+    integrals = len(MEASURED) + 1
+    terms = _COUNT + 1
+    series = np.empty((first.size, columns, integrals, terms))
+    size = np.empty(first.size)
+    tail = np.empty(first.size)
     for some in _blocks(first.size, _TOGETHER):
-        developed = _developed(
+        series[some], size[some], tail[some] = _developed(
             strips, weights, strip=every_strip[some], circle=every_circle[some], first=lefts[some], last=rights[some]
         )
-        parts.append(developed)
-    results = []
-    for column in zip(*parts, strict=True):
-        every = np.concatenate(column)
-        _, *rest = every.shape
-        by_circle = every.reshape(count, circles, *rest)
-        results.append(by_circle)
-    return results
+    by_circle = series.reshape(count, circles, columns, integrals, terms)
+    sizes = size.reshape(first.shape)
+    tails = tail.reshape(first.shape)
+    return by_circle, sizes, tails
 
 
 def _developed(
@@ -217,8 +220,7 @@ def _developed(
     of_terms = absolute.max(axis=(1, 2))
     head = of_terms[:2].max(axis=0)
     tail = of_terms[2:].max(axis=0)
-    in_order = np.ascontiguousarray(series.T)
-    return in_order, head, tail
+    return series.T, head, tail
 
 
 def _integrands(strips: Strips, weights: Floats, strip: Integers, circle: Integers, beta: Floats) -> Floats:
