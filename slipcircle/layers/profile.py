@@ -194,8 +194,9 @@ def _of_pieces(
             strips, weights, strip=every_strip[some], circle=every_circle[some], first=lefts[some], last=rights[some]
         )
     by_circle = series.reshape(count, circles, columns, integrals, terms)
-    sizes = size.reshape(first.shape)
-    tails = tail.reshape(first.shape)
+    shape = first.shape
+    sizes = size.reshape(shape)
+    tails = tail.reshape(shape)
     return by_circle, sizes, tails
 
 
