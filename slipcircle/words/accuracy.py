@@ -74,8 +74,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    with np.errstate(all="ignore"):  # what a phase computes is not there yet, and may be any bits
-        cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
+    cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
     cells[ix.ORDER] += FURTHER[runs]
     return cells
 

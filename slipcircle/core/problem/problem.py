@@ -65,13 +65,12 @@ class Problem:
     farther: Farther | None = None
 
     def cells(self, which: Any = EVERY) -> Floats:
-        """The cells of some lanes at their start, a column each; what a phase computes is not there yet."""
+        """The cells of some lanes at their start, a column each."""
         if self.lanes == 1 and which is EVERY:
             return self._only_lane.copy()
         places = self.program.places
         count = np.arange(self.lanes)[which].size
-        cells = np.empty((len(places), count))
-        cells[: self.program.given] = 0.0
+        cells = np.zeros((len(places), count))
         for name, value in self.start.items():
             if name in places:  # not every program needs it
                 cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
