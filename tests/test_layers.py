@@ -104,7 +104,7 @@ def test_circles_with_other_unit_weights_are_weighed_anew() -> None:
 
 
 def test_each_circle_of_many_has_its_own_weights() -> None:
-    """Of circles in several parts of a profile, each with other unit weights, those near both ends of each are alone."""
+    """Circles lie in several parts of a profile; those at the ends of parts move as they do alone."""
     one = Scene(sloping(RICH), effects=TURNING)
     numbers = {"radius": np.linspace(46.0, 48.0, 205), "soils.a.unit_weight": np.linspace(18e3, 22e3, 205)}
     run_out = solve(with_parameter_arrays(one, numbers)[0]).run_out
