@@ -137,7 +137,7 @@ UNSAFE = {
 @pytest.mark.parametrize("flags", UNSAFE)
 def test_unsafe_float_flags_are_refused(tmp_path: Path, flags: str) -> None:
     """A check with a name finds them when the binary is loaded."""
-    build.build(small(tmp_path / "generated"), (*build.FLAGS, *flags.split()))
+    build.build(small(tmp_path / "generated"), (*build.FLAGS, "-O2", *flags.split()))
     level, (warning,) = served(tmp_path)
     assert level == "numpy"
     assert f"unsafe float flags ({UNSAFE[flags]}" in warning

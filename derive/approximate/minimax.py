@@ -164,18 +164,21 @@ def _levelled(
     A rational is levelled with the last denominator in the error's place, which makes the system linear, and again.
     """
     values = arb_mat([[samples.values[i]] for i in references])
+    there = [denominators[i] for i in references]
     for _ in range(6 if below else 1):
         rows = []
         sign = 1
-        for i in references:
-            level = (denominators[i] / samples.weights[i]).mid()
+        for i, denominator in zip(references, there, strict=True):
+            level = (denominator / samples.weights[i]).mid()
             rows.append([*basis[i], sign * level])
             sign = -sign
         solution = arb_mat(rows).solve(values, algorithm="approx")
         *coefficients, level = (x.mid() for x in solution.entries())
         if below:
-            denominator = [arb(1), *coefficients[above + 1 :]]
-            denominators = [horner(denominator, x).mid() for x in samples.points]
+            lowest_first = [arb(1), *coefficients[above + 1 :]]
+            there = [horner(lowest_first, samples.points[i]).mid() for i in references]
+    if below:
+        denominators = [horner(lowest_first, x).mid() for x in samples.points]
     return coefficients, level, denominators
 
 

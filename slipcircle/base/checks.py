@@ -136,7 +136,7 @@ def shown(value: Any) -> str:
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
     """A sentence for each field that is not a finite real number within its open bounds, or an array where one number
     is required."""
-    sentences = list[str]()
+    sentences: list[str] = []
     for name, allowed in bounds.items():
         value: Any = fields[name]
         lower, upper, _ = allowed
@@ -186,7 +186,7 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
     if _are_plain(given, parameters):
         return []
     known = {p.name: p for p in parameters if p.kind != "rotation"}
-    sentences = list[str]()
+    sentences: list[str] = []
     for name, p in known.items():
         required = not p.optional
         if required and name not in given:
@@ -249,7 +249,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     """A sentence if the fields' shapes do not broadcast."""
-    shapes = dict[str, tuple[int, ...]]()
+    shapes: dict[str, tuple[int, ...]] = {}
     for name, value in fields.items():
         shape = () if type(value) is float else np.shape(value)
         if shape:

@@ -75,7 +75,8 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
     cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
-    cells[ix.ORDER] += FURTHER[runs]
+    orders = cells[ix.ORDER]
+    orders += FURTHER[runs]
     return cells
 
 
@@ -150,9 +151,9 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
         rotation_and_velocity = states[:2]
         of_run_0 = rotation_and_velocity[:, :, :1]
         change = np.abs(rotation_and_velocity - of_run_0)
-        greatest += np.fmax.reduce(change, axis=(1, 2)).tolist()
-    sizes = [max(abs(of), LEAST_SIZE) for of in (*of_motion, *of_motion[1:])]
-    return max(map(truediv, greatest, sizes)), False
+        greatest += np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
+    sizes = [max(abs(of), LEAST_SIZE) for of in of_motion]
+    return max(map(truediv, greatest, sizes + sizes[1:])), False
 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:

@@ -104,8 +104,8 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
 def recipe_of(scene: Scene) -> Recipe:
     """What the program of a scene is made from."""
     effects = in_order(tuple(scene.called))
-    moving = list[str]()
-    absent = list[str]()
+    moving: list[str] = []
+    absent: list[str] = []
     for effect in effects:
         parameters = scene.called[effect]
         for name, symbol in symbols_of(effect).items():

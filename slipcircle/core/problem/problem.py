@@ -135,6 +135,7 @@ def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
     return flat
 
 
+@lru_cache(maxsize=256)
 def order_and_step(accuracy: float, lanes: int) -> tuple[int, float]:
     """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence.
 

@@ -5,10 +5,11 @@ from functools import lru_cache
 from typing import Any
 
 from generated.effects import ALL_EFFECTS, EFFECTS
-from slipcircle.base.checks import parameter_mistakes
+from slipcircle.base.checks import parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
+WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
 OF_SOIL = "#"  # before the number of a soil, in the name of its law or effect
 
 
@@ -79,9 +80,10 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
 
 
 def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
-    """An effect's parameters, with functions of time in the place of what they are made of."""
-    if not given:
+    """An effect's parameters, checked, with functions of time in the place of what they are made of."""
+    if name in WITHOUT_PARAMETERS and not given:
         return given
+    raise_all("", effect_mistakes(name, given))
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given

@@ -20,7 +20,7 @@ def law_mistakes(given: Any) -> list[str]:
     """A sentence for each mistake in a scene's friction."""
     if callable(given):
         return []
-    if not isinstance(given, MAPPING):
+    if type(given) is float or not isinstance(given, MAPPING):
         return mistakes({"friction": given}, {"friction": COEFFICIENT})
     faults = _named_faults(given, "friction", NAMES)
     if faults or "rate" not in given:
@@ -67,7 +67,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     """
     if callable(friction):
         return (("callable", {"function": friction}),)
-    if not isinstance(friction, MAPPING):
+    if type(friction) is float or not isinstance(friction, MAPPING):
         return (("constant", {"coefficient": friction}),)
     rate = law_parts(friction["rate"]) if "rate" in friction else ()
     if "soils" in friction:

@@ -14,7 +14,7 @@ from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.effects import effect_mistakes, named, resolved
+from slipcircle.core.scene.effects import named, resolved
 from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
 
@@ -140,9 +140,6 @@ class Scene(Generic[Numbers]):
         else:
             object.__setattr__(self, "friction", own_friction)
         for name, parameters in effects.items():
-            if of_effect := effect_mistakes(name, parameters):
-                faults += of_effect
-                continue
             try:
                 effects[name] = resolved(name, parameters)
             except InputError as error:

@@ -40,6 +40,7 @@ def level() -> str:
     return asked if asked in levels else next(iter(levels))
 
 
+@cache
 def widest() -> Any:
     """Its number."""
     return module().LEVELS[level()]
