@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "4b8c7682bf59f90e5ebbbe682960f2c69bbcdbe3b6e801d668e63bae19380f2c"
+#define DIGEST "ba24d45c2e4fee71cb816d69453e22622ca19f6b8625e83d72c9f39bd6ff0d0a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2660,7 +2660,7 @@ static void read_registers(Batch *b)
     }
 }
 
-/* Where `least` lanes are free the next of the queue take them. */
+/* Where so many lanes are free, or as many as wait, the next of the queue take them. */
 enum { LEAST_FREE = LANES / 2 };
 
 static __attribute__((noinline)) int64_t integrate_queue(Job *job)
@@ -2681,7 +2681,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
     for (int64_t round = 0;; round++) {
-        if (round < job->budget && __builtin_popcount(b->held) <= LANES - LEAST_FREE)
+        const int vacant = LANES - __builtin_popcount(b->held);
+        if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;
