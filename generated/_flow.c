@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "4b8c7682bf59f90e5ebbbe682960f2c69bbcdbe3b6e801d668e63bae19380f2c"
+#define DIGEST "4b09702d148f1cdbcddf1d1578f714ad8e145939634d0f532b52daea68bdc91f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2593,16 +2593,17 @@ INLINE void stop_endless(Batch *b, M here)
     c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
 }
 
-/* One step of every lane: of a moving one along its series, of a resting one to the next break. */
+/* One step of the moving or of the resting lanes, of those that are more: along their series, or to the next
+ * break. It costs the same for any number of lanes: the others wait until more of them take it together. */
 static void advance(Batch *b, M here)
 {
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (bits(moving)) {
+    if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
         make_step(b, moving);
     }
-    if (bits(resting)) {
+    if (__builtin_popcount(bits(resting)) > __builtin_popcount(bits(moving))) {
         rest_on(b, resting);
     }
     begin_phases(b);

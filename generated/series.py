@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1c35762a43e263565008e4b9ecee4d833554fc3ed999a189430dc9adf023a122
+# sha256 of the text below: 69a81cb956d57efa59d4d7957332d0390c68f4944052f5ff9751fa1d7c037ce3
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "4b8c7682bf59f90e5ebbbe682960f2c69bbcdbe3b6e801d668e63bae19380f2c"  # of the compiled integrator's source
+DIGEST = "4b09702d148f1cdbcddf1d1578f714ad8e145939634d0f532b52daea68bdc91f"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
