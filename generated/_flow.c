@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ba24d45c2e4fee71cb816d69453e22622ca19f6b8625e83d72c9f39bd6ff0d0a"
+#define DIGEST "2f6a86e42fac62c761311b09b0198cd67b17e5d6c01c5475831b5243269a4200"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2593,16 +2593,17 @@ INLINE void stop_endless(Batch *b, M here)
     c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
 }
 
-/* One step of every lane: of a moving one along its series, of a resting one to the next break. */
+/* One step of the moving or of the resting lanes, of those that are more: along their series, or to the next
+ * break. It costs the same for any number of lanes: the others wait until more of them take it together. */
 static void advance(Batch *b, M here)
 {
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
-    if (bits(moving)) {
+    if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
         make_step(b, moving);
     }
-    if (bits(resting)) {
+    if (__builtin_popcount(bits(resting)) > __builtin_popcount(bits(moving))) {
         rest_on(b, resting);
     }
     begin_phases(b);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cd29f1163f2fef02fb0e3f17d4004c2228e19de06650e8e01c95e3ab6b61e4fc
+# sha256 of the text below: 732a22799e4435b1b3ae9dae1f4da39c453a46feaa6c32a99562b5f321414620
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "ba24d45c2e4fee71cb816d69453e22622ca19f6b8625e83d72c9f39bd6ff0d0a"  # of the compiled integrator's source
+DIGEST = "2f6a86e42fac62c761311b09b0198cd67b17e5d6c01c5475831b5243269a4200"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

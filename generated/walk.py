@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5f9aab814f2db93f25e24eb8383b82f873b1f008753bd8dd46bcc62cc2e69983
+# sha256 of the text below: 76a91bda82f951aa74cccab7ae474366241bfa50757a8df5af66e7518dc1a6dc
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1685,13 +1685,14 @@ def stop_endless(s: Lanes, here: Mask) -> None:
 
 
 def advance(s: Lanes, here: Mask) -> None:
-    """One step of every lane: of a moving one along its series, of a resting one to the next break."""
+    """One step of the moving or of the resting lanes, of those that are more: along their series, or to the next
+    break."""
     c = s.cells
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
-    if np.any(moving):
+    if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
-    if np.any(resting):
+    if np.count_nonzero(resting) > np.count_nonzero(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)

@@ -103,6 +103,16 @@ def test_circles_with_other_unit_weights_are_weighed_anew() -> None:
     assert np.all(np.abs(solve(anew).run_out - before) > 1e-3)
 
 
+def test_each_circle_of_many_has_its_own_weights() -> None:
+    """Circles lie in several parts of a profile; those at the ends of parts move as they do alone."""
+    one = Scene(sloping(RICH), effects=TURNING)
+    numbers = {"radius": np.linspace(46.0, 48.0, 205), "soils.a.unit_weight": np.linspace(18e3, 22e3, 205)}
+    run_out = solve(with_parameter_arrays(one, numbers)[0]).run_out
+    for k in (0, 99, 100, 199, 204):
+        alone, _ = with_parameter_arrays(one, {name: values[k : k + 1] for name, values in numbers.items()})
+        assert run_out[k] == pytest.approx(solve(alone).run_out[0], rel=1e-9)
+
+
 def test_stretches_carry_the_means_along_the_arc() -> None:
     rng = np.random.default_rng(1)
     for section in (random_section(rng), random_section(rng), profile(ONE_SOIL)):

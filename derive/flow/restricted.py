@@ -62,7 +62,7 @@ COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"
 # The kind of what a call of a primitive gives; nothing where it depends on the arguments.
 PRIMITIVES = {
     **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
-    **dict.fromkeys(("any_lane", "all_lanes", "greatest", "least"), "N"),
+    **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two"), "V"),
     **dict.fromkeys(("break_of", "jump_of"), "F"),
     "integer": "I",

@@ -77,6 +77,7 @@ FORMS = {
     "maximum.I": "({a} > {b} ? {a} : {b})",
     "maximum.N": "({a} > {b} ? {a} : {b})",
     "any_lane": "bits",
+    "lanes_in": "__builtin_popcount(bits({a}))",
     "number": "(double){a}",
     "integer": "(int64_t){a}",
     "none_of": "(M){{0}}",

@@ -74,6 +74,7 @@ FORMS = {
     "maximum.N": "max",
     "maximum.K": "max",
     "any_lane": "np.any",
+    "lanes_in": "np.count_nonzero",
     "sin": "np.sin",
     "cos": "np.cos",
     "log": "np.log",

@@ -257,8 +257,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @cached_property
     def profile(self) -> Profile:
         """Integrals along the arc of unit weights below the surfaces, by columns."""
-        weights, _ = self._columns
-        return profile_of(self._strips, weights)
+        return profile_of(self._strips, *self._columns)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
         """Integrals of the head of the water level over arcs in space, (..., circles)."""

@@ -11,6 +11,7 @@ Written with h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. They 
 there they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import compress
 from typing import NamedTuple
 
@@ -26,10 +27,10 @@ PRESSING = 4  # the first of them, which strength takes
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
+_FROM_FIRST = 1.0 + _NODES[:, None, None]  # over half the width of a piece
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_DIRECTIONS = 4096  # at once, about
-_TOGETHER = 120  # pieces
+_CIRCLES = 100  # of a part
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
 _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
@@ -37,8 +38,8 @@ _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from
 _DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
-class Profile(NamedTuple):
-    """Integrals along arcs from their left ends, in pieces.
+class Part(NamedTuple):
+    """Integrals along the arcs of some circles from their left ends, in pieces.
 
     Attributes
     ----------
@@ -55,26 +56,16 @@ class Profile(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
-        directions, circles = beta.shape
-        by_circle = beta.T
-        together = 1 + _DIRECTIONS // (directions + 1)
-        parts = [self._up_to(by_circle[some], some) for some in _blocks(circles, together)]
-        integrals = np.concatenate(parts)
-        return integrals.T
-
-    def _up_to(self, beta: Floats, some: slice) -> Floats:
-        """The same of directions in some circles, (circles, M, columns, integrals)."""
+        """The integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals)."""
         pieces, circles, columns, integrals, terms = self.series.shape
-        edges = self.edges[:, some, None]
+        edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
         piece = np.zeros(beta.shape, dtype=np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
-        circle = np.arange(circles)[some, None]
-        number = piece * circles + circle
-        first = self.edges.take(number)
-        last = self.edges.take(number + circles)
+        number = piece * circles + np.arange(circles)
+        first = edges.take(number)
+        last = edges.take(number + circles)
         width = last - first
         divisor = np.where(width != 0.0, width, 1.0)
         share = (inside - first) / divisor
@@ -82,25 +73,49 @@ class Profile(NamedTuple):
         polynomials = np.ascontiguousarray(chebyshev.chebvander(place, terms - 1))
         every_piece = self.series.reshape(pieces * circles, columns * integrals, terms)
         within = np.einsum("...it,...t->...i", every_piece.take(number, axis=0), polynomials)
-        before = self.before[piece, circle]
-        return before + within.reshape(before.shape)
+        every_edge = self.before.reshape(-1, columns * integrals)
+        up_to = every_edge.take(number, axis=0)
+        up_to += within
+        return up_to.reshape(*beta.shape, columns, integrals)
 
-    @property
-    def whole(self) -> Floats:
-        """The integrals over the whole arcs, (integrals, columns, circles)."""
-        whole: Floats = self.before[-1].T
-        return whole
-
-    def combined(self, weights: Floats) -> "Profile":
+    def combined(self, weights: Floats) -> "Part":
         """What presses, of one column that stands for all: their sum with weights, (columns, circles)."""
         before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
         series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
-        return Profile(self.edges, before[:, :, None], series[:, :, None])
+        return Part(self.edges, before[:, :, None], series[:, :, None])
 
 
-def _blocks(count: int, together: int) -> list[slice]:
-    """One or more parts of so many, small enough that their numbers stay in the processor's cache."""
-    return [slice(first, first + together) for first in range(0, max(count, 1), together)]
+class Profile(NamedTuple):
+    """Integrals along arcs.
+
+    Attributes
+    ----------
+    whole : ndarray
+        From end to end, (integrals, columns, circles).
+    parts : sequence
+        From the left end to any direction, of some circles each: as many as stay in the processor's cache.
+    """
+
+    whole: Floats
+    parts: Sequence[Part]
+
+    def up_to(self, beta: Floats) -> Floats:
+        """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        _, _, columns, integrals, _ = self.parts[0].series.shape
+        every = np.empty((integrals, columns, *beta.shape))
+        first = 0
+        for part in self.parts:
+            last = first + part.edges.shape[1]
+            up_to = part.up_to(beta[:, first:last])
+            every[..., first:last] = up_to.transpose(3, 2, 0, 1)
+            first = last
+        return every
+
+    @property
+    def to_ends(self) -> Floats:
+        """The integrals of the parts over whole arcs, (integrals, columns, circles)."""
+        ends = np.concatenate([part.before[-1] for part in self.parts])
+        return ends.T
 
 
 _Piece = tuple[Floats, Floats, Floats]  # a part of the arcs: its ends, (circles,), and the series of its integrals
@@ -124,21 +139,41 @@ def columns_of(steps: Floats, circles: int) -> tuple[Floats, Floats]:
     return weights, by_lane
 
 
-def profile_of(strips: Strips, weights: Floats) -> Profile:
+def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     """The integrals along the arcs of masses in strips, with weights below surfaces, (columns, surfaces, circles).
 
     Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
+    Parts of many circles are of what presses, their columns combined with the steps of the unit weight.
     """
-    converged = _converged(strips, weights)
+    edges = strips.beta.T
+    circles = np.arange(edges.shape[1])
+    has_many = circles.size > 1
+    parts = list[Part]()
+    whole = list[Floats]()
+    for first in range(0, circles.size, _CIRCLES):
+        some = slice(first, first + _CIRCLES)
+        part = _part_of(strips, weights, circles[some], edges[:, some])
+        whole.append(part.before[-1])
+        if has_many:
+            part = part.combined(steps[:, some])
+        parts.append(part)
+    by_circle = np.concatenate(whole)
+    return Profile(by_circle.T, parts)
+
+
+def _part_of(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> Part:
+    """The integrals of all columns along the arcs of some circles with these edges of strips."""
+    converged = _converged(strips, weights, circle, edges)
     pieces = sorted(converged, key=_order)
     firsts, lasts, by_piece = zip(*pieces, strict=True)
-    edges = np.stack([*firsts, lasts[-1]])
-    series = np.stack(by_piece)
-    each = series.sum(axis=-1)  # at the right end every Chebyshev polynomial is 1
+    in_order = np.stack(by_piece)
+    series = np.ascontiguousarray(in_order)
+    each = series @ np.ones(_COUNT + 1)  # at the right end every Chebyshev polynomial is 1
     nothing = np.zeros_like(each[:1])
     up_to_ends = np.cumsum(each, axis=0)
     before = np.concatenate([nothing, up_to_ends])
-    return Profile(edges, before, series)
+    ends = np.stack([*firsts, lasts[-1]])
+    return Part(ends, before, series)
 
 
 def _order(piece: _Piece) -> float:
@@ -148,16 +183,16 @@ def _order(piece: _Piece) -> float:
     return float(ends.sum())
 
 
-def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
+def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
     """Pieces in which the series have converged: strips, or parts of them."""
-    beta = strips.beta.T
-    first = beta[:-1]
-    last = beta[1:]
+    first = edges[:-1]
+    last = edges[1:]
     strip = np.arange(len(first))
     done = list[_Piece]()
     scale = 0.0
     while len(strip):
-        series, size, tail = _of_pieces(strips, weights, strip, first, last)
+        integrands = _integrands(strips, weights, strip[:, None], circle, first, last)
+        series, size, tail = _developed(integrands)
         scale = float(size.max(initial=scale))
         is_truncated = tail > _ACCURACY * scale
         is_long = last - first > _SHORTEST
@@ -174,108 +209,112 @@ def _converged(strips: Strips, weights: Floats) -> list[_Piece]:
     return done
 
 
-def _of_pieces(
-    strips: Strips, weights: Floats, strip: Integers, first: Floats, last: Floats
-) -> tuple[Floats, Floats, Floats]:
-    """Series of pieces in all circles, and sizes of their coefficients, (pieces, circles, ...)."""
-    count, circles = first.shape
-    every_circle = np.tile(np.arange(circles), count)
-    every_strip = np.repeat(strip, circles)
-    lefts = first.ravel()
-    rights = last.ravel()
-    columns = len(weights)
-    integrals = len(MEASURED) + 1
-    terms = _COUNT + 1
-    series = np.empty((first.size, columns, integrals, terms))
-    size = np.empty(first.size)
-    tail = np.empty(first.size)
-    for some in _blocks(first.size, _TOGETHER):
-        series[some], size[some], tail[some] = _developed(
-            strips, weights, strip=every_strip[some], circle=every_circle[some], first=lefts[some], last=rights[some]
-        )
-    by_circle = series.reshape(count, circles, columns, integrals, terms)
-    shape = first.shape
-    sizes = size.reshape(shape)
-    tails = tail.reshape(shape)
-    return by_circle, sizes, tails
-
-
-def _developed(
-    strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
-) -> tuple[Floats, Floats, Floats]:
-    """Series of pieces, each of a circle, (pieces, columns, integrals, terms), and sizes of coefficients, (pieces,).
+def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
+    """Series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
     The greatest is one of the first two; a tail is the last two terms.
     """
-    width = last - first
-    half = width / 2
-    from_first = 1.0 + _NODES[:, None]
-    nodes = first + half * from_first
-    integrands = _integrands(strips, weights, strip, circle, nodes)
-    values = half * integrands
-    flat = values.reshape(_COUNT, -1)
+    *axes, pieces, circles = values.shape
+    flat = values.reshape(*axes, pieces * circles)
     developed = _DEVELOPING @ flat
-    by_term = developed.reshape(-1, *values.shape[1:])  # terms, integrals, columns, pieces
-    series, sizes = np.split(by_term, [_COUNT + 1])
-    absolute = np.abs(sizes)
-    of_terms = absolute.max(axis=(1, 2))
+    by_piece = developed.reshape(*axes[:2], -1, pieces, circles)
+    series = by_piece[:, :, : _COUNT + 1]
+    sizes = by_piece[:, :, _COUNT + 1 :]
+    of_terms = np.abs(sizes).max(axis=(0, 1))
     head = of_terms[:2].max(axis=0)
     tail = of_terms[2:].max(axis=0)
-    return series.T, head, tail
+    return series.transpose(3, 4, 1, 0, 2), head, tail
 
 
-def _integrands(strips: Strips, weights: Floats, strip: Integers, circle: Integers, beta: Floats) -> Floats:
-    """What is integrated, at directions (nodes, pieces), in strips of circles: (nodes, integrals, columns, pieces)."""
+def _integrands(
+    strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
+) -> Floats:
+    """What is integrated at nodes, times half the widths of pieces, (integrals, columns, nodes, pieces, circles)."""
+    half = (last - first) / 2
+    beta = first + half * _FROM_FIRST
     x = np.sin(beta)
     c = np.cos(beta)
+    per_node = half * c
     left = strips.x[circle, strip]
     beyond = x - left
     at_left = strips.y[:, circle, strip]
     slope = strips.slope[:, circle, strip]
-    y = at_left[:, None] + slope[:, None] * beyond
     above = strips.above[:, circle, strip]
-    weight = weights[:, :, circle] * above
-    columns, _, pieces = weight.shape
-    total = np.zeros((_COUNT, len(MEASURED) + 1, columns, pieces))
-    counts = weight.any(axis=(0, 2))
+    weight = weights[:, :, None, circle] * above
+    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # of each surface
+    total = np.zeros((len(MEASURED) + 1, len(weight), *beta.shape))
+    of_heights = weight[:, : len(slope)]
+    counts = of_heights.any(axis=(0, 2, 3))
     for k in np.flatnonzero(counts).tolist():
-        if k < len(y):
-            height = np.maximum(y[k] + c, 0.0)
-            of_surface = _over_height(x, c, height)
-        else:
-            load, rises = divmod(k - len(y), 2)
-            first, last = (end[circle, 0] for end in strips.loads[load])
-            share = (x - first) / (last - first)
-            pressure = share if rises else 1.0 - share
-            of_surface = _of_pressure(x, y[0], pressure)
-        total += of_surface[:, :, None] * weight[:, k]
-    total *= c[:, None, None]
+        y = at_left[k] + slope[k] * beyond
+        height = np.maximum(y + c, 0.0)
+        of_surface = columns[k] * per_node
+        rows = _over_height(c, height)
+        _add(total, rows, of_surface)
+    _complete(total, x, c)
+    ground = at_left[0] + slope[0] * beyond
+    of_loads = columns[len(slope) :] * per_node
+    _add_loads(total, strips.loads, circle, x, ground, of_loads)
     return total
 
 
-def _over_height(x: Floats, c: Floats, h: Floats) -> Floats:
-    """The integrals over y from the arc to a height h above it, (nodes, integrals, ...); the head, by beta, over c."""
+def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> None:
+    """Add weighted integrals by their numbers."""
+    for integral, row in rows:
+        weighted = row * weight
+        total[integral] += weighted
+
+
+def _add_loads(
+    total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
+) -> None:
+    """Add what surcharges press with on the ground at (x, y), twice each: of its left end and of its right one."""
+    remaining = iter(weights)
+    for ends in loads:
+        first, last = (end[circle, 0] for end in ends)
+        share = (x - first) / (last - first)
+        for pressure in (1.0 - share, share):
+            weight = next(remaining) * pressure
+            if weight.any():
+                rows = _of_pressure(x, y)
+                _add(total, rows, weight)
+
+
+def _over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
+    """The integrals over y from the arc to a height h above it, by their numbers; `_complete` adds the rest."""
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
     to_top = rho + c - h
     ratio = (inward + h) / to_top
-    log = np.log1p(ratio)
-    square = x * x
-    of_log = square * log
-    polar = h * rho + c * inward + of_log
-    of_heights = h * h - 3.0 * c * h
-    on_arc = c * c
-    mean_square = square + of_heights / 3 + on_arc
-    rows = [-inward, x * log, polar / 2, h / c, h, h * mean_square, x * h, h * (h - 2.0 * c) / 2]
-    return np.stack(rows, axis=1)
+    yield RADIAL_Y, -inward
+    yield RADIAL_X, np.log1p(ratio)
+    yield POLAR, h * rho
+    yield AREA, h
+    yield INERTIA, h * h * (h / 3 - c)
+    yield MOMENT_Y, gap / -2
 
 
-def _of_pressure(x: Floats, y: Floats, pressure: Floats) -> Floats:
+def _complete(total: Floats, x: Floats, c: Floats) -> None:
+    """What the integrals over y are beyond the sums of `_over_height`, of all surfaces at once; the head is by beta."""
+    radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
+    radial_x *= x
+    polar += x * radial_x
+    polar -= c * radial_y
+    polar /= 2
+    inertia += area
+    np.divide(area, c, out=head)
+    np.multiply(area, x, out=moment_x)
+
+
+def _of_pressure(x: Floats, y: Floats) -> Iterator[tuple[int, Floats]]:
     """The same of a pressure on the ground at (x, y), over x: times 1, rho, ... there."""
     square = x * x + y * y
     rho = np.sqrt(square)
-    nothing = np.zeros_like(x)
-    everywhere = np.ones_like(x)
-    rows = [y / rho, x / rho, rho, nothing, everywhere, square, x, y]
-    return np.stack(rows, axis=1) * pressure[:, None]
+    yield RADIAL_Y, y / rho
+    yield RADIAL_X, x / rho
+    yield POLAR, rho
+    yield AREA, np.ones_like(x)
+    yield INERTIA, square
+    yield MOMENT_X, x
+    yield MOMENT_Y, y

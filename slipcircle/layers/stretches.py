@@ -103,13 +103,12 @@ class StretchIntegrals:
         """
         profile = self.section.profile
         _, steps = self.section._columns
-        circles = profile.edges.shape[1]
         of_first_lane = steps[:, :1]
-        are_equal = np.all(steps == of_first_lane)
-        if circles == 1 and are_equal:
-            steps = of_first_lane
-        if steps.shape[1] == circles:
-            profile = profile.combined(steps)
+        if len(self.section._facing) > 1:
+            steps = np.ones((1, 1))
+        elif np.all(steps == of_first_lane):
+            (part,) = profile.parts
+            profile = profile._replace(parts=[part.combined(of_first_lane)])
             steps = np.ones((1, 1))
         return profile, steps / self.section._weights_per_area
 
@@ -123,10 +122,9 @@ class StretchIntegrals:
         met = self._joints_met(rotation)
         circles = met.shape[-1]
         directions = met.reshape(-1, circles)
-        from_left = profile.up_to(facing * directions)[:PRESSING]
-        whole = profile.whole[:PRESSING, :, None]
-        from_right = whole - from_left
-        from_entry = np.where(facing > 0.0, from_left, from_right)
+        whole = profile.to_ends[:PRESSING, :, None]
+        from_entry = profile.up_to(facing * directions)[:PRESSING]
+        np.subtract(whole, from_entry, out=from_entry, where=facing < 0.0)
         integrals, surfaces, *_ = from_entry.shape
         by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
         up_to_exit = np.broadcast_to(whole[:, :, None], (integrals, surfaces, 1, *rotation.shape))

@@ -78,6 +78,7 @@ def greatest(x: V) -> int:
 
 least = greatest
 integer = greatest
+lanes_in = greatest
 
 
 def number(k: Any) -> Any:

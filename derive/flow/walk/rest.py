@@ -13,6 +13,7 @@ from derive.flow.walk.one_lane import (
     Status,
     V,
     any_lane,
+    lanes_in,
     minimum,
     new_series,
     number,
@@ -158,12 +159,15 @@ def stop_endless(s: Lanes, here: M) -> None:
 
 
 def advance(s: Lanes, here: M) -> None:
-    """One step of every lane: of a moving one along its series, of a resting one to the next break."""
+    """One step of the moving or of the resting lanes, of those that are more: along their series, or to the next break.
+
+    It costs the same for any number of lanes: the others wait until more of them take it together.
+    """
     moving = here and s.status == number(Status.MOVING)
     resting = here and s.status == number(Status.RESTING)
-    if any_lane(moving):
+    if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
         make_step(s, moving)
-    if any_lane(resting):
+    if lanes_in(resting) > lanes_in(moving):
         rest_on(s, resting)
     begin_phases(s)
     stop_endless(s, here)
