@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e790e0213dee038c5394a4e0b479f417416d0bbf28a031b1948aa1434ac7c28d"
+#define DIGEST "032f2e086018ede295914e1e346408c1ee920c3b72d1bd726a92af78f4ed1bdc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2666,7 +2666,7 @@ static void read_registers(Batch *b)
     }
 }
 
-/* Where `least` lanes are free the next of the queue take them. */
+/* Where so many lanes are free, or as many as wait, the next of the queue take them. */
 enum { LEAST_FREE = LANES / 2 };
 
 static __attribute__((noinline)) int64_t integrate_queue(Job *job)
@@ -2687,7 +2687,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
     for (int64_t round = 0;; round++) {
-        if (round < job->budget && __builtin_popcount(b->held) <= LANES - LEAST_FREE)
+        const int vacant = LANES - __builtin_popcount(b->held);
+        if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;

@@ -20,6 +20,7 @@ LONGEST = (
     "test_verify",
     "2_the_paper",
     "1_derivation",
+    "3_what_accuracy",
     "fresh_run",
     "test_ctrl_c",
     "test_it_builds",

@@ -32,6 +32,9 @@ from matplotlib.figure import Figure
 from traitlets.config import Config
 
 from derive import progress
+from derive.check import certify
+from derive.check.proof import ProofError
+from derive.check.records import Record
 from derive.flow.recurrences import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated.effects import EFFECTS, LAWS
@@ -45,6 +48,7 @@ from tests.support.outputs import QUICK, words_of
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 undescribed: Any = FigureCanvasAgg.print_png
+prove = certify.prove
 METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -172,10 +176,26 @@ def printed(notebook: Any, cell_id: str) -> str:
     return "".join(output.text for output in cell.outputs if output.output_type == "stream")
 
 
+@cache
+def outcome(record: str) -> float | ProofError:
+    """Of a certificate's proof; two notebooks show the same ones."""
+    try:
+        return prove(json.loads(record))
+    except ProofError as refusal:
+        return refusal
+
+
+def prove_once(record: Record) -> float:
+    if isinstance(found := outcome(json.dumps(record)), ProofError):
+        raise found
+    return found
+
+
 @each_notebook
 def test_outputs_are_those_of_a_fresh_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name, value in QUICK.items():
         monkeypatch.setattr(cost, name, value)
+    monkeypatch.setattr(certify, "prove", prove_once)
     # Pictures are laid out once, not a first time to see how large they are.
     once = "%config InlineBackend.print_figure_kwargs = {'bbox_inches': None}"
     kept, fresh = stored(path.name), run(path, once, print_nothing)

@@ -639,7 +639,7 @@ static void read_registers(Batch *b)
     }
 }
 
-/* Where `least` lanes are free the next of the queue take them. */
+/* Where so many lanes are free, or as many as wait, the next of the queue take them. */
 enum { LEAST_FREE = LANES / 2 };
 
 static __attribute__((noinline)) int64_t integrate_queue(Job *job)
@@ -660,7 +660,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
     for (int64_t round = 0;; round++) {
-        if (round < job->budget && __builtin_popcount(b->held) <= LANES - LEAST_FREE)
+        const int vacant = LANES - __builtin_popcount(b->held);
+        if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;

@@ -28,7 +28,7 @@ from slipcircle.core.scene.piecewise import Data
 FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
 # Share of the radius of convergence that a step takes: a series of order n leaves STEP^n. To rounding it is smaller:
 # of higher orders coefficients overflow earlier, and inner extrema of a step are lost in the rounding of its terms.
-STEP = 0.2
+STEP = 0.25
 STEP_TO_ROUNDING = math.exp(-2.0)
 LOWEST = 7  # order: below it the radius of convergence is that of one or two coefficients alone
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
