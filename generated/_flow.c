@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2f6a86e42fac62c761311b09b0198cd67b17e5d6c01c5475831b5243269a4200"
+#define DIGEST "3ecf6600416d43703aca837be3af944158948103505e55d598f1539948c6dbc0"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1757,6 +1757,7 @@ static void face(Batch *b, unsigned lane, double side)
 /* A lane begins, with a velocity or at rest. */
 static void start(Batch *b, unsigned lane)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     c[DIRECTION][lane] = (c[OMEGA][lane] < 0.0) ? (-1.0) : 1.0;
     c[OMEGA][lane] = fabs(c[OMEGA][lane]);
@@ -1764,7 +1765,9 @@ static void start(Batch *b, unsigned lane)
     c[LIFTED][lane] = 0.0;
     c[FACED][lane] = 0.0;
     c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
-    find_negligible(b, lane);
+    if (job->timed) {
+        find_negligible(b, lane);
+    }
     find_pieces(b, lane);
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 76a91bda82f951aa74cccab7ae474366241bfa50757a8df5af66e7518dc1a6dc
+# sha256 of the text below: e86c9c2f1f8b2b82d1863557bfcb01df0fe3514f4bf7db2361f8cf6d93038188
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -825,7 +825,8 @@ def start(lane: Lanes, i: Index) -> None:
     c[ix.LIFTED, i] = 0.0
     c[ix.FACED, i] = 0.0
     c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
-    find_negligible(lane, i)
+    if lane.timed:
+        find_negligible(lane, i)
     find_pieces(lane, i)
 
 
