@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "3ecf6600416d43703aca837be3af944158948103505e55d598f1539948c6dbc0"
+#define DIGEST "7dd933bee647f0986fa8a4faef3a7b3060f5c1bc3c54411d84e9c608d67a0518"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1005,11 +1005,17 @@ INLINE V power_of_two(V y)
 }
 
 /* The coefficients of a lane's piece, in powers of what is beyond its break. */
+INLINE const double *polynomial_of(const Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Data *const d = b->job->data + t;
+    return d->across ? d->coefficients + piece * d->terms * d->across + b->column[lane] : d->coefficients + piece * d->terms;
+}
+INLINE double constant_of(const Batch *b, unsigned lane, int t, int64_t piece) { return *polynomial_of(b, lane, t, piece); }
 INLINE void coefficients_of(const Batch *b, unsigned lane, int t, int64_t piece, double *terms)
 {
     const Data *const d = b->job->data + t;
     const int64_t across = d->across ? d->across : 1;
-    const double *from = d->coefficients + piece * d->terms * across + (d->across ? b->column[lane] : 0);
+    const double *from = polynomial_of(b, lane, t, piece);
     for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
 }
 
@@ -1984,9 +1990,7 @@ INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    double terms[STRIDE];
-    coefficients_of(b, lane, t, piece, terms);
-    return c[job->table[t].cell + SCALED_BY][lane] * terms[0];
+    return c[job->table[t].cell + SCALED_BY][lane] * constant_of(b, lane, t, piece);
 }
 
 /* The lane is where a piece begins, which it has yet to enter. */
@@ -2066,7 +2070,8 @@ INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, doubl
     const Job *const job = b->job;
     V *const c = b->c;
     double after = c[job->role->drive][lane] + by_drive;
-    double slowest = omega + (length * fmin(fmin(net, after), 0.0));
+    double lowest = (net < after) ? net : after;
+    double slowest = omega + (length * ((lowest < 0.0) ? lowest : 0.0));
     int peaks = (net >= 0.0) && (after < 0.0) && ((omega + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
     int moves = (slowest > ((1.0 - SURE) * omega)) && ((c[job->role->normal0][lane] + by_load) > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
     return moves && !peaks;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e86c9c2f1f8b2b82d1863557bfcb01df0fe3514f4bf7db2361f8cf6d93038188
+# sha256 of the text below: 74c21897a0c77f697469c467d8b146190f0f76aa95d86a5a3959cf99d6c8f58c
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -162,6 +162,12 @@ def break_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
 def jump_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
     """By how much a function of time jumps where a piece begins."""
     return t.data.jumps[piece]
+
+
+def constant_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
+    """The first of the coefficients of a piece."""
+    every = t.data.coefficients
+    return every[piece, 0] if every.ndim == 2 else every[piece, 0, s.columns[i]]
 
 
 def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -> None:
@@ -1076,9 +1082,7 @@ def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
 def value_at_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
     """A function of time in straight lines where a piece begins."""
     c = lane.cells
-    terms = np.zeros((lane.terms, i.size))
-    coefficients_of(lane, i, t, piece, terms)
-    return c[t.cells + ix.SCALED_BY, i] * terms[0]
+    return c[t.cells + ix.SCALED_BY, i] * constant_of(lane, i, t, piece)
 
 
 def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> None:
@@ -1153,7 +1157,8 @@ def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats,
     """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it."""
     c = lane.cells
     after = c[lane.roles.drive, i] + by_drive
-    slowest = omega + length * np.fmin(np.fmin(net, after), 0.0)
+    lowest = np.where(net < after, net, after)
+    slowest = omega + length * np.where(lowest < 0.0, lowest, 0.0)
     peaks = (net >= 0.0) & (after < 0.0) & (omega + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
     moves = (slowest > (1.0 - SURE) * omega) & (c[lane.roles.normal0,
         i] + by_load > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))

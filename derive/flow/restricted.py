@@ -64,7 +64,7 @@ PRIMITIVES = {
     **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two"), "V"),
-    **dict.fromkeys(("break_of", "jump_of"), "F"),
+    **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
     "integer": "I",
     **dict.fromkeys(("coefficients_of", "operate", "operate_later", "prologue", "note", "read_samples"), "NONE"),
     "new_series": "S",

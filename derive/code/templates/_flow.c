@@ -518,11 +518,17 @@ INLINE V power_of_two(V y)
 }
 
 /* The coefficients of a lane's piece, in powers of what is beyond its break. */
+INLINE const double *polynomial_of(const Batch *b, unsigned lane, int t, int64_t piece)
+{
+    const Data *const d = b->job->data + t;
+    return d->across ? d->coefficients + piece * d->terms * d->across + b->column[lane] : d->coefficients + piece * d->terms;
+}
+INLINE double constant_of(const Batch *b, unsigned lane, int t, int64_t piece) { return *polynomial_of(b, lane, t, piece); }
 INLINE void coefficients_of(const Batch *b, unsigned lane, int t, int64_t piece, double *terms)
 {
     const Data *const d = b->job->data + t;
     const int64_t across = d->across ? d->across : 1;
-    const double *from = d->coefficients + piece * d->terms * across + (d->across ? b->column[lane] : 0);
+    const double *from = polynomial_of(b, lane, t, piece);
     for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
 }
 

@@ -133,6 +133,11 @@ def jump_of(lane: Lane, t: T, piece: int) -> Any:
     return t.jumps[piece]
 
 
+def constant_of(lane: Lane, t: T, piece: int) -> Any:
+    """The first of the coefficients of a piece."""
+    return t.polynomials[piece][0]
+
+
 def coefficients_of(lane: Lane, t: T, piece: int, terms: A) -> None:
     """The coefficients of a piece, in powers of what is beyond its break."""
     terms[: t.terms] = t.polynomials[piece]

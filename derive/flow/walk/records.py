@@ -17,12 +17,11 @@ from derive.flow.walk.one_lane import (
     T,
     V,
     break_of,
-    coefficients_of,
+    constant_of,
     integer,
     maximum,
     minimum,
     number,
-    numbers,
     read_samples,
     where,
 )
@@ -43,9 +42,7 @@ def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
 
 def value_at_break(lane: Lane, t: T, piece: int) -> float:
     """A function of time in straight lines where a piece begins."""
-    terms = numbers()
-    coefficients_of(lane, t, piece, terms)
-    return t.scaled_by * terms[0]
+    return t.scaled_by * constant_of(lane, t, piece)
 
 
 def stand_before(lane: Lane, t: T, piece: int, now: float) -> None:
@@ -109,7 +106,8 @@ def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: flo
     At the end net moment and normal force are by so much more than where the phase began.
     """
     after = lane.drive + by_drive
-    slowest = omega + length * minimum(minimum(net, after), 0.0)
+    lowest = where(net < after, net, after)
+    slowest = omega + length * where(lowest < 0.0, lowest, 0.0)
     peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
     moves = slowest > (1.0 - SURE) * omega and lane.normal0 + by_load > (1.0 - SURE) * abs(lane.normal0)
     return moves and not peaks
