@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "032f2e086018ede295914e1e346408c1ee920c3b72d1bd726a92af78f4ed1bdc"
+#define DIGEST "7dd933bee647f0986fa8a4faef3a7b3060f5c1bc3c54411d84e9c608d67a0518"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1763,6 +1763,7 @@ static void face(Batch *b, unsigned lane, double side)
 /* A lane begins, with a velocity or at rest. */
 static void start(Batch *b, unsigned lane)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     c[DIRECTION][lane] = (c[OMEGA][lane] < 0.0) ? (-1.0) : 1.0;
     c[OMEGA][lane] = fabs(c[OMEGA][lane]);
@@ -1770,7 +1771,9 @@ static void start(Batch *b, unsigned lane)
     c[LIFTED][lane] = 0.0;
     c[FACED][lane] = 0.0;
     c[PENDING][lane] = (c[OMEGA][lane] > 0.0) ? START_MOVING : RESOLVE;
-    find_negligible(b, lane);
+    if (job->timed) {
+        find_negligible(b, lane);
+    }
     find_pieces(b, lane);
 }
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cf8a12898dd6afaef65f01f4f96f754d76d1500f2a2ce800d33ccd6e3f83d6e4
+# sha256 of the text below: 001c6e82fc3dc43698bccc73ebff9888ec2080e84bcd0812fe9b96a6a5e9d071
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "032f2e086018ede295914e1e346408c1ee920c3b72d1bd726a92af78f4ed1bdc"  # of the compiled integrator's source
+DIGEST = "7dd933bee647f0986fa8a4faef3a7b3060f5c1bc3c54411d84e9c608d67a0518"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 24bf0ff5baf331591eafa0df3d724608c5d72b22dc7030ec4acad86c4ed3f3fb
+# sha256 of the text below: 74c21897a0c77f697469c467d8b146190f0f76aa95d86a5a3959cf99d6c8f58c
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -831,7 +831,8 @@ def start(lane: Lanes, i: Index) -> None:
     c[ix.LIFTED, i] = 0.0
     c[ix.FACED, i] = 0.0
     c[ix.PENDING, i] = np.where(c[ix.OMEGA, i] > 0.0, ix.START_MOVING, ix.RESOLVE)
-    find_negligible(lane, i)
+    if lane.timed:
+        find_negligible(lane, i)
     find_pieces(lane, i)
 
 

@@ -76,7 +76,8 @@ def start(lane: Lane) -> None:
     lane.lifted = 0.0
     lane.faced = 0.0
     lane.pending = where(lane.omega > 0.0, Pending.START_MOVING, Pending.RESOLVE)
-    find_negligible(lane)
+    if lane.timed:
+        find_negligible(lane)
     find_pieces(lane)
 
 
