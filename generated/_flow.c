@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7dd933bee647f0986fa8a4faef3a7b3060f5c1bc3c54411d84e9c608d67a0518"
+#define DIGEST "7f7a62eea760fc1fc1c1d5dcb1cb9ce833a6e409d4060e4c0010ffa337ff370e"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -312,13 +312,21 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #endif
 
 #define INLINE static inline __attribute__((always_inline))
+#define APART static __attribute__((noinline)) /* what all programs call, once, so that wheels are small */
 #define NAMED_(name, level) name##_##level
 #define NAMED(name, level) NAMED_(name, level)
 #define EPS 0x1p-52
 
-enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
-typedef double V __attribute__((vector_size(WIDE / 8)));
-typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
+/* With AVX2 two registers are a vector, so that a step waits half as long for its last coefficients; GCC would pass these
+ * vectors through memory. */
+#if WIDE == 256 && defined(__clang__)
+#define SPAN 512
+#else
+#define SPAN WIDE
+#endif
+enum { LANES = SPAN / 64, ALL = (1 << LANES) - 1 };
+typedef double V __attribute__((vector_size(SPAN / 8)));
+typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
 enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
@@ -360,7 +368,7 @@ INLINE unsigned bits(M m)
 {
 #if WIDE == 512
     return _mm512_movepi64_mask((__m512i)m);
-#elif WIDE == 256
+#elif SPAN == 256
     return (unsigned)_mm256_movemask_pd((__m256d)m);
 #else
     unsigned mask = 0;
@@ -394,7 +402,7 @@ INLINE int all_lanes(M m) { return bits(m) == (unsigned)ALL; }
 #define TO_INTEGER 0x1.8p52
 
 /* sin x and cos x: x = k pi/2 + r (Cody and Waite's reduction by three parts of pi/2), Taylor's series on |r| <= pi/4. */
-INLINE void sine_cosine(V x, V *sine, V *cosine)
+APART void sine_cosine(V x, V *sine, V *cosine)
 {
     V k = x * 0x1.45f306dc9c883p-1 + TO_INTEGER;
     const M n = (M)k;
@@ -415,7 +423,7 @@ INLINE void sine_cosine(V x, V *sine, V *cosine)
 }
 
 /* exp x - 1 and exp x: x = k log 2 + r, Taylor's series on |r| <= log(2)/2. */
-INLINE V exponential(V x, V *whole)
+APART V exponential(V x, V *whole)
 {
     const V y = pick(x > 709.5, broadcast(709.5), pick(x < -708.0, broadcast(-708.0), x)); /* NaN stays */
     V k = y * 0x1.71547652b82fep+0 + TO_INTEGER;
@@ -443,7 +451,7 @@ INLINE V exponential(V x, V *whole)
 }
 
 /* A function of the C library, lane by lane. */
-INLINE V by_lanes(double f(double), V x)
+APART V by_lanes(double f(double), V x)
 {
     for (int k = 0; k < LANES; k++) x[k] = f(x[k]);
     return x;

@@ -277,13 +277,21 @@ PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
 #endif
 
 #define INLINE static inline __attribute__((always_inline))
+#define APART static __attribute__((noinline)) /* what all programs call, once, so that wheels are small */
 #define NAMED_(name, level) name##_##level
 #define NAMED(name, level) NAMED_(name, level)
 #define EPS 0x1p-52
 
-enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
-typedef double V __attribute__((vector_size(WIDE / 8)));
-typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
+/* With AVX2 two registers are a vector, so that a step waits half as long for its last coefficients; GCC would pass these
+ * vectors through memory. */
+#if WIDE == 256 && defined(__clang__)
+#define SPAN 512
+#else
+#define SPAN WIDE
+#endif
+enum { LANES = SPAN / 64, ALL = (1 << LANES) - 1 };
+typedef double V __attribute__((vector_size(SPAN / 8)));
+typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
 @CELLS@
 _Static_assert(PENDING >= -MOST_WORKING, "cells in front of the others");
@@ -313,7 +321,7 @@ INLINE unsigned bits(M m)
 {
 #if WIDE == 512
     return _mm512_movepi64_mask((__m512i)m);
-#elif WIDE == 256
+#elif SPAN == 256
     return (unsigned)_mm256_movemask_pd((__m256d)m);
 #else
     unsigned mask = 0;
@@ -347,7 +355,7 @@ INLINE int all_lanes(M m) { return bits(m) == (unsigned)ALL; }
 #define TO_INTEGER 0x1.8p52
 
 /* sin x and cos x: x = k pi/2 + r (Cody and Waite's reduction by three parts of pi/2), Taylor's series on |r| <= pi/4. */
-INLINE void sine_cosine(V x, V *sine, V *cosine)
+APART void sine_cosine(V x, V *sine, V *cosine)
 {
     V k = x * 0x1.45f306dc9c883p-1 + TO_INTEGER;
     const M n = (M)k;
@@ -368,7 +376,7 @@ INLINE void sine_cosine(V x, V *sine, V *cosine)
 }
 
 /* exp x - 1 and exp x: x = k log 2 + r, Taylor's series on |r| <= log(2)/2. */
-INLINE V exponential(V x, V *whole)
+APART V exponential(V x, V *whole)
 {
     const V y = pick(x > 709.5, broadcast(709.5), pick(x < -708.0, broadcast(-708.0), x)); /* NaN stays */
     V k = y * 0x1.71547652b82fep+0 + TO_INTEGER;
@@ -396,7 +404,7 @@ INLINE V exponential(V x, V *whole)
 }
 
 /* A function of the C library, lane by lane. */
-INLINE V by_lanes(double f(double), V x)
+APART V by_lanes(double f(double), V x)
 {
     for (int k = 0; k < LANES; k++) x[k] = f(x[k]);
     return x;

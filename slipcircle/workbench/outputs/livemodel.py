@@ -35,7 +35,7 @@ _SHAPE = ("radius", "dip")
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
 SMOOTH = 1e-12  # error of inputs, of their greatest values, above which a number has no slider
-MOST_COEFFICIENTS = 1440  # of interpolants
+MOST_COEFFICIENTS = 1300  # of interpolants, for a page below 130 kB
 MOST_NUMBERS = 60_000  # of tables
 
 
