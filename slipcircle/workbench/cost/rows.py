@@ -58,8 +58,10 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
     loops = []
     for work in works:
         work()  # what is slow at first only shall not pass for long work
-        seconds = _timed(work, 1)
-        loops.append(max(1, int(_TICK / seconds)))
+        count = 1
+        while count * _timed(work, count) < _TICK:  # by a coarse clock one loop may take no time
+            count *= 2
+        loops.append(count)
     samples: list[list[float]] = [[] for _ in works]
     start = time.monotonic()
     for turn in range(REPEATS):
