@@ -106,6 +106,7 @@ def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: flo
     At the end net moment and normal force are by so much more than where the phase began.
     """
     after = lane.drive + by_drive
+    # Of one lane `minimum` is a call of the C library, for each sample of a record.
     lowest = where(net < after, net, after)
     slowest = omega + length * where(lowest < 0.0, lowest, 0.0)
     peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
