@@ -11,16 +11,18 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
-from slipcircle.ground.ground import pond_errors
+from slipcircle.ground.ground import AS_PRINTED
+from slipcircle.ground.ponds import ends_above, water_faults
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
     """Lanes that are no sections."""
-    if section.level is not None:
-        yield pond_errors(section._circle[0], section._level)
+    yield from water_faults(*section.water)
     yield _not_one_stretch(section)
     yield _below_ground(section)
     yield _one_point(section)
+    if section.level is not None:
+        yield ends_above(section._level, *_x_of_ends(section))
     if section.base is not None:
         yield _below_base(section)
 
@@ -54,6 +56,25 @@ def _not_one_stretch(section: Any) -> Fault:
         return f"{which}: misses the ground, which reaches from {first} to {last}"
 
     return (count != 1) | held, sentence
+
+
+def _x_of_ends(section: Any) -> Any:
+    """x of the left and of the right end of arcs, (2, n)."""
+    _, centre, radius = section._circle
+    left, right = section._ends
+    return centre[:, 0] + radius * [left.x, right.x]
+
+
+def outside_between(section: Any) -> Fault:
+    """Masses that exceed the range of x from which they were chosen."""
+    left, right = _x_of_ends(section)
+    low, high = section.between or (-np.inf, np.inf)
+    rounding = AS_PRINTED * (right - left)
+    given = f"{{between}} = [{low:.6g}, {high:.6g}]"
+    return (
+        (left < low - rounding) | (right > high + rounding),
+        lambda k: f"{given}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}",
+    )
 
 
 def _pairs(numbers: Iterable[Any]) -> list[str]:
@@ -103,8 +124,7 @@ def _below_base(section: Any) -> Fault:
         which = f"{{radius}} = {radius[k]:.10g}"
         return f"{which}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
 
-    rounding = 1e-9 * radius
-    return lowest < base - rounding, sentence
+    return lowest < base - AS_PRINTED * radius, sentence
 
 
 def motion_errors(section: Any) -> Iterator[Fault]:
@@ -117,6 +137,13 @@ def motion_errors(section: Any) -> Iterator[Fault]:
             "the arc is longer than half a circle: parts of it carry negative normal stress, and the mean normal "
             "stress of the method (2.9) loses its sense"
         ),
+    )
+    left, right = _x_of_ends(section)
+    water = section.free_water
+    common = np.minimum(water.last, right) - np.maximum(water.first, left)
+    yield (
+        np.any(common > 0.0, axis=0),
+        lambda k: "{level}: free water covers the mass, whose drag and added mass are not known; a motion refuses it",
     )
     normal_load = np.ravel(section.moment_coefficients.normal_load)
     yield (

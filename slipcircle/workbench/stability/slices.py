@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
+from slipcircle.ground import Ponds
 from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
@@ -49,12 +50,14 @@ class Stresses(NamedTuple):
     """On the arcs over gamma R, gamma the unit weight of the first layer: (3, intervals), of 1, sine and cosine."""
 
     soil: Floats  # weight of the soil above
-    buoyancy: Any  # minus the weight of a pond's water in the place of the soil below its level
     load: Any  # surcharge
-    pond: Any  # weight of the water above the ground
+    pond: Any  # pressure of free water on the ground
+    displaced: Any  # minus the weight of water in the place of the soil below free water
     pressure: Floats
-    relieved: Any  # pressure of a pond at the height of the arc
     cohesion: Floats
+    buoyancy: Any  # minus the weight of water in the place of the soil below the level at the exit
+    relieved: Any  # pressure of this water at the height of the arc
+    excess: Any  # what the pressure of free water exceeds that of this water by, on the ground
 
     def turned(self, way: Floats) -> Stresses:
         """The same for angles of the opposite sense where ``way`` is -1."""
@@ -82,6 +85,7 @@ class Slices(NamedTuple):
     friction: Floats  # of each interval
     k_h: Floats
     shaken_load: Any  # share of the surcharge on which k_h acts
+    water: Floats  # unit weight over gamma
     steps: Floats  # of the unit weight below each surface, 0 where it is not above the arc, (surfaces, intervals)
     constant: Floats  # height of a surface above the centre is constant + gradient sine
     gradient: Floats
@@ -105,10 +109,38 @@ class Slices(NamedTuple):
             sine=self.sine * sense, gradient=self.gradient * sense, stresses=self.stresses.turned(sense), way=sense
         )
 
-    def driving_moment(self) -> Floats:
-        """Of gravity about the centre, of each arc."""
+    def submerged(self, level: Floats) -> Slices:
+        """The same with the reference level of free water at the exit of each arc, over R from the centre.
+
+        What lies below it is buoyant, and pore pressure counts in excess of it; other free water is a load.
+        """
+        of_arc = level[self.arc]
+        middle = len(self.sine) // 2
+        constant, gradient = self.constant[0], self.gradient[0]
+        above_arc = of_arc + self.cosine[middle] > 0.0
+        above_ground = of_arc > self.surface(0)[middle]
+        height = np.where(above_arc, of_arc, 0.0)
+        wet = self.water * above_arc
+        top = np.where(above_ground, constant, height), np.where(above_ground, gradient, 0.0)
+        flat = np.zeros_like(wet)
+        on_ground = np.where(above_ground, [wet * (height - constant), -wet * gradient, flat], 0.0)
         stresses = self.stresses
-        weight = self.at(stresses.soil + stresses.buoyancy + stresses.load)
+        return self._replace(
+            steps=np.concatenate([self.steps, [-wet]]),
+            constant=np.concatenate([self.constant, top[:1]]),
+            gradient=np.concatenate([self.gradient, top[1:]]),
+            shaken=np.append(self.shaken, False),
+            stresses=stresses._replace(
+                buoyancy=-wet * [*top, np.ones_like(wet)],
+                relieved=wet * [height, flat, np.ones_like(wet)],
+                excess=stresses.pond - on_ground,
+            ),
+        )
+
+    def driving_moment(self) -> Floats:
+        """Of gravity and of the weight of displaced water about the centre, of each arc."""
+        stresses = self.stresses
+        weight = self.at(stresses.soil + stresses.displaced + stresses.load)
         moment = slopes.drive(self.sine, self.cosine, weight, 0.0)
         return self.integral(moment)
 
@@ -137,7 +169,7 @@ class Slices(NamedTuple):
         return np.hypot(self.sine, self.surface(k))
 
     def uplift(self) -> Floats:
-        """Pore pressure less that of a pond."""
+        """Pore pressure less that of the free water at the exit."""
         stresses = self.stresses
         return self.at(stresses.pressure - stresses.relieved)
 
@@ -154,7 +186,8 @@ class Slices(NamedTuple):
         weight = self.at(stresses.soil)
         uplift = self.uplift()
         soil = slopes.ordinary_normal(sine, cosine, weight, uplift, self.k_h)
-        return soil + loads
+        across = self.gradient[0] * sine + cosine
+        return soil + loads + self.at(stresses.excess) * cosine * across
 
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
@@ -165,6 +198,10 @@ class Slices(NamedTuple):
         if np.any(self.stresses.load):
             load = self.at(self.stresses.load) * self.cosine
             normal += load * -self.surface(0) / self.distance(0)
+        if np.any(self.stresses.excess):
+            pressure = self.at(self.stresses.excess) * self.cosine
+            across = self.gradient[0] * self.sine - self.surface(0)
+            normal += pressure * across / self.distance(0)
         return normal
 
     def radial_tilt(self) -> Floats:
@@ -218,10 +255,11 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
         friction=base.soil.friction,
         k_h=base.of_slope(slope.k_h),
         shaken_load=base.of_slope(slope.k_h_on_surcharge),
+        water=base.water,
         steps=steps,
         constant=base.constant,
         gradient=base.gradient,
-        shaken=base.shaken(steps),
+        shaken=np.any(steps, axis=1),
     )
 
 
@@ -305,19 +343,7 @@ class _Bases:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
         steps = np.concatenate(rows)
-        steps = steps[:, self.lane] / self.unit_weight
-        if slope.pond is not None:
-            of_soil = np.broadcast_to(steps, (len(steps), len(self.arc)))
-            of_pond = [np.zeros_like(self.water), -self.water]
-            steps = np.concatenate([of_soil, of_pond])
-        return steps * (self.above > 0.0)
-
-    def shaken(self, steps: Floats) -> NDArray[np.bool_]:
-        """The surfaces of soil."""
-        shaken = np.any(steps, axis=1)
-        if self.slope.pond is not None:
-            shaken[-1] = False
-        return shaken
+        return steps[:, self.lane] / self.unit_weight * (self.above > 0.0)
 
     def _above_arc(self, k: int, factor: Any) -> Floats:
         """Height of a surface above the arc times a factor."""
@@ -328,24 +354,25 @@ class _Bases:
     def stresses(self, steps: Floats) -> Stresses:
         """By interval."""
         none = np.zeros((3, 1))
-        buoyancy, pond, relieved = none, none, none
-        of_soil = steps
-        if self.slope.pond is not None:
-            of_soil = steps[:-2]
-            ground = self.above[0]
-            water_level = self.above[-2]
-            buoyancy = self._above_arc(-1, steps[-1])
-            wet = self.water * (water_level > 0.0)
-            relieved = self._above_arc(-2, wet)
-            filled = self.water * (water_level > ground)
-            pond = self._above_arc(-2, filled)
-            pond = pond - self._above_arc(0, filled)
-        soil = self._soil_weight(of_soil)
+        pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
+        soil = self._soil_weight(steps)
         scale = self.unit_weight * self.scale
         pressure = self._pore_pressure(soil, scale)
         load = self._load() / scale
         cohesion = self._cohesion() / scale
-        return Stresses(soil, buoyancy, load, pond, pressure, relieved, cohesion)
+        return Stresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
+
+    def _free_water(self, ponds: Ponds) -> tuple[Floats, Floats]:
+        """Pressure of free water on the ground, and minus the weight of water in the place of the soil below it."""
+        depth = np.zeros((3, len(self.arc)))
+        filled = np.zeros(len(self.arc))
+        for first, last, level, _ in zip(*ponds, strict=True):
+            inside = (self.x > self.of_slope(first)) & (self.x < self.of_slope(last))
+            height = (self.of_slope(level) - self.centre_y) / self.scale
+            depth[0] += inside * (height - self.constant[0])
+            depth[1] -= inside * self.gradient[0]
+            filled += inside
+        return self.water * depth, -self._above_arc(0, self.water * filled)
 
     def _soil_weight(self, steps: Floats) -> Floats:
         """Vertical stress of the soil, the sum of the steps times the heights of their surfaces above the arc."""
