@@ -154,7 +154,7 @@ def closed() -> tuple[Expr, ...]:
     rings = []
     for name, triangle in triangles().items():
         n, direction = _split(WEIGHTS[name])
-        primitive = antiderivative(direction, theta, "6.3") / n
+        primitive = antiderivative(direction, theta) / n
         if direction == 1:
             sector = primitive.subs(theta, ANGLE)
         else:
