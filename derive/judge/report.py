@@ -22,15 +22,23 @@ def selected(names: Sequence[str]) -> list[Claim]:
         If a name selects no claim; the message lists the places.
     """
 
-    def matches(claim: Claim, name: str) -> bool:
-        place, sought = (x.replace("(", "").replace(")", "").casefold() for x in (claim.id, " ".join(name.split())))
-        return bool(sought) and (place == sought or place.startswith(f"{sought} "))
-
+    chosen = []
     for name in names:
-        if not any(matches(x, name) for x in CLAIMS):
+        sought = _plain(name)
+        found = [x for x in CLAIMS if sought and f"{_plain(x.id)} ".startswith(f"{sought} ")]
+        if not found:
             others = ", ".join(x.id for x in CLAIMS if not x.id.startswith("("))
             raise ValueError(f"{name!r} is not a claim of the paper; choose 1.1 to 4.5, or one of {others}")
-    return [x for x in CLAIMS if not names or any(matches(x, name) for name in names)]
+        chosen += found
+    if not names:
+        return list(CLAIMS)
+    return [x for x in CLAIMS if x in chosen]
+
+
+def _plain(place: str) -> str:
+    """Return a place in lower case, without brackets and with single spaces."""
+    words = place.replace("(", "").replace(")", "")
+    return " ".join(words.casefold().split())
 
 
 def counts(rows: Iterable[Row]) -> str:
@@ -95,8 +103,10 @@ def errors(rows: Sequence[Row], width: int) -> str:
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1), expand=True)
-    for heading, ratio in (("place", 0), ("printed", 3), ("correct", 4), ("cause", 6)):
-        table.add_column(heading, overflow="fold", ratio=ratio or None, no_wrap=not ratio)
+    table.add_column("place", no_wrap=True)
+    table.add_column("printed", ratio=3)
+    table.add_column("correct", ratio=4)
+    table.add_column("cause", ratio=6)
     for row in rows:
         if row.verdict in ERRORS:
             table.add_row(row.id, row.printed, row.computed, row.cause)
@@ -104,7 +114,9 @@ def errors(rows: Sequence[Row], width: int) -> str:
     with console.capture() as captured:
         console.print(table)
     lines = [line.rstrip() for line in captured.get().splitlines()]
-    return "\n".join([*lines, f"{counts(rows)}.", "All claims: --all; one claim: its number, such as 3.15."])
+    lines.append(f"{counts(rows)}.")
+    lines.append("All claims: --all; one claim: its number, such as 3.15.")
+    return "\n".join(lines)
 
 
 def _paragraph(text: str, width: int) -> str:

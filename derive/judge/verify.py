@@ -227,13 +227,20 @@ def _small(claim: Claim) -> Judgement:
     change = claim.definition()
     low, high = _bounds(claim)
     largest = s.reached("phi", as_printed=True)
-    computed = claim.shows.format(*(mp.nstr(change(x), 4) for x in (*map(mp.radians, (1, 2, 5)), largest)))
-    if low <= change(largest) <= high:
+    rotations = [mp.radians(x) for x in (1, 2, 5)]
+    rotations.append(largest)
+    changes = [change(x) for x in rotations]
+    computed = claim.shows.format(*(mp.nstr(x, 4) for x in changes))
+    last = changes[-1]
+    if low <= last <= high:
         return computed, "holds", claim.remark
-    least = low if change(largest) < low else high
-    threshold = mp.findroot(lambda phi: change(phi) - least, (0, largest), solver="anderson")
-    holds_to, reaches = (mp.nstr(mp.degrees(x), 3) for x in (threshold, largest))
-    return computed, "imprecise", f"no range is stated; true up to {holds_to} degrees, but the paper reaches {reaches}"
+    limit = low if last < low else high
+    interval = (0, largest)
+    threshold = mp.findroot(lambda phi: change(phi) - limit, interval, solver="anderson")
+    holds_to = mp.nstr(mp.degrees(threshold), 3)
+    reaches = mp.nstr(mp.degrees(largest), 3)
+    cause = f"no range is stated; true up to {holds_to} degrees, but the paper reaches {reaches}"
+    return computed, "imprecise", cause
 
 
 def _range(claim: Claim) -> Judgement:
