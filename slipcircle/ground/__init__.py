@@ -7,8 +7,7 @@ from slipcircle.ground.ground import circle_through, circle_touching, continued,
 
 if TYPE_CHECKING:
     from slipcircle.ground.errors import outside_between
-    from slipcircle.ground.lines import edge_below, line_crossings
-    from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_faults
+    from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_fault
     from slipcircle.ground.section import Section
 
 __all__ = [
@@ -17,16 +16,14 @@ __all__ = [
     "circle_through",
     "circle_touching",
     "continued",
-    "edge_below",
     "ends_above",
     "free_water",
-    "line_crossings",
     "outside_between",
     "simple_slope",
     "slope_errors",
-    "water_faults",
+    "water_fault",
 ]
-_MODULES = {"Section": "section", "outside_between": "errors", "edge_below": "lines", "line_crossings": "lines"}
+_MODULES = {"Section": "section", "outside_between": "errors"}
 
 
 def __getattr__(name: str) -> Any:

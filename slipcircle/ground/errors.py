@@ -12,12 +12,12 @@ import numpy as np
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
 from slipcircle.ground.ground import AS_PRINTED
-from slipcircle.ground.ponds import ends_above, water_faults
+from slipcircle.ground.ponds import ends_above, water_fault
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
     """Lanes that are no sections."""
-    yield from water_faults(*section.water)
+    yield water_fault(*section.water)
     yield _not_one_stretch(section)
     yield _below_ground(section)
     yield _one_point(section)
@@ -71,8 +71,10 @@ def outside_between(section: Any) -> Fault:
     low, high = section.between or (-np.inf, np.inf)
     rounding = AS_PRINTED * (right - left)
     given = f"{{between}} = [{low:.6g}, {high:.6g}]"
+    begins_before = left < low - rounding
+    ends_after = right > high + rounding
     return (
-        (left < low - rounding) | (right > high + rounding),
+        begins_before | ends_after,
         lambda k: f"{given}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}",
     )
 
@@ -140,9 +142,11 @@ def motion_errors(section: Any) -> Iterator[Fault]:
     )
     left, right = _x_of_ends(section)
     water = section.free_water
-    common = np.minimum(water.last, right) - np.maximum(water.first, left)
+    first = np.maximum(water.first, left)
+    last = np.minimum(water.last, right)
+    covered = last > first
     yield (
-        np.any(common > 0.0, axis=0),
+        covered.any(axis=0),
         lambda k: "{level}: free water covers the mass, whose drag and added mass are not known; a motion refuses it",
     )
     normal_load = np.ravel(section.moment_coefficients.normal_load)

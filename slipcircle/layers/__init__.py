@@ -5,7 +5,7 @@ from slipcircle.layers.cracks import crack_place
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
 from slipcircle.layers.soils_along import Stretch, mean_normal_stress, soils_under, stretches
-from slipcircle.layers.strips import meets_circle
+from slipcircle.layers.strips import edge_below, line_crossings, meets_circle
 
 __all__ = [
     "LayeredSection",
@@ -13,8 +13,10 @@ __all__ = [
     "Stretch",
     "crack_place",
     "datum_of",
+    "edge_below",
     "friction_at_rest",
     "layer_mistakes",
+    "line_crossings",
     "mean_normal_stress",
     "meets_circle",
     "soils_under",

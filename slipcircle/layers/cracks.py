@@ -15,10 +15,9 @@ from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.ground.errors import geometry_errors
-from slipcircle.ground.lines import edge_below
 from slipcircle.ground.plane import each_lane
 from slipcircle.ground.section import Section
-from slipcircle.layers.strips import arc_crossings
+from slipcircle.layers.strips import arc_crossings, edge_below
 
 
 class CrackedSection(Section):

@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import Ponds, continued, edge_below, line_crossings
+from slipcircle.ground import Ponds, continued
+from slipcircle.layers import edge_below, line_crossings
 
 
 class SoilArrays(NamedTuple):
@@ -83,8 +84,13 @@ class SlopeArrays:
     @cached_property
     def _pond_levels(self) -> list[Floats]:
         """Levels of free water as lines over the whole ground."""
-        levels = () if self.ponds is None else np.unique(self.ponds.level, axis=0)
-        return [self._over_ground(level_line(level, self.ground)) for level in levels]
+        if self.ponds is None:
+            return []
+        lines = []
+        for level in np.unique(self.ponds.level, axis=0):
+            line = level_line(level, self.ground)
+            lines.append(self._over_ground(line))
+        return lines
 
     def _over_ground(self, line: Floats) -> Floats:
         x = self.ground[..., 0]

@@ -8,9 +8,9 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import Ponds
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.columns import SlopeArrays
+from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
 from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
 
 YIELD = "k_y"  # least yield coefficient, in the place of a method
@@ -90,17 +90,17 @@ def _driven(
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
-    gravity = slices.driving_moment() + _at_shores(slope, arcs)
+    gravity = slices.driving_moment() + at_shores(slope, arcs)
     negligible = 1e-9 * slices.weight_along_arc()
     is_driven = np.abs(gravity) > negligible
     facing = np.where(is_driven, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
         slices = slices_above(slope, arcs, pieces, nodes)
-        gravity = slices.driving_moment() + _at_shores(slope, arcs)
+        gravity = slices.driving_moment() + at_shores(slope, arcs)
     slices = slices.facing(facing)
     if slope.ponds is not None:
-        slices = slices.submerged(_level_at_exit(slope.ponds, arcs, facing))
+        slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
     upper_end = np.where(facing > 0.0, arcs.first, arcs.last)
     gravity = facing * gravity + _crack_water(slope, radius, upper_end)
     driving = gravity
@@ -138,33 +138,6 @@ def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
     return arcs._replace(
         first=np.where(deep_enough, first, 0.0), last=np.where(deep_enough, last, 0.0), valid=arcs.valid & deep_enough
     )
-
-
-def _at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
-    """Moment of free water on the ground less that of the weight of the water displaced below the ground it covers.
-
-    On the verticals from its shores to the arc, of height h, its pressure has the moment gamma_w h^2/2 (cos b - h/3).
-    """
-    if slope.ponds is None:
-        return 0.0
-    ponds = slope.ponds
-    x, y = arcs.centre.T
-    sines = (np.stack([ponds.first, ponds.last]) - x) / arcs.radius
-    inside = (sines > np.sin(arcs.first)) & (sines < np.sin(arcs.last))
-    cosine = np.sqrt(np.maximum(1.0 - sines**2, 0.0))
-    height = (ponds.level - y) / arcs.radius + cosine
-    before, after = np.where(inside, height**2 / 2 * (cosine - height / 3), 0.0).sum(axis=1)
-    return slope.water_unit_weight / slope.soils.unit_weight[0] * (after - before)
-
-
-def _level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
-    """Level of free water above the exits of arcs over R from the centre; -inf where an exit is dry."""
-    place = np.where(facing > 0.0, arcs.last, arcs.first)
-    x, y = arcs.centre.T
-    exit_x = x + arcs.radius * np.sin(place)
-    exit_y = y - arcs.radius * np.cos(place)
-    level = ponds.covering(exit_x, exit_y)
-    return np.where(facing == 0.0, -np.inf, (level - y) / arcs.radius)
 
 
 def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:

@@ -109,34 +109,6 @@ class Slices(NamedTuple):
             sine=self.sine * sense, gradient=self.gradient * sense, stresses=self.stresses.turned(sense), way=sense
         )
 
-    def submerged(self, level: Floats) -> Slices:
-        """The same with the reference level of free water at the exit of each arc, over R from the centre.
-
-        What lies below it is buoyant, and pore pressure counts in excess of it; other free water is a load.
-        """
-        of_arc = level[self.arc]
-        middle = len(self.sine) // 2
-        constant, gradient = self.constant[0], self.gradient[0]
-        above_arc = of_arc + self.cosine[middle] > 0.0
-        above_ground = of_arc > self.surface(0)[middle]
-        height = np.where(above_arc, of_arc, 0.0)
-        wet = self.water * above_arc
-        top = np.where(above_ground, constant, height), np.where(above_ground, gradient, 0.0)
-        flat = np.zeros_like(wet)
-        on_ground = np.where(above_ground, [wet * (height - constant), -wet * gradient, flat], 0.0)
-        stresses = self.stresses
-        return self._replace(
-            steps=np.concatenate([self.steps, [-wet]]),
-            constant=np.concatenate([self.constant, top[:1]]),
-            gradient=np.concatenate([self.gradient, top[1:]]),
-            shaken=np.append(self.shaken, False),
-            stresses=stresses._replace(
-                buoyancy=-wet * [*top, np.ones_like(wet)],
-                relieved=wet * [height, flat, np.ones_like(wet)],
-                excess=stresses.pond - on_ground,
-            ),
-        )
-
     def driving_moment(self) -> Floats:
         """Of gravity and of the weight of displaced water about the centre, of each arc."""
         stresses = self.stresses
@@ -187,7 +159,8 @@ class Slices(NamedTuple):
         uplift = self.uplift()
         soil = slopes.ordinary_normal(sine, cosine, weight, uplift, self.k_h)
         across = self.gradient[0] * sine + cosine
-        return soil + loads + self.at(stresses.excess) * cosine * across
+        pressure = self.at(stresses.excess) * cosine
+        return soil + loads + pressure * across
 
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
@@ -367,8 +340,11 @@ class _Bases:
         depth = np.zeros((3, len(self.arc)))
         filled = np.zeros(len(self.arc))
         for first, last, level, _ in zip(*ponds, strict=True):
-            inside = (self.x > self.of_slope(first)) & (self.x < self.of_slope(last))
-            height = (self.of_slope(level) - self.centre_y) / self.scale
+            after_first = self.x > self.of_slope(first)
+            before_last = self.x < self.of_slope(last)
+            inside = after_first & before_last
+            from_centre = self.of_slope(level) - self.centre_y
+            height = from_centre / self.scale
             depth[0] += inside * (height - self.constant[0])
             depth[1] -= inside * self.gradient[0]
             filled += inside

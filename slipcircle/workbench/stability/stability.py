@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_faults
+from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
@@ -160,7 +160,7 @@ class Slope:
         """A sentence for each mistake of fields that are valid by themselves."""
         mistakes = []
         ground = np.asarray(self.ground)
-        mistakes += complaint(water_faults(*self._water), ())
+        mistakes += complaint([water_fault(*self._water)], ())
         if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
