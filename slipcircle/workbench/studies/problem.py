@@ -14,7 +14,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
-from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
+from slipcircle.workbench.common.quantities import OBSERVABLE, REMOVED, Interval, Observed, observable
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
@@ -130,7 +130,8 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
     """Values and standard errors of what is observed, and what of it are intervals."""
     found = dict[str, tuple[float, float | None]]()
     unknown = [name for name in given if name not in OBSERVABLE]
-    mistakes = [f"observed.{name}: is no outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
+    known = f"known are {', '.join(OBSERVABLE)}"
+    mistakes = [f"{path}: is no outcome; {REMOVED.get(path, known)}" for path in map("observed.{}".format, unknown)]
     asked = {name: value for name, value in given.items() if name in OBSERVABLE}
     for name, value in asked.items():
         seen, sigma = _observation(value)
