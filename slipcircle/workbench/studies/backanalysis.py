@@ -164,9 +164,8 @@ def backanalyse(
     scene : Scene
         Its values of the fields are ignored.
     run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
-        Observed value, value and standard error, or `Interval`; m, m, m/s, s, m; signs as in `Motion`. The end
-        displacement is an observed place of rest. By default what the scene has as ``observed``. A single one is met
-        exactly by one field, several by least squares.
+        Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
+        By default ``scene.observed``. A single one is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
