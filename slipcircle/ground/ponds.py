@@ -62,7 +62,7 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     x, y = grounds[:, 0].min(axis=0)
     beside = [x - 1.0, x - 1.0, y, 0.0]  # where a lane has less water
     padded = [of_lane + [beside] * (count - len(of_lane)) for of_lane in bodies]
-    table = np.reshape(padded, (lanes, count, 4))
+    table: Floats = np.reshape(padded, (lanes, count, 4))
     return Ponds(*table.T)
 
 
