@@ -63,7 +63,7 @@ SOME = tuple(e for e in EFFECTS if e.name in ("rotation", "centripetal", "cohesi
 
 def test_a_wrong_sign_is_not_the_equation_of_motion() -> None:
     """Linked programs are proved to be (3.11), which is derived elsewhere from the balance laws."""
-    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], *(law for law in LAWS if law.name == "linear")))) == 15
+    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], *(law for law in LAWS if law.name == "linear")))) == 24
     wrong = replace(CENTRIPETAL, stress=-CENTRIPETAL.stress)
     with pytest.raises(ProofError, match=r"\(3.11\), centripetal, constant, direction 1, at the start"):
         linked.prove((wrong,), LAWS[:1])

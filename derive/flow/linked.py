@@ -5,7 +5,7 @@ means. All that the linker combines, omits, orders and numbers is therefore part
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import product
+from itertools import chain, cycle, product
 from typing import Any
 
 from sympy import Add, Expr, Integer, Lt, Mul, Rational, Symbol, cos, expand, expand_trig, log, sin
@@ -13,12 +13,33 @@ from sympy import Add, Expr, Integer, Lt, Mul, Rational, Symbol, cos, expand, ex
 from derive.algebra import dynamics
 from derive.algebra.prove import prove_rational
 from derive.algebra.remainders import Select, unfold
-from derive.declare.effects import DEGREE, EFFECTS, K_H, K_V, LAWS, SLIP, SPEED, WATER, Effect, Law
-from derive.flow.fragments import CALLABLE, INPUTS, degree
+from derive.declare import effects as symbols
+from derive.declare.effects import (
+    BY_PSI,
+    DEGREE,
+    DRIVING_MOMENT,
+    EFFECTIVE,
+    EFFECTS,
+    J_R,
+    J_THETA,
+    K_H,
+    K_V,
+    LAWS,
+    MU,
+    NORMAL_LOAD,
+    OMEGA,
+    OMEGA_2,
+    SLIP,
+    SPEED,
+    THETA,
+    Effect,
+    Law,
+)
+from derive.flow.fragments import CALLABLE, degree
 from derive.flow.link import lookup
 from derive.flow.link.definitions import Recipe
 from derive.flow.link.program import Program, build
-from derive.flow.lowering import ONE, ZERO
+from derive.flow.lowering import ONE, ZERO, without_tanh
 from derive.flow.recurrences import CELLS, OPERATIONS, Operation
 
 Cells = Mapping[str, Expr]
@@ -29,9 +50,9 @@ def positive(name: str) -> Symbol:
     return Symbol(name, positive=True)
 
 
-# Moments and their slopes, over Theta*.
-DRIVING, DRIVING_SLOPE, NORMAL, NORMAL_SLOPE, LAMBDA, POLAR = map(positive, INPUTS)
-LIMIT = {"LIMIT": DRIVING / NORMAL}  # (3.21)
+# Over Theta*, as all moments here.
+LAMBDA, POLAR = positive("resistance_factor"), positive("polar_moment")
+LIMIT = {"LIMIT": positive("driving_moment") / positive("normal_load")}  # (3.21)
 START = LIMIT | dict.fromkeys(("TIME", "SLIP", "ROTATION", "LIFTED"), ZERO)
 LATER = LIMIT | {x: positive(x) for x in ("TIME", "SLIP", "ROTATION")}
 # Where a phase begins; nothing presses on the slip surface of a mass that is lifted.
@@ -144,7 +165,7 @@ def friction(law: Law, slip: Expr) -> Expr:
     """Return the friction coefficient of a law; of one in pieces, of the piece of the moment."""
     if law.coefficient is not None and not law.kinks:
         names = {Symbol(p.name, real=True): positive(f"{law.name}.{p.name}") for p in law.parameters}
-        coefficient = law.coefficient.xreplace(names | {SLIP: slip, SPEED: now("omega")})
+        coefficient = without_tanh(law.coefficient).xreplace(names | {SLIP: slip, SPEED: now("omega")})
         return expand(coefficient, mul=False)
     (variable,) = law.depends_on
     if variable == "time":
@@ -155,103 +176,91 @@ def friction(law: Law, slip: Expr) -> Expr:
     return piece(law.name, degree(law), argument)
 
 
-class Motion:
-    """The equation of motion of a recipe with some laws at a moment, in absolute terms."""
+def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
+    """Return the parameters of effects at a moment; those that are ``moving`` change along the motion."""
+    values: dict[Symbol, Expr] = {K_H: ZERO, K_V: ZERO}
+    for x, p in chain.from_iterable(effect.symbols.items() for effect in effects):
+        name = str(x)
+        if name not in moving:
+            values[x] = positive(name)
+        elif p.kind == "rotation":
+            values[x] = piece(name, DEGREE, now("x"))
+        else:
+            values[x] = positive(f"{name}.VALUE") + since(name)
+    return values | {x: now(str(x)) for effect in effects for x in effect.states}
 
-    def __init__(self, recipe: Recipe, laws: Sequence[Law], known: Cells) -> None:
-        self.recipe = recipe
-        self.direction = known["DIRECTION"]
-        self.phi = self.of("rotation", known["ROTATION"] + self.direction * now("x"))
-        slip = known["SLIP"] + now("x")
-        self.mu = (1 - known["LIFTED"]) * Mul(*(friction(law, slip) for law in laws))
 
-    def of(self, effect: str, e: Expr) -> Expr:
-        """Return a term of an effect, zero where the recipe lacks the effect."""
-        return e if effect in self.recipe.effects else ZERO
+def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> dict[str, Expr]:
+    """Return the rates of the states by (3.11) with the declared terms of effects, and the normal force, over Theta*.
 
-    def parameter(self, name: str) -> Expr:
-        """Return a parameter at the moment."""
-        if name not in self.recipe.moving:
-            return positive(name)
-        if name == str(WATER):  # a function of the rotation
-            return piece(name, DEGREE, now("x"))
-        return positive(f"{name}.VALUE") + since(name)
+    Rotation and centripetal stress are those of the balance laws.
+    """
+    direction, x, omega = known["DIRECTION"], now("x"), now("omega")
+    centripetal = "centripetal" in (effect.name for effect in effects)
+    turns = any(effect.turns for effect in effects)
+    phi = known["ROTATION"] + direction * x if turns else ZERO
+    values = parameters(effects, moving)
+    for q, slope in BY_PSI.items():
+        at_start = {x: positive(str(x)) for x in BY_PSI}
+        values[q] = expand_trig((q * cos(phi) - slope * sin(phi)).xreplace(at_start))
+    values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
+    values |= {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + x}
 
-    def turned(self, q: Expr, slope: Expr) -> Expr:
-        """Return a component of the weight after the rotation, q(psi - phi), from q and dq/dpsi at the start."""
-        return expand_trig(q * cos(self.phi) - slope * sin(self.phi))
+    def total(quantity: str) -> Expr:
+        terms = [effect.terms[quantity] for effect in effects if effect.name != "centripetal"]
+        return Add(*terms).xreplace(values)
 
-    def gravity(self, q: Expr, slope: Expr) -> Expr:
-        """Return a component of the weight under shaking, which tilts and scales gravity."""
-        k_h, k_v = (self.of("shaking", self.parameter(str(x))) for x in (K_H, K_V))
-        return (1 - k_v) * self.turned(q, slope) + k_h * self.turned(slope, -q)
-
-    def uplift(self) -> Expr:
-        """Return the resultant of the pore pressure."""
-        ratio, pressure, level = map(self.parameter, ("pore_ratio", "pore_pressure", str(WATER)))
-        water = ratio * self.turned(NORMAL, NORMAL_SLOPE) + LAMBDA * (pressure + level)
-        heated = LAMBDA * now("excess")
-        return self.of("pore_pressure", water) + self.of("thermal_pressurisation", heated)
-
-    def resistance(self) -> Expr:
-        """Return the moment that resists in addition to friction."""
-        omega = now("omega")
-        cohesion = self.of("cohesion", LAMBDA * positive("cohesion"))
-        drag = self.of("drag", positive("drag") * omega**2)
-        return cohesion + drag + self.of("viscosity", positive("viscosity") * omega)
-
-    def rates(self) -> dict[str, Expr]:
-        """Return the rates of the states by (3.11), and the normal force."""
-        omega = now("omega")
-        inertia = self.of("centripetal", POLAR)
-        load = self.gravity(NORMAL, NORMAL_SLOPE) - self.uplift()
-        terms = {
-            dynamics.j_theta: self.direction * self.gravity(DRIVING, DRIVING_SLOPE) - self.resistance(),
-            dynamics.j_r: load,
-            dynamics.polar: inertia,
-            dynamics.mu: self.mu,
-            dynamics.omega_star: omega,
-        }
-        normal = load + inertia * omega**2
-        return {
-            "x": omega,
-            "omega": dynamics.balance()["3.11"].xreplace(terms),
-            "excess": positive("kappa") * self.mu * normal / LAMBDA * omega,
-            "normal": normal,
-        }
+    drive = direction * (values[J_THETA] + total("J_theta")) - total("resistance")
+    load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
+    mu = Mul(*(friction(law, values[SLIP]) for law in laws)) + total("mu")
+    terms = {
+        dynamics.j_theta: drive,
+        dynamics.j_r: load,
+        dynamics.polar: POLAR if centripetal else ZERO,
+        dynamics.mu: mu * (1 - known["LIFTED"]),
+        dynamics.omega_star: omega,
+    }
+    normal = load + terms[dynamics.polar] * omega**2
+    values |= {MU: mu, EFFECTIVE: normal / LAMBDA}
+    sheared = terms[dynamics.mu] * values[EFFECTIVE]
+    rates = {}
+    for effect in effects:
+        growth = effect.growth.subs(MU * EFFECTIVE, sheared).xreplace(values)
+        rates |= {str(x): growth * omega for x in effect.states}
+    return rates | {"x": omega, "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
 
 
 # --- proofs ----------------------------------------------------------------------------------------------------------
 
 
 def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequence[Effect], tuple[Law, ...]]]:
-    """Yield effects with laws: each effect alone, all effects with each law, and laws of slip with laws of speed."""
+    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws."""
     constant, *_ = laws
-    yield from (((effect,), (constant,)) for effect in effects)
-    yield from ((effects, (law,)) for law in laws)
+    yield from ((some, (constant,)) for some in (*((effect,) for effect in effects), effects))
+    turning = [effect for effect in effects if not effect.parameters]
+    yield from ((turning, (law,)) for law in laws)
     of_slip, of_speed = ([law for law in laws if law.depends_on == (x,)] for x in ("slip", "speed"))
-    yield from (((), both) for both in product(of_slip, of_speed))
+    yield from (((), both) for both in zip(of_slip, cycle(of_speed), strict=False))
 
 
 def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> list[str]:
-    """Prove that programs of effects and laws are (3.11), in phases of each kind.
+    """Prove that programs of effects and laws are (3.11), in both directions of travel and in phases of each kind.
 
-    The drive at the start is computed from the limit friction (3.21), later from the terms of the balance. With the
-    first law both directions of travel are proved, and parameters that may change along the motion do.
+    The drive at the start is computed from the limit friction (3.21), later from the terms of the balance. All
+    parameters that may change along the motion do.
     """
     parts = lookup(effects, laws)
     claims = []
     for some, of_friction in cases(effects, laws):
-        first = of_friction == (laws[0],)
-        parameters = [p for effect in some for p in effect.parameters if p.symbol]
-        moving = tuple(str(p.symbol) for p in parameters if p.kind in ("series", "rotation"))
+        declared = [p for effect in some for p in effect.parameters if p.symbol]
+        moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
         names = tuple(effect.name for effect in some)
-        recipe = Recipe(names, tuple(law.name for law in of_friction), moving * first)
+        recipe = Recipe(names, tuple(law.name for law in of_friction), moving)
         program = build(recipe, parts)
-        for direction, phase in product((1, -1) if first else (-1,), PHASES):
+        for direction, phase in product((1, -1), PHASES):
             claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
             known = {**PHASES[phase], "DIRECTION": Integer(direction)}
-            equation = Motion(recipe, of_friction, known).rates()
+            equation = motion(some, of_friction, recipe.moving, known)
             for name, rate in rates(program, known).items():
                 for difference in outcomes(rate - equation[name]):
                     prove_rational(unfold(difference), f"{claims[-1]}: d{name}/dt")
