@@ -223,11 +223,11 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
     normal = load + terms[dynamics.polar] * omega**2
     values |= {MU: mu, EFFECTIVE: normal / LAMBDA}
     sheared = terms[dynamics.mu] * values[EFFECTIVE]
-    rates = {}
+    found = dict[str, Expr]()
     for effect in effects:
         growth = effect.growth.subs(MU * EFFECTIVE, sheared).xreplace(values)
-        rates |= {str(x): growth * omega for x in effect.states}
-    return rates | {"x": omega, "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
+        found |= {str(x): growth * omega for x in effect.states}
+    return found | {"x": omega, "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
 
 
 # --- proofs ----------------------------------------------------------------------------------------------------------
