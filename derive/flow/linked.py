@@ -190,44 +190,49 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
     return values | {x: now(str(x)) for effect in effects for x in effect.states}
 
 
+def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -> dict[Symbol, Expr]:
+    """Return the values of all symbols of declared terms at a moment, friction and normal stress excepted."""
+    turns = any(effect.turns for effect in effects)
+    phi = known["ROTATION"] + known["DIRECTION"] * now("x") if turns else ZERO
+    values = parameters(effects, moving)
+    at_start = {q: positive(str(q)) for q in BY_PSI}
+    for q, slope in BY_PSI.items():
+        turned = q * cos(phi) - slope * sin(phi)
+        values[q] = expand_trig(turned.xreplace(at_start))
+    values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
+    omega = now("omega")
+    return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + now("x")}
+
+
 def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> dict[str, Expr]:
     """Return the rates of the states by (3.11) with the declared terms of effects, and the normal force, over Theta*.
 
     Rotation and centripetal stress are those of the balance laws.
     """
-    direction, x, omega = known["DIRECTION"], now("x"), now("omega")
-    centripetal = "centripetal" in (effect.name for effect in effects)
-    turns = any(effect.turns for effect in effects)
-    phi = known["ROTATION"] + direction * x if turns else ZERO
-    values = parameters(effects, moving)
-    for q, slope in BY_PSI.items():
-        at_start = {x: positive(str(x)) for x in BY_PSI}
-        values[q] = expand_trig((q * cos(phi) - slope * sin(phi)).xreplace(at_start))
-    values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
-    values |= {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + x}
+    values = symbols_at(effects, moving, known)
+    others = [effect for effect in effects if effect.name != "centripetal"]
+    polar = POLAR if len(others) < len(effects) else ZERO
 
     def total(quantity: str) -> Expr:
-        terms = [effect.terms[quantity] for effect in effects if effect.name != "centripetal"]
-        return Add(*terms).xreplace(values)
+        return Add(*(effect.terms[quantity] for effect in others)).xreplace(values)
 
-    drive = direction * (values[J_THETA] + total("J_theta")) - total("resistance")
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
     mu = Mul(*(friction(law, values[SLIP]) for law in laws)) + total("mu")
+    mobilised = mu * (1 - known["LIFTED"])
     terms = {
-        dynamics.j_theta: drive,
+        dynamics.j_theta: known["DIRECTION"] * (values[J_THETA] + total("J_theta")) - total("resistance"),
         dynamics.j_r: load,
-        dynamics.polar: POLAR if centripetal else ZERO,
-        dynamics.mu: mu * (1 - known["LIFTED"]),
-        dynamics.omega_star: omega,
+        dynamics.polar: polar,
+        dynamics.mu: mobilised,
+        dynamics.omega_star: values[OMEGA],
     }
-    normal = load + terms[dynamics.polar] * omega**2
-    values |= {MU: mu, EFFECTIVE: normal / LAMBDA}
-    sheared = terms[dynamics.mu] * values[EFFECTIVE]
-    found = dict[str, Expr]()
+    normal = load + polar * values[OMEGA_2]
+    rates = {"x": values[OMEGA], "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
+    stress = normal / LAMBDA
     for effect in effects:
-        growth = effect.growth.subs(MU * EFFECTIVE, sheared).xreplace(values)
-        found |= {str(x): growth * omega for x in effect.states}
-    return found | {"x": omega, "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
+        growth = effect.growth.subs(MU * EFFECTIVE, mobilised * stress)
+        rates |= {str(x): growth.xreplace({**values, MU: mu, EFFECTIVE: stress}) * values[OMEGA] for x in effect.states}
+    return rates
 
 
 # --- proofs ----------------------------------------------------------------------------------------------------------
