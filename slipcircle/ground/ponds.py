@@ -132,7 +132,7 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
 def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
     """Levels beside the ground, free water that slopes, and ponds on dry land or that end before their shores."""
     words = [_mistake(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
-    return [bool(text) for text in words], lambda k: words[k]
+    return np.array(words) != "", lambda k: words[k]
 
 
 def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> str:
