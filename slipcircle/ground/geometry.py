@@ -210,6 +210,26 @@ class SectionGeometry(TurningMass):
         return free_water(*self.water)
 
     @cached_property
+    def standing_level(self) -> Floats:
+        """Level of free water above the exits, over R from the centres, (lanes,); -inf where an exit is dry."""
+        _, centre, radius = self._circle
+        x, y = self.exit.reshape(-1, 2).T
+        level = self.free_water.covering(x, y)
+        return (level - centre[:, 1]) / radius
+
+    @cached_property
+    def in_standing_water(self) -> bool:
+        """Whether free water covers an exit."""
+        return bool(np.any(np.isfinite(self.standing_level)))
+
+    @cached_property
+    def _span(self) -> tuple[Floats, Floats]:
+        """Directions of the entry and of the exit, positive down-slope, (lanes,)."""
+        left, right = self._angles
+        faces_right = self._facing > 0.0
+        return np.where(faces_right, left, -right), np.where(faces_right, right, -left)
+
+    @cached_property
     def _water(self) -> HeightIntegrals:
         return height_integrals(self._level, *self._circle[1:])
 

@@ -249,7 +249,7 @@ def _integrands(
         y = at_left[k] + slope[k] * beyond
         height = np.maximum(y + c, 0.0)
         of_surface = columns[k] * per_node
-        rows = _over_height(c, height)
+        rows = over_height(c, height)
         _add(total, rows, of_surface)
     _complete(total, x, c)
     ground = at_left[0] + slope[0] * beyond
@@ -280,7 +280,7 @@ def _add_loads(
                 _add(total, rows, weight)
 
 
-def _over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
+def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
     """The integrals over y from the arc to a height h above it, by their numbers; `_complete` adds the rest."""
     gap = h * (2.0 * c - h)  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
@@ -296,7 +296,7 @@ def _over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
 
 
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """What the integrals over y are beyond the sums of `_over_height`, of all surfaces at once; the head is by beta."""
+    """What the integrals over y are beyond the sums of `over_height`, of all surfaces at once; the head is by beta."""
     radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
     radial_x *= x
     polar += x * radial_x

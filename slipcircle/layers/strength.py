@@ -90,6 +90,8 @@ class ArcStrength(StretchIntegrals):
             names.append("growth")
         if self.section.level is not None:
             names.append("heads")
+        if self.section.in_standing_water:
+            names += ["standing", "displaced"]
         parts = self.parts(np.zeros((1, circles)), names)
         return {name: part[:, 0] for name, part in parts.items()}
 
@@ -323,7 +325,16 @@ class ArcStrength(StretchIntegrals):
             below_level = np.where(ratio > 0.0, 0.0, share)
             weight = below_level * section.water_unit_weight / self._weight_scale
             coefficients["heads"] = self._by_direction(weight)
+        if section.in_standing_water:
+            stays_in_space = True
+            coefficients["standing"] = self._by_direction(share * section.water_unit_weight / self._weight_scale)
         return self._function(coefficients, needs.rotates and stays_in_space)
+
+    def standing_moment(self, needs: Needs) -> Any:
+        """The moment of displaced water over Theta*."""
+        section = self.section
+        share = section.water_unit_weight * section._moments["inertia"] / self._weight_scale
+        return self._function({"displaced": share[None]}, needs.rotates)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
         """A function of the rotation, or the number that it is at the start; 0 of nothing."""

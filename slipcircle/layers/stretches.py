@@ -16,9 +16,13 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
+from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
 # What sections that differ in numbers of soils alone have in common.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
+
+
+_DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts that are not of the weight
 
 
 class Stretches(NamedTuple):
@@ -69,11 +73,8 @@ class StretchIntegrals:
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
         """Directions of the entry and of the exit, (circles,)."""
-        left, right = self.section._angles
-        faces_right = self.section._facing > 0.0
-        entry = np.where(faces_right, left, -right)
-        exit_ = np.where(faces_right, right, -left)
-        return entry, exit_
+        span: tuple[Floats, Floats] = self.section._span
+        return span
 
     @property
     def _joints(self) -> Floats:
@@ -134,7 +135,7 @@ class StretchIntegrals:
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
         """Parts by their names, of what presses all at once."""
-        every = {name: getattr(self, name)(rotation) for name in ("space", "heads", "growth") if name in names}
+        every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             every |= self._of_weight(rotation)
         return every
@@ -167,6 +168,24 @@ class StretchIntegrals:
         left = np.minimum(entry, there)
         right = np.maximum(entry, there)
         return self.section.heads_between(left, right)
+
+    def standing(self, rotation: Floats) -> Floats:
+        """What standing water takes from the normal force from the entry to these directions, (J + 2, M, circles)."""
+        first, last = self.span
+        both = [np.broadcast_to(end, rotation.shape) for end in (last, first)]
+        normal, _ = displaced(self.section, rotation, np.stack([*self._joints_met(rotation), *both]))
+        there = self.space(rotation)
+        return normal - relieved(self.section.standing_level, there[-1], there)
+
+    def displaced(self, rotation: Floats) -> Floats:
+        """Moment of the weight of displaced water, (1, M, circles).
+
+        Over the moment of inertia of a unit density: by itself it is small beside other parts, and tables have digits
+        by the greatest of them.
+        """
+        _, moment = displaced(self.section, rotation, np.empty((0, *rotation.shape)))
+        over_inertia: Floats = moment[None] / self.section._moments["inertia"]
+        return over_inertia
 
     def _growth(self, b: Floats) -> Floats:
         """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
@@ -229,6 +248,8 @@ class StretchIntegrals:
             if not self._base_stays:
                 turning = np.concatenate([ends, joints], axis=1)
             kinks.append(_differences(of_level, turning))
+        if section.in_standing_water:
+            kinks.append(vertex_kinks(section))
         if self._base_stays:
             strips = section._strips.beta * facing
             kinks.append(_differences(joints, strips))

@@ -85,6 +85,8 @@ class Mass:
         That of its soils, in place of the scene's.
     given : mapping or None
         Coefficients in place of computed ones.
+    in_standing_water : bool
+        Whether standing water covers its lower end.
     centre, exit, centroid : array
         x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
     area : float or array
@@ -108,6 +110,7 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
+    in_standing_water: Any = False
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 
