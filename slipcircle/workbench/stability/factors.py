@@ -79,6 +79,28 @@ def factors_by(
         return _VALUES[method](driven), driven.facing
 
 
+def strength_factors(
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, shaken: bool
+) -> Floats:
+    """Return by how much strength has to change for the paper's method to give the result of another method.
+
+    Arguments as for `circle_factors`. The result is a factor of safety, or if ``shaken`` the yield coefficient. Without
+    friction, or without a drive, the factor is exactly 1; it is NaN where the other method refuses the circle.
+    """
+    driven = _driven(slope, centre, radius, left, right, 1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if shaken:
+            k_h = yield_coefficient(driven, method)
+            driven = _shaken(driven, k_h)
+            factor = 1.0 / _paper(driven)
+        else:
+            factor = _VALUES[method](driven) / _paper(driven)
+    slices = driven.slices
+    has_friction = slices.integral(slices.friction) > 0.0
+    is_driven = driven.facing != 0.0
+    return np.where(has_friction & is_driven, factor, 1.0)
+
+
 # --- what drives -----------------------------------------------------------------------------------------------------
 
 
@@ -164,6 +186,30 @@ def _ordinary(driven: _Driven) -> Floats:
     slices = driven.slices
     strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
     return slices.integral(strength) / driven.driving
+
+
+def _shaken(driven: _Driven, k_h: Floats) -> _Driven:
+    """Return the slices under a horizontal acceleration k_h g of each arc, which acts on surcharges as well."""
+    slices = driven.slices._replace(k_h=k_h[driven.slices.arc], shaken_load=1.0)
+    return driven._replace(slices=slices, driving=driven.gravity + k_h * slices.shaking_moment())
+
+
+def yield_coefficient(driven: _Driven, method: str) -> Floats:
+    """Return k_h at which the factor of safety by a method is 1; Bishop's resistance does not depend on k_h."""
+    if method == "paper":
+        return _yield_coefficient(driven)
+    at_rest = _shaken(driven, np.zeros_like(driven.gravity))
+    shaken = _shaken(driven, np.ones_like(driven.gravity))
+    if method == "bishop":
+        slices = driven.slices
+        lowest, highest = _lever_range(slices)
+        normal = _bishop_normal(slices, np.ones_like(lowest))
+        resistance = slices.integral(slices.cohesion() + slices.friction * normal)
+        is_known = (lowest < 1.0) & (highest > 1.0)
+        return np.where(is_known, (resistance - at_rest.driving) / (shaken.driving - at_rest.driving), np.nan)
+    resistance = _ordinary(at_rest) * at_rest.driving
+    loss = resistance - _ordinary(shaken) * shaken.driving
+    return (resistance - at_rest.driving) / (shaken.driving - at_rest.driving + loss)
 
 
 def _yield_coefficient(driven: _Driven) -> Floats:

@@ -6,7 +6,7 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,7 +18,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.ground import Section, pond_errors, slope_errors
 from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
-from slipcircle.workbench.stability.factors import YIELD, circle_factors
+from slipcircle.workbench.stability.factors import YIELD, circle_factors, strength_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -39,6 +39,7 @@ METHODS: Mapping[str, tuple[str, str]] = {
         "forces between slices increase the normal stress on steep bases",
     ),
 }
+OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
 def least_of(method: str) -> str:
@@ -227,21 +228,36 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
-    section = scene.arc
-    strength = soil(scene.friction, scene.called)
-    scenes = np.arange(math.prod(scene.shape))
-    blocks = []
-    for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
-        by_lane = _of_scenes(scene.shape, block)
-        slope = _slope_of_section(section, strength, by_lane)
-        left, right = _ends(section, by_lane)
-        centre = by_lane(section.centre, 1)
-        radius = by_lane(section.radius)
-        blocks.append(circle_factors(slope, centre, radius, left, right))
+    blocks = [circle_factors(*circles) for circles in _circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
     return {name: array.reshape(scene.shape) for name, array in values.items()}
+
+
+def strength_factor(scene: Any, method: str) -> Any:
+    """Return the strength factor by which a scene on a ground starts from the result of a method, in its shape.
+
+    That is the factor of safety, or under shaking the yield coefficient. It is NaN where the method has no result.
+    """
+    shaken = "shaking" in scene.effects
+    if method == OF_CLOSURE or not soil(scene.friction, scene.called):
+        return 1.0
+    blocks = [strength_factors(*circles, method, shaken) for circles in _circles_of(scene)]
+    factor = np.concatenate(blocks).reshape(scene.shape)
+    return factor if scene.shape else float(factor)
+
+
+def _circles_of(scene: Any) -> Iterator[tuple[SlopeArrays, Floats, Floats, Floats, Floats]]:
+    """Yield slopes, centres, radii, left and right ends of the arcs of a scene, block by block."""
+    section = scene.arc
+    strength = soil(scene.friction, scene.called)
+    scenes = np.arange(math.prod(scene.shape))
+    for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
+        by_lane = _of_scenes(scene.shape, block)
+        left, right = _ends(section, by_lane)
+        slope = _slope_of_section(section, strength, by_lane)
+        yield slope, by_lane(section.centre, 1), by_lane(section.radius), left, right
 
 
 _ByLane = Callable[..., Floats]  # of a value, whose last axes (0 by default) are its own: with one axis of lanes
