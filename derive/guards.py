@@ -59,7 +59,13 @@ def _units(by_name: Mapping[str, str]) -> dict[sp.Symbol, sp.Expr]:
 NUMBER = of_unit("")
 MOTION = _units({"slip": "m", "speed": "m/s"})
 SCALES = _units(
-    {"half_angle cover Theta strength_factor": "", "radius": "m", "gravity": "m/s^2", "density": "kg/m^3", "reference_stress": "Pa"}
+    {
+        "half_angle cover Theta strength_factor": "",
+        "radius": "m",
+        "gravity": "m/s^2",
+        "density": "kg/m^3",
+        "reference_stress": "Pa",
+    }
 )
 LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
 OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope"

@@ -218,9 +218,16 @@ class Numbers:
         """Add a friction law: a table, or dimensionless numbers by its name; a law of speed beside it is a factor."""
         law = without_soil(name)
         strength = 1.0 if path == "friction.rate" else self.start["strength_factor"]
-        units = {"": 1.0 / strength, "m": self.radius, "m/s": self.radius / self.mass.time_scale, "s": self.mass.time_scale}
+        units = {
+            "": 1.0 / strength,
+            "m": self.radius,
+            "m/s": self.radius / self.mass.time_scale,
+            "s": self.mass.time_scale,
+        }
         if law == "callable":
-            self.add_table(name, room("functions").first_table(parameters["function"], self.radius), self.radius, strength)
+            self.add_table(
+                name, room("functions").first_table(parameters["function"], self.radius), self.radius, strength
+            )
         elif FRAGMENTS[law].tables:
             table, scale, unit = room("tables").of_law(law, parameters, self.shape)
             self.add_table(name, table, units[unit] / scale, strength)

@@ -19,6 +19,7 @@ from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_pat
 from slipcircle.core.scene.mass import Mass
 
 One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
+AS_ENTERED = 1.0  # strength factor
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 START: Mapping[str, Bounds] = {
     "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
@@ -90,7 +91,7 @@ class Scene(Generic[Numbers]):
     note: str = ""
     uncertain: Values = field(default_factory=dict)
     observed: Values = field(default_factory=dict)
-    strength_factor: Numbers | float = 1.0
+    strength_factor: Numbers | float = AS_ENTERED
 
     if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
 

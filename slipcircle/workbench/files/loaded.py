@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers, cached_property
-from slipcircle.core import Motion, Scene, room
+from slipcircle.core import AS_ENTERED, Motion, Scene, room
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.stability.stability import OF_CLOSURE, strength_factor
 
@@ -43,11 +43,11 @@ class SlopeScene(Scene[Numbers]):
     stability: Critical | None = None
     remarks: tuple[str, ...] = ()
     start: str = OF_CLOSURE
-    set_by_start: Any = Scene.strength_factor
+    set_by_start: Any = AS_ENTERED
 
     def __post_init__(self) -> None:
         if self.strength_factor is self.set_by_start:
-            self._start_with(1.0)  # until all fields are known to be valid
+            self._start_with(AS_ENTERED)  # until all fields are known to be valid
         super().__post_init__()
         self.start_anew()
         if not self.shape and self.strength_factor != self.strength_factor:

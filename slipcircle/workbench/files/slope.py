@@ -59,7 +59,7 @@ class SlopeInput:
 
     @property
     def start(self) -> str:
-        """Return the method from whose factor of safety the motion starts: by default that of the search, or Bishop's."""
+        """Return the method from which the motion starts, by default that of the search, or Bishop's."""
         circle = self.given.get("circle", {})
         named = circle.get("critical")
         return str(circle.get("start", named if named in METHODS else "bishop"))

@@ -65,7 +65,7 @@ class SuiteDesign:
         """What a record is multiplied by at each scale."""
         return self.scales / entry.peak if self.to_pga else self.scales
 
-    def shaken(self, record: Series | LaneSeries) -> Scene:
+    def shaken(self, record: Series | LaneSeries | float) -> Scene:
         """The scene that a record shakes, or of each lane one."""
         scene = self.sampling.scene
         assert isinstance(scene.effects, dict)
