@@ -17,7 +17,8 @@ from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
 from slipcircle.words import VelocityTimes
-from slipcircle.workbench.stability.stability import METHODS, OF_CLOSURE, factors_of_safety, soil
+from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 

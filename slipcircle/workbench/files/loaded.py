@@ -12,7 +12,7 @@ from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core import AS_ENTERED, Motion, Scene, room
 from slipcircle.workbench.files.numbers import by_name
-from slipcircle.workbench.stability.stability import OF_CLOSURE, strength_factor
+from slipcircle.workbench.stability.starting import OF_CLOSURE, strength_factor
 
 if TYPE_CHECKING:
     from slipcircle.workbench.stability.search import Critical

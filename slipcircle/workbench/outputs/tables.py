@@ -30,7 +30,8 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
-from slipcircle.workbench.stability.stability import OF_CLOSURE, least_of
+from slipcircle.workbench.stability.stability import least_of
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 

@@ -20,8 +20,8 @@ _NEWTON_STEPS = 20
 _CLOSE = 1e-9  # relative change of a converged factor
 
 
-class _Driven(NamedTuple):
-    """Slices with angles positive down-slope, and what drives them about the centre, over gamma R^3."""
+class Driven(NamedTuple):
+    """Slices with angles positive down-slope, and their driving moments about the centre, over gamma R^3."""
 
     slices: Slices
     facing: Floats  # 1 where the mass slides to the right, -1 to the left, 0 where nothing drives it
@@ -59,12 +59,12 @@ def circle_factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    driven = _driven(slope, centre, radius, left, right, pieces)
+    driven = driven_slices(slope, centre, radius, left, right, pieces)
     slices = driven.slices
     with np.errstate(divide="ignore", invalid="ignore"):
         factors = {method: value(driven) for method, value in _VALUES.items()}
     ordinary = slices.integral(slices.ordinary_normal() < 0.0)
-    bishop = slices.integral(_bishop_normal(slices, factors["bishop"]) < 0.0)
+    bishop = slices.integral(bishop_normal(slices, factors["bishop"]) < 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         negative = np.maximum(ordinary, bishop) / slices.integral(1.0)
     return factors | {"facing": driven.facing, "negative": negative}
@@ -74,39 +74,22 @@ def factors_by(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
 ) -> tuple[Floats, Floats]:
     """Factors by one method, or yield coefficients, and which way each mass slides."""
-    driven = _driven(slope, centre, radius, left, right, 1, nodes)
+    driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return _VALUES[method](driven), driven.facing
+        return factor_by(method, driven), driven.facing
 
 
-def strength_factors(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, shaken: bool
-) -> Floats:
-    """Return by how much strength has to change for the paper's method to give the result of another method.
-
-    Arguments as for `circle_factors`. The result is a factor of safety, or if ``shaken`` the yield coefficient. Without
-    friction, or without a drive, the factor is exactly 1; it is NaN where the other method refuses the circle.
-    """
-    driven = _driven(slope, centre, radius, left, right, 1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        if shaken:
-            k_h = yield_coefficient(driven, method)
-            driven = _shaken(driven, k_h)
-            factor = 1.0 / _paper(driven)
-        else:
-            factor = _VALUES[method](driven) / _paper(driven)
-    slices = driven.slices
-    has_friction = slices.integral(slices.friction) > 0.0
-    is_driven = driven.facing != 0.0
-    return np.where(has_friction & is_driven, factor, 1.0)
+def factor_by(method: str, driven: Driven) -> Floats:
+    """Return the factors of safety of arcs by one method, or yield coefficients."""
+    return _VALUES[method](driven)
 
 
 # --- what drives -----------------------------------------------------------------------------------------------------
 
 
-def _driven(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int, nodes: int = NODES
-) -> _Driven:
+def driven_slices(
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1, nodes: int = NODES
+) -> Driven:
     """The slices of arcs and their driving moments."""
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
@@ -129,7 +112,7 @@ def _driven(
     gravity = np.where(slides, gravity, np.nan)
     overcomes = slides & (driving > negligible)
     driving = np.where(overcomes, driving, np.nan)
-    return _Driven(slices, facing, gravity, driving)
+    return Driven(slices, facing, gravity, driving)
 
 
 def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
@@ -170,7 +153,7 @@ def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
 # --- what resists ----------------------------------------------------------------------------------------------------
 
 
-def _paper(driven: _Driven) -> Floats:
+def _paper(driven: Driven) -> Floats:
     """Of the mean normal stress: the sum of friction over the arc counts where it is positive."""
     slices = driven.slices
     normal = slices.radial_normal()
@@ -181,38 +164,14 @@ def _paper(driven: _Driven) -> Floats:
     return (cohesion + np.maximum(friction, 0.0)) / driven.driving
 
 
-def _ordinary(driven: _Driven) -> Floats:
+def _ordinary(driven: Driven) -> Floats:
     """By the stress normal to the base of each slice, without forces between slices (Fellenius 1936)."""
     slices = driven.slices
     strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
     return slices.integral(strength) / driven.driving
 
 
-def _shaken(driven: _Driven, k_h: Floats) -> _Driven:
-    """Return the slices under a horizontal acceleration k_h g of each arc, which acts on surcharges as well."""
-    slices = driven.slices._replace(k_h=k_h[driven.slices.arc], shaken_load=1.0)
-    return driven._replace(slices=slices, driving=driven.gravity + k_h * slices.shaking_moment())
-
-
-def yield_coefficient(driven: _Driven, method: str) -> Floats:
-    """Return k_h at which the factor of safety by a method is 1; Bishop's resistance does not depend on k_h."""
-    if method == "paper":
-        return _yield_coefficient(driven)
-    at_rest = _shaken(driven, np.zeros_like(driven.gravity))
-    shaken = _shaken(driven, np.ones_like(driven.gravity))
-    if method == "bishop":
-        slices = driven.slices
-        lowest, highest = _lever_range(slices)
-        normal = _bishop_normal(slices, np.ones_like(lowest))
-        resistance = slices.integral(slices.cohesion() + slices.friction * normal)
-        is_known = (lowest < 1.0) & (highest > 1.0)
-        return np.where(is_known, (resistance - at_rest.driving) / (shaken.driving - at_rest.driving), np.nan)
-    resistance = _ordinary(at_rest) * at_rest.driving
-    loss = resistance - _ordinary(shaken) * shaken.driving
-    return (resistance - at_rest.driving) / (shaken.driving - at_rest.driving + loss)
-
-
-def _yield_coefficient(driven: _Driven) -> Floats:
+def _yield_coefficient(driven: Driven) -> Floats:
     """k_h at which the driving moment G + k_h S and the resistance of the paper's method C + P + k_h T are equal.
 
     G of gravity, S of shaking, C of cohesion, and P + k_h T of friction, which does not act where it is negative.
@@ -230,7 +189,7 @@ def _yield_coefficient(driven: _Driven) -> Floats:
     return np.where(grows, balanced, np.nan)
 
 
-def _bishop(driven: _Driven) -> Floats:
+def _bishop(driven: Driven) -> Floats:
     """F = 1/y where y times the integral of strength/m_alpha(y) is the driving moment; the former grows with y.
 
     The strength is that of Bishop (1955), [c + mu (W/b - u)] cos a/m_alpha. By Newton's steps for all arcs at once,
@@ -239,7 +198,7 @@ def _bishop(driven: _Driven) -> Floats:
     """
     slices = driven.slices
     friction, cosine = slices.friction, slices.cosine
-    lowest, highest = _lever_range(slices)
+    lowest, highest = lever_range(slices)
     effective = slices.vertical()
     strength = slopes.bishop_strength(cosine, effective, 0.0, slices.cohesion(), friction)
     driving = driven.driving
@@ -262,7 +221,7 @@ def _bishop(driven: _Driven) -> Floats:
     return np.where(balanced, 1.0 / y, np.nan)
 
 
-def _bishop_normal(slices: Slices, factor: Floats) -> Any:
+def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """Effective normal stress of Bishop's simplified method."""
     sine, cosine = slices.sine, slices.cosine
     effective = slices.vertical()
@@ -270,7 +229,7 @@ def _bishop_normal(slices: Slices, factor: Floats) -> Any:
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 
 
-def _lever_range(slices: Slices) -> tuple[Floats, Floats]:
+def lever_range(slices: Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way

@@ -18,7 +18,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.ground import Section, pond_errors, slope_errors
 from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
-from slipcircle.workbench.stability.factors import YIELD, circle_factors, strength_factors
+from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -39,7 +39,6 @@ METHODS: Mapping[str, tuple[str, str]] = {
         "forces between slices increase the normal stress on steep bases",
     ),
 }
-OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
 def least_of(method: str) -> str:
@@ -228,27 +227,14 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
-    blocks = [circle_factors(*circles) for circles in _circles_of(scene)]
+    blocks = [circle_factors(*circles) for circles in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
     return {name: array.reshape(scene.shape) for name, array in values.items()}
 
 
-def strength_factor(scene: Any, method: str) -> Any:
-    """Return the strength factor by which a scene on a ground starts from the result of a method, in its shape.
-
-    That is the factor of safety, or under shaking the yield coefficient. It is NaN where the method has no result.
-    """
-    shaken = "shaking" in scene.effects
-    if method == OF_CLOSURE or not soil(scene.friction, scene.called):
-        return 1.0
-    blocks = [strength_factors(*circles, method, shaken) for circles in _circles_of(scene)]
-    factor = np.concatenate(blocks).reshape(scene.shape)
-    return factor if scene.shape else float(factor)
-
-
-def _circles_of(scene: Any) -> Iterator[tuple[SlopeArrays, Floats, Floats, Floats, Floats]]:
+def circles_of(scene: Any) -> Iterator[tuple[SlopeArrays, Floats, Floats, Floats, Floats]]:
     """Yield slopes, centres, radii, left and right ends of the arcs of a scene, block by block."""
     section = scene.arc
     strength = soil(scene.friction, scene.called)

@@ -13,7 +13,8 @@ from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene, stability_of
 from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.stability.samples import SampleSearch
-from slipcircle.workbench.stability.stability import METHODS, OF_CLOSURE
+from slipcircle.workbench.stability.stability import METHODS
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 SEARCHED = "searched "  # before the name of a method: by this method, the circle searched for every sample
 
