@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 90d9a206482938fe23ea0a71bcc571ac14f7f0ce6231de6141bde8e783ce244b
+# sha256 of the text below: 328aba4db75e7055383e058d4b12c25b1ad656b4a6745fd43b8d502d2ff3bfe5
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -162,7 +162,7 @@ EFFECTS = {
             1000.0, 'cohesion', lambda value, scales: scales['strength_factor']*value/scales['reference_stress'], False,
             'number'),
     ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance',
-        'cohesion* = cohesion s/sigma_ref')),
+        'cohesion* = cohesion strength_factor/sigma_ref')),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
             lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
@@ -279,10 +279,11 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         'adds Theta layered_cohesion* to resistance',
         'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) (layered_normal '
         '+ turning) + (k_h (layered_remaining_slope* + remaining_slope*) + layered_remaining_inertia* omega^2 + (1 - '
-        'k_v) (layered_remaining* + remaining*))/slip_mu) to J_r', 'remaining* = remaining s',
-        'remaining_slope* = remaining_slope s', 'layered_remaining* = remaining_normal s',
-        'layered_remaining_slope* = remaining_normal_slope s', 'layered_remaining_inertia* = remaining_inertia s',
-        'layered_remaining_lift* = remaining_lift s', 'layered_cohesion* = s strength')),
+        'k_v) (layered_remaining* + remaining*))/slip_mu) to J_r', 'remaining* = remaining strength_factor',
+        'remaining_slope* = remaining_slope strength_factor', 'layered_remaining* = remaining_normal strength_factor',
+        'layered_remaining_slope* = remaining_normal_slope strength_factor',
+        'layered_remaining_inertia* = remaining_inertia strength_factor',
+        'layered_remaining_lift* = remaining_lift strength_factor', 'layered_cohesion* = strength strength_factor')),
     'soil_friction': Effect('soil_friction', '2.23', (
         Parameter('share', '', -INFINITY, INFINITY, 'share of the normal force at the start', '', 1.0, 'soil_share',
             lambda value, scales: value, True, 'number'),

@@ -16,7 +16,6 @@ from derive.declare.effects import (
     RADIUS,
     REFERENCE,
     SECTION_EFFECTS,
-    STRENGTH,
     USUAL,
     USUAL_FRICTION,
     VALUE,
@@ -56,8 +55,7 @@ def _parameter(p: Parameter) -> str:
 
 
 # What the guide writes for the scales of an arc.
-_NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENCE: "sigma_ref",
-             STRENGTH: "s"}  # fmt: skip
+_NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENCE: "sigma_ref"}
 
 
 def formulas(effect: Effect) -> tuple[str, ...]:
