@@ -20,6 +20,7 @@ from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
 from tests.support.outputs import columns
+from tests.support.rays import from_method
 
 ACADS = """\
 note = "Giam and Donald 1989"
@@ -149,7 +150,7 @@ def test_the_strength_at_the_start_counts(
         assert (slope.friction, slope.pressure, slope.pore_ratio) == pytest.approx((friction, pressure, pore_ratio))
     if not scene.uncertain:
         for start in ("paper", "ordinary", "bishop"):
-            motion = slipcircle.solve(replace(scene, start=start))
+            motion = slipcircle.solve(from_method(scene, start))
             assert motion.factor_of_safety == pytest.approx(given.factor_of_safety[start], rel=1e-9)
 
 
@@ -293,8 +294,9 @@ def test_every_factor_of_safety_names_its_method(write: Write, said: Any, tmp_pa
     page, report = tmp_path / "live.html", tmp_path / "report.html"
     out = said("run", write(between), "--live", page, "--report", report)
     paper, bishop = "factor of safety by the paper's method", "factor of safety by Bishop's method"
-    run_out = slipcircle.solve(replace(slipcircle.load(write(between)), start="paper")).run_out
-    from_both = f"does not move from Bishop's F = {float(still[1]):.3f}; {run_out:.3g} m from the paper's F = {still[0][:5]}"
+    run_out = slipcircle.solve(from_method(slipcircle.load(write(between)), "paper")).run_out
+    words = "does not move from Bishop's F = {:.3f}; {:.3g} m from the paper's F = {:.3f}"
+    from_both = words.format(float(still[1]), run_out, float(still[0]))
     rows = {paper: [still[0]], bishop: [still[1]], "run-out by method": [from_both]}
     assert rows.items() <= columns(out).items()
     assert {f"{paper}, k_h = 0.05": [shaken[0]], f"{bishop}, k_h = 0.05": [shaken[1]]}.items() <= columns(out).items()

@@ -8,7 +8,8 @@ of the package. Rays and slices are Gauss points between the kinks of what is in
 import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -44,7 +45,7 @@ class Slope:
     def _crossings(self, line: Line) -> list[float]:
         """Return the angles at which a line crosses the circle."""
         found = []
-        for p, q in zip(line, line[1:], strict=False):
+        for p, q in pairwise(line):
             (x, y), (u, v) = np.subtract(p, self.centre), np.subtract(q, p)
             roots = np.roots([u * u + v * v, 2 * (x * u + y * v), x * x + y * y - self.radius**2])
             for t in roots[np.isreal(roots)].real:
@@ -133,7 +134,7 @@ class Slope:
     # --- factors of safety ---
 
     def _slices(self) -> tuple[Any, ...]:
-        """Return sine and cosine of slices, heights over R, weights of the integral, and pore pressures over gamma R."""
+        """Return sine, cosine, height over R and weight of slices, and their pore pressure over gamma R."""
         x0, y0 = self.centre
         lines = [self.ground, *([self.level] if self.level else [])]
         kinks = [math.asin(max(-1.0, min(1.0, (x - x0) / self.radius))) for line in lines for x, _ in line]
@@ -227,3 +228,8 @@ def _random_slope(rng: np.random.Generator) -> Slope:
     slope.peak = float(brentq(lambda mu: with_friction(mu) - wanted, 1e-3, 1.2))
     slope.residual = float(slope.peak * rng.uniform(0.75, 1.0))
     return slope
+
+
+def from_method(scene: Any, method: str) -> Any:
+    """Return a scene on a ground that starts from the factor of safety of a method."""
+    return replace(scene, start=method)

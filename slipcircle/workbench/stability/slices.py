@@ -73,6 +73,7 @@ class Slices(NamedTuple):
 
     arcs: Arcs
     arc: NDArray[np.int64]  # number of the arc of each interval
+    layer: NDArray[np.int64]  # at its base
     ends: Floats  # angles of both ends of each interval, (2, intervals)
     weight: Floats  # of a point in the integral over the angle
     sine: Floats
@@ -209,6 +210,7 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
     return Slices(
         arcs=arcs,
         arc=arc,
+        layer=base.layer,
         ends=ends,
         weight=half * weights[:, None],
         sine=np.sin(angle),
@@ -276,16 +278,19 @@ class _Bases:
     def _look_up_soil(self) -> None:
         """The layer at the base, and its soil."""
         soils = self.slope.soils
-        layers, slopes = soils.unit_weight.shape
-        self.lane = np.zeros(1, dtype=np.int64) if slopes == 1 else self.arc
+        layers, _ = soils.unit_weight.shape
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
         lowest = np.minimum(self.above[0], 0.0) - _TOUCH
         reaches_arc = self.above[:layers] >= lowest
-        layer = np.count_nonzero(reaches_arc, axis=0) - 1
-        of_base = (values[layer, self.lane] for values in soils)
+        self.layer = np.count_nonzero(reaches_arc, axis=0) - 1
+        of_base = (values[self.layer, self.lane(values)] for values in soils)
         self.soil = SoilArrays(*of_base)
-        self.unit_weight = soils.unit_weight[0, self.lane]
+        self.unit_weight = soils.unit_weight[0, self.lane(soils.unit_weight)]
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
+
+    def lane(self, values: Floats) -> Any:
+        """Return the place of each interval's slope on the last axis of values."""
+        return np.zeros(1, dtype=np.int64) if values.shape[-1] == 1 else self.arc
 
     def of_slope(self, value: Any) -> Floats:
         """A number of the slope, or of each, by interval."""
@@ -305,7 +310,7 @@ class _Bases:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
         steps = np.concatenate(rows)
-        steps = steps[:, self.lane] / self.unit_weight
+        steps = steps[:, self.lane(steps)] / self.unit_weight
         if slope.pond is not None:
             of_soil = np.broadcast_to(steps, (len(steps), len(self.arc)))
             of_pond = [np.zeros_like(self.water), -self.water]

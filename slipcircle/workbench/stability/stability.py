@@ -61,6 +61,7 @@ Bishop's and by the ordinary method, and friction acts against stability. The sh
 warning from 20 % on. Compared with Taylor's friction circles on vertical cuts with friction, Bishop's least factor is \
 accurate to 1 % for a share below 14 %, and 2 % too low at 25 %, 5 % at 34 % and 9 % at 48 %; with those stresses set \
 to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
+Circles = tuple[Floats, Floats, Floats, Floats]  # centres, radii, left and right ends of arcs
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
@@ -227,23 +228,29 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
-    blocks = [circle_factors(*circles) for circles in circles_of(scene)]
+    blocks = [circle_factors(slope, *each_lane(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
     return {name: array.reshape(scene.shape) for name, array in values.items()}
 
 
-def circles_of(scene: Any) -> Iterator[tuple[SlopeArrays, Floats, Floats, Floats, Floats]]:
-    """Yield slopes, centres, radii, left and right ends of the arcs of a scene, block by block."""
+def circles_of(scene: Any, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
+    """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one."""
     section = scene.arc
     strength = soil(scene.friction, scene.called)
     scenes = np.arange(math.prod(scene.shape))
-    for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
+    for block in np.array_split(scenes, -(-len(scenes) // most)):
         by_lane = _of_scenes(scene.shape, block)
         left, right = _ends(section, by_lane)
         slope = _slope_of_section(section, strength, by_lane)
-        yield slope, by_lane(section.centre, 1), by_lane(section.radius), left, right
+        yield slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right), len(block)
+
+
+def each_lane(circles: Circles, lanes: int) -> Circles:
+    """Return the arc of each lane."""
+    centre, radius, left, right = (np.broadcast_to(x, (lanes, *x.shape[1:])) for x in circles)
+    return centre, radius, left, right
 
 
 _ByLane = Callable[..., Floats]  # of a value, whose last axes (0 by default) are its own: with one axis of lanes
@@ -260,6 +267,8 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
 
     def by_lane(value: Any, axes: int = 0) -> Floats:
         array = np.asarray(value, dtype=np.float64)
+        if array.ndim == axes:
+            return array[None]
         inner = array.shape[array.ndim - axes :]
         of_every_lane = np.broadcast_to(array, (*lanes, *inner))
         return of_every_lane[some]
@@ -321,7 +330,8 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane) -> SoilArrays:
             datum=by_lane(0.0 if datum is None else datum),
         )
         rows.append(of_layer)
-    return SoilArrays(*np.stack(rows, axis=1))
+    fields = zip(*rows, strict=True)
+    return SoilArrays(*(np.stack(np.broadcast_arrays(*of_layers)) for of_layers in fields))
 
 
 def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:

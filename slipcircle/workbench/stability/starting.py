@@ -3,20 +3,157 @@
 The balance of a motion has the closure of the paper's method. With strength multiplied by F_method/F_paper it starts
 from the factor of safety of the method. Under shaking the yield coefficients are to be equal, so that strength is
 divided by the paper's factor under the yield coefficient of the method.
+
+Scenes of an ensemble that share a circle share the points of its arc: few, with integrals of Lagrange's polynomials.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.polynomial import chebyshev
 
-from slipcircle.base.kinds import Floats
-from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
-from slipcircle.workbench.stability.stability import circles_of, soil
+from generated import slopes
+from slipcircle.base.kinds import Floats, Integers
+from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
+from slipcircle.workbench.stability.factors import LEAST_LEVER, driven_slices
+from slipcircle.workbench.stability.slices import Slices
+from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
-_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
+_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+_LEAST_POINTS, _POINTS_PER_RADIAN = 6, 14  # of a stretch in one soil, where scenes share a circle
+_LANES = 4096  # at a time
+_NEWTON_STEPS = 30
+_CLOSE = 1e-9  # relative change of a converged root
+
+
+class Points(NamedTuple):
+    """Points of arcs at which strength is summed, in the order of the arcs.
+
+    Attributes
+    ----------
+    sine, cosine : ndarray
+        Of the base, positive down-slope.
+    layer, arc, lane : ndarray
+        Layer of each point, number of its arc among those that have points, and of its lane unless all share an arc.
+    slices : Slices
+        On which integrands are given, (nodes, intervals).
+    shares : ndarray
+        Weights of nodes in the sums, (nodes, intervals, points of a segment).
+    segments : ndarray
+        First interval of each segment: an interval, or a stretch in one soil of the only arc.
+    """
+
+    sine: Floats
+    cosine: Floats
+    layer: Integers
+    arc: Integers
+    lane: Integers
+    slices: Slices
+    shares: Floats
+    segments: Integers
+    is_shared: bool
+
+    def sums(self, integrands: Floats) -> Floats:
+        """Return integrands (..., nodes, intervals) as weights of points, (..., points)."""
+        by_interval = np.einsum("...ni,nip->...ip", integrands, self.shares)
+        by_segment = np.add.reduceat(by_interval, self.segments, axis=-2)
+        return by_segment.reshape(*by_segment.shape[:-2], -1)
+
+    def of_lanes(self, values: Any) -> Floats:
+        """Return a number of lanes, (1 or lanes), at points, (points or 1, lanes of an arc or 1)."""
+        by_lane = np.atleast_1d(values)
+        if self.is_shared or by_lane.size == 1:
+            return by_lane[None]
+        return by_lane[self.lane][:, None]
+
+    def of_soils(self, rows: Floats) -> Floats:
+        """Return a number of the soils, (layers, 1 or lanes), at points, (points, lanes of an arc or 1)."""
+        if self.is_shared or rows.shape[1] == 1:
+            return rows[self.layer]
+        return rows[self.layer, self.lane][:, None]
+
+    @property
+    def first(self) -> Integers:
+        """Return the first point of each arc."""
+        return np.flatnonzero(np.diff(self.arc, prepend=-1))
+
+    def over_arcs(self, values: Any) -> Floats:
+        """Return sums over points, (arcs, lanes)."""
+        if self.is_shared:
+            return np.sum(values, axis=0, keepdims=True)
+        total: Floats = np.add.reduceat(values, self.first, axis=0)
+        return total
+
+
+class Balance(NamedTuple):
+    """Moments about the centre of arcs, (arcs, lanes), by a method and by the closure.
+
+    With y = 1/F equilibrium by Bishop's method is y sum strength/(cosine + y grip) = drive.
+
+    Attributes
+    ----------
+    points : Points
+    strength, cosine, grip : ndarray
+        Of points: strength, cosine and minus tan(phi) times the sine of the base.
+    drive, shaking : ndarray
+        Of gravity and of k_h = 1.
+    cohesion, friction, tilt : ndarray
+        Of the closure, and what k_h = 1 adds to its friction.
+    loss : ndarray
+        What k_h = 1 takes from strength.
+    coefficients : ndarray
+        Sum of tan(phi).
+    """
+
+    points: Points
+    strength: Floats
+    cosine: Floats
+    grip: Floats
+    drive: Floats
+    shaking: Floats
+    cohesion: Floats
+    friction: Floats
+    tilt: Floats
+    loss: Floats
+    coefficients: Floats
+
+    def factor(self, shaken: bool) -> Floats:
+        """Return strength factors, (arcs, lanes)."""
+        y = np.ones_like(self.drive) if shaken else self._root()
+        k_h: Any = 0.0
+        resistance = self._resistance(y)
+        if shaken:
+            k_h = (resistance - self.drive) / (self.shaking + self.loss)
+            resistance = self.drive + k_h * self.shaking
+        factor = resistance / (self.cohesion + np.maximum(self.friction + k_h * self.tilt, 0.0))
+        return np.where(self.coefficients > 0.0, factor, 1.0)
+
+    def _resistance(self, y: Floats) -> Floats:
+        """Return the resisting moment with a factor of safety of 1/y, NaN where m_alpha is too small."""
+        lever = self.cosine + y[self.points.arc] * self.grip
+        is_known = self.points.over_arcs(lever < LEAST_LEVER) == 0
+        return np.where(is_known, self.points.over_arcs(self.strength / lever), np.nan)
+
+    def _root(self) -> Floats:
+        """Return 1/F by Newton's steps, each at most half of the way to where m_alpha is 0."""
+        y = np.zeros_like(self.drive)
+        for _ in range(_NEWTON_STEPS):
+            lever = self.cosine + y[self.points.arc] * self.grip
+            strength = self.strength / lever
+            excess = y * self.points.over_arcs(strength) - self.drive
+            growth = self.points.over_arcs(strength * self.cosine / lever)
+            room = np.where(self.grip < 0.0, -lever / self.grip, np.inf)
+            most = np.minimum.reduceat(room, self.points.first, axis=0) / 2
+            step = np.minimum(-excess / growth, most)
+            y = y + step
+            if not np.any(np.abs(step) > _CLOSE * y):
+                break
+        return y
 
 
 def strength_factor(scene: Any, method: str) -> Any:
@@ -37,54 +174,165 @@ def strength_factor(scene: Any, method: str) -> Any:
     if method == OF_CLOSURE or not soil(scene.friction, scene.called):
         return 1.0
     shaken = "shaking" in scene.effects
-    blocks = [_of_circles(driven_slices(*circles, _PIECES), method, shaken) for circles in circles_of(scene)]
-    factor = np.concatenate(blocks).reshape(scene.shape)
+    blocks = [_of_circles(*circles, method, shaken) for circles in circles_of(scene, _LANES)]
+    factor = np.broadcast_to(np.concatenate(blocks), scene.shape or (1,)).reshape(scene.shape)
     return factor if scene.shape else float(factor)
 
 
-def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
-    """Return the strength factors of arcs."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        if shaken:
-            k_h = yield_coefficient(driven, method)
-            factor = 1.0 / factor_by(OF_CLOSURE, _under(k_h, driven))
-        else:
-            factor = factor_by(method, driven) / factor_by(OF_CLOSURE, driven)
+def _of_circles(slope: SlopeArrays, circles: Circles, lanes: int, method: str, shaken: bool) -> Floats:
+    """Return the strength factors of lanes."""
+    is_shared = lanes > 1 and _is_shared(slope, circles)
+    soils = slope.soils
+    if is_shared:
+        soils = SoilArrays(*(rows[:, :1] for rows in soils))
+    else:
+        circles = each_lane(circles, lanes)
+    driven = driven_slices(replace(slope, soils=soils, pressure=0.0), *circles, _PIECES)
+    factor = np.full(lanes, np.nan)
     slices = driven.slices
-    friction = slices.integral(slices.friction)
-    changes = (friction > 0.0) & (driven.facing != 0.0)
-    return np.where(changes, factor, 1.0)
+    if slices.arc.size:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            balance = _balance(slope, _points(slices, is_shared), method)
+            known = slice(None) if is_shared else np.unique(slices.arc)
+            factor[known] = balance.factor(shaken).ravel()
+    return np.where(driven.facing == 0.0, 1.0, factor)
 
 
-def _under(k_h: Floats, driven: Driven) -> Driven:
-    """Return arcs under a horizontal acceleration of k_h g each, which acts on surcharges as well."""
-    slices = driven.slices
-    shaken = slices._replace(k_h=k_h[slices.arc], shaken_load=1.0)
-    driving = driven.gravity + k_h * shaken.shaking_moment()
-    return driven._replace(slices=shaken, driving=driving)
+def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
+    """Return whether all lanes have the same ground, circle and loads."""
+    lines = [slope.ground, *slope.tops, *circles]
+    if slope.level is not None:
+        lines.append(slope.level)
+    for _, _, left, right in slope.surcharge:
+        lines += [left, right]
+    return all(len(line) == 1 for line in lines)
 
 
-def yield_coefficient(driven: Driven, method: str) -> Floats:
-    """Return the k_h at which the factor of safety by a method is 1, NaN where it has none."""
-    if method == OF_CLOSURE:
-        return factor_by(YIELD, driven)
-    none = np.zeros_like(driven.gravity)
-    unit = np.ones_like(driven.gravity)
-    at_rest = _resistance(_under(none, driven), method)
-    shaken = _resistance(_under(unit, driven), method)
-    excess = at_rest - driven.gravity
-    growth = _under(unit, driven).driving - driven.gravity
-    return excess / (growth - shaken + at_rest)
+def _points(slices: Slices, is_shared: bool) -> Points:
+    """Return the points of slices: the nodes of each interval, or those of the stretches of the only arc; with ends."""
+    low, high = np.sort(slices.ends * slices.way, axis=0)
+    angle = np.arctan2(slices.sine, slices.cosine)
+    nodes, count = angle.shape
+    segments = np.arange(count)
+    at_nodes = np.broadcast_to(np.eye(nodes)[:, None], (nodes, count, nodes))
+    if is_shared:
+        begins = np.diff(slices.layer, prepend=-1) != 0
+        segments = np.flatnonzero(begins)
+        stretch = np.cumsum(begins) - 1
+        low = np.minimum.reduceat(low, segments)
+        high = np.maximum.reduceat(high, segments)
+        width = high - low
+        place = (2.0 * angle - (low + high)[stretch]) / width[stretch]
+        points = _LEAST_POINTS + int(_POINTS_PER_RADIAN * width.max())
+        places = np.cos(np.pi * (np.arange(points) + 0.5) / points)
+        to_lagrange = np.linalg.inv(chebyshev.chebvander(places, points - 1))
+        at_nodes = chebyshev.chebvander(place, points - 1) @ to_lagrange
+        angle = (low + high) / 2 + width / 2 * places[:, None]
+    weighted = slices.weight[..., None] * at_nodes
+    shares = np.pad(weighted, [(0, 0), (0, 0), (1, 1)])  # nothing at the ends
+    with_ends = np.concatenate([low[None], angle, high[None]]).T
+    each = with_ends.shape[1]
+    every_arc, arc = np.unique(slices.arc[segments], return_inverse=True)
+    return Points(
+        sine=np.sin(with_ends).ravel(),
+        cosine=np.cos(with_ends).ravel(),
+        layer=np.repeat(slices.layer[segments], each),
+        arc=np.repeat(arc, each),
+        lane=np.repeat(every_arc[arc], each),
+        slices=slices,
+        shares=shares,
+        segments=segments,
+        is_shared=is_shared,
+    )
 
 
-def _resistance(driven: Driven, method: str) -> Floats:
-    """Return the resisting moment by a method at a factor of safety of 1, in which Bishop's does not depend on k_h."""
-    if method != "bishop":
-        return factor_by(method, driven) * driven.driving
-    slices = driven.slices
-    lowest, highest = lever_range(slices)
-    one = np.ones_like(lowest)
-    friction = slices.friction * bishop_normal(slices, one)
-    resistance = slices.integral(slices.cohesion() + friction)
-    is_known = (lowest < one) & (one < highest)
-    return np.where(is_known, resistance, np.nan)
+def _integrands(slices: Slices, height: Floats, surface: Any) -> Floats:
+    """Return the integrands of a material of unit weight between the arc and a surface, (7, nodes, intervals).
+
+    Vertical stress, normal stresses of the closure and of the ordinary method, driving moment; the last three under
+    k_h = 1, of the closure its increase alone.
+    """
+    sine, cosine = slices.sine, slices.cosine
+    distance = slices.distance(surface)
+    rows = [
+        height,
+        slopes.radial_weight(cosine, distance),
+        slopes.ordinary_normal(sine, cosine, height, 0.0, 0.0),
+        slopes.drive(sine, cosine, height, 0.0),
+        slopes.radial_tilt(sine, cosine, height, distance),
+        slopes.ordinary_normal(sine, cosine, height, 0.0, 1.0),
+        slopes.drive(0.0, cosine, height, 1.0),
+    ]
+    return np.where(height > 0.0, np.stack(rows), 0.0)
+
+
+def _integrands_of_load(slices: Slices) -> Floats:
+    """Return the same of surcharges, which act on the ground."""
+    sine, cosine = slices.sine, slices.cosine
+    load = slices.at(slices.stresses.load)
+    lever = -slices.surface(0) * cosine * load
+    distance = slices.distance(0)
+    ordinary = slopes.ordinary_normal(sine, cosine, load, 0.0, 0.0)
+    shaken = slopes.ordinary_normal(sine, cosine, load, 0.0, 1.0)
+    drive = slopes.drive(sine, cosine, load, 0.0)
+    return np.stack([load, lever / distance, ordinary, drive, load * cosine * sine / distance, shaken, lever])
+
+
+def _balance(slope: SlopeArrays, points: Points, method: str) -> Balance:
+    """Return the balance of arcs with the soils of lanes, over R^3."""
+    slices = points.slices
+    soils = slope.soils
+    radius = slices.arcs.radius[points.lane][:, None]
+    of_load = points.sums(_integrands_of_load(slices))[..., None]
+    first_weight = soils.unit_weight[0, :1] if points.is_shared else soils.unit_weight[0]  # stresses are over this
+    moments = of_load * points.of_lanes(first_weight)
+    soil_stress: Any = 0.0
+    for surface, step in _steps(slope):
+        height = np.maximum(slices.surface(surface) + slices.cosine, 0.0)
+        unit = points.sums(_integrands(slices, height, surface))
+        of_step = unit[..., None] * points.of_lanes(step)
+        soil_stress = soil_stress + of_step[0]
+        moments = moments + of_step
+    length = points.sums(np.ones_like(slices.sine))[:, None]
+    ratio = points.of_soils(soils.pore_ratio)
+    pressure = ratio * soil_stress + points.of_lanes(slope.pressure) / radius * length
+    if slope.level is not None:
+        head = np.maximum(slices.surface(len(slope.tops) + 1) + slices.cosine, 0.0)
+        of_head = points.sums(head)[:, None] * slope.water_unit_weight
+        pressure = pressure + np.where(ratio > 0.0, 0.0, of_head)
+    cohesion = points.of_soils(soils.cohesion) / radius * length
+    depth = points.sums(_below_datum(slices, soils))[:, None]
+    cohesion = cohesion + points.of_soils(soils.cohesion_gradient) * depth
+    friction = points.of_soils(soils.friction)
+    vertical, radial, ordinary, drive, tilt, ordinary_shaken, shaking = moments
+    normal = vertical - pressure
+    loss = np.zeros_like(friction)
+    lever = points.cosine[:, None]
+    grip = -friction * points.sine[:, None]
+    if method == "ordinary":
+        normal = ordinary - pressure
+        loss = friction * (ordinary - ordinary_shaken)
+        lever, grip = np.ones_like(lever), np.zeros_like(grip)
+    strength = (cohesion + friction * normal) * lever
+    over_arcs = points.over_arcs
+    of_closure = cohesion, friction * (radial - pressure), friction * tilt, loss, friction
+    every_lane = np.zeros_like(strength[points.first])
+    sums = [over_arcs(values) + every_lane for values in (drive, shaking, *of_closure)]
+    return Balance(points, strength, lever, grip, *sums)
+
+
+def _steps(slope: SlopeArrays) -> Iterator[tuple[int, Floats]]:
+    """Yield the surfaces below which there is another unit weight, and by how much."""
+    soils = slope.soils
+    yield from enumerate(np.diff(soils.unit_weight, axis=0, prepend=0.0))
+    if slope.saturates:
+        gain = soils.saturated_unit_weight - soils.unit_weight
+        yield from enumerate(np.diff(gain, axis=0, prepend=0.0), len(gain) + 1)
+
+
+def _below_datum(slices: Slices, soils: SoilArrays) -> Floats:
+    """Return the depth below the height from which the cohesion of the base grows, over R."""
+    lane = slices.arc if soils.datum.shape[1] > 1 else 0
+    above_centre = soils.datum[slices.layer, lane] - slices.arcs.centre[slices.arc, 1]
+    depth: Floats = np.maximum(above_centre / slices.arcs.radius[slices.arc] + slices.cosine, 0.0)
+    return depth
