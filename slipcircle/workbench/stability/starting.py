@@ -4,7 +4,8 @@ The balance of a motion has the closure of the paper's method. With strength mul
 from the factor of safety of the method. Under shaking the yield coefficients are to be equal, so that strength is
 divided by the paper's factor under the yield coefficient of the method.
 
-Scenes of an ensemble that share a circle share the points of its arc: few, with integrals of Lagrange's polynomials.
+Strength is summed over a few points of each stretch in one soil, weighted with integrals of Lagrange's polynomials.
+Scenes of an ensemble that share a circle share these points.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from slipcircle.workbench.stability.stability import Circles, circles_of, each_l
 
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 _PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
-_LEAST_POINTS, _POINTS_PER_RADIAN = 6, 14  # of a stretch in one soil, where scenes share a circle
+_LEAST_POINTS, _POINTS_PER_RADIAN = 6, 14  # of a stretch in one soil
 _LANES = 4096  # at a time
 _NEWTON_STEPS = 30
 _CLOSE = 1e-9  # relative change of a converged root
@@ -43,9 +44,9 @@ class Points(NamedTuple):
     slices : Slices
         On which integrands are given, (nodes, intervals).
     shares : ndarray
-        Weights of nodes in the sums, (nodes, intervals, points of a segment).
+        Weights of nodes in the sums, (nodes, intervals, points of a stretch).
     segments : ndarray
-        First interval of each segment: an interval, or a stretch in one soil of the only arc.
+        First interval of each stretch of an arc in one soil.
     """
 
     sine: Floats
@@ -181,7 +182,7 @@ def strength_factor(scene: Any, method: str) -> Any:
 
 def _of_circles(slope: SlopeArrays, circles: Circles, lanes: int, method: str, shaken: bool) -> Floats:
     """Return the strength factors of lanes."""
-    is_shared = lanes > 1 and _is_shared(slope, circles)
+    is_shared = _is_shared(slope, circles)
     soils = slope.soils
     if is_shared:
         soils = SoilArrays(*(rows[:, :1] for rows in soils))
@@ -209,41 +210,44 @@ def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
 
 
 def _points(slices: Slices, is_shared: bool) -> Points:
-    """Return the points of slices: the nodes of each interval, or those of the stretches of the only arc; with ends."""
-    low, high = np.sort(slices.ends * slices.way, axis=0)
+    """Return the points of slices, those of each stretch of an arc in one soil, with both of its ends."""
+    layers = slices.layer.max() + 1
+    begins = np.diff(slices.arc * layers + slices.layer, prepend=-1) != 0
+    segments = np.flatnonzero(begins)
+    ends = slices.ends * slices.way
+    low = np.minimum.reduceat(ends.min(axis=0), segments)
+    high = np.maximum.reduceat(ends.max(axis=0), segments)
+    middle = (low + high) / 2
+    half = (high - low) / 2
+    count = _LEAST_POINTS + int(_POINTS_PER_RADIAN * (high - low).max())
+    places = np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    stretch = np.cumsum(begins) - 1
     angle = np.arctan2(slices.sine, slices.cosine)
-    nodes, count = angle.shape
-    segments = np.arange(count)
-    at_nodes = np.broadcast_to(np.eye(nodes)[:, None], (nodes, count, nodes))
-    if is_shared:
-        begins = np.diff(slices.layer, prepend=-1) != 0
-        segments = np.flatnonzero(begins)
-        stretch = np.cumsum(begins) - 1
-        low = np.minimum.reduceat(low, segments)
-        high = np.maximum.reduceat(high, segments)
-        width = high - low
-        place = (2.0 * angle - (low + high)[stretch]) / width[stretch]
-        points = _LEAST_POINTS + int(_POINTS_PER_RADIAN * width.max())
-        places = np.cos(np.pi * (np.arange(points) + 0.5) / points)
-        to_lagrange = np.linalg.inv(chebyshev.chebvander(places, points - 1))
-        at_nodes = chebyshev.chebvander(place, points - 1) @ to_lagrange
-        angle = (low + high) / 2 + width / 2 * places[:, None]
-    weighted = slices.weight[..., None] * at_nodes
-    shares = np.pad(weighted, [(0, 0), (0, 0), (1, 1)])  # nothing at the ends
-    with_ends = np.concatenate([low[None], angle, high[None]]).T
-    each = with_ends.shape[1]
+    place = (angle - middle[stretch]) / half[stretch]
+    at_ends = np.concatenate([[-1.0], places, [1.0]])
+    points = middle[:, None] + half[:, None] * at_ends
     every_arc, arc = np.unique(slices.arc[segments], return_inverse=True)
+    each = at_ends.size
     return Points(
-        sine=np.sin(with_ends).ravel(),
-        cosine=np.cos(with_ends).ravel(),
+        sine=np.sin(points).ravel(),
+        cosine=np.cos(points).ravel(),
         layer=np.repeat(slices.layer[segments], each),
         arc=np.repeat(arc, each),
         lane=np.repeat(every_arc[arc], each),
         slices=slices,
-        shares=shares,
+        shares=_shares(slices.weight, place, places),
         segments=segments,
         is_shared=is_shared,
     )
+
+
+def _shares(weight: Floats, place: Floats, places: Floats) -> Floats:
+    """Return the integrals of Lagrange's polynomials of places at nodes, and nothing at both ends."""
+    degree = places.size - 1
+    to_lagrange = np.linalg.inv(chebyshev.chebvander(places, degree))
+    polynomials = chebyshev.chebvander(place, degree) @ to_lagrange
+    weighted = weight[..., None] * polynomials
+    return np.pad(weighted, [(0, 0), (0, 0), (1, 1)])
 
 
 def _integrands(slices: Slices, height: Floats, surface: Any) -> Floats:
@@ -280,45 +284,67 @@ def _integrands_of_load(slices: Slices) -> Floats:
 
 def _balance(slope: SlopeArrays, points: Points, method: str) -> Balance:
     """Return the balance of arcs with the soils of lanes, over R^3."""
+    moments, soil_stress = _moments(slope, points)
+    vertical, radial, ordinary, drive, tilt, ordinary_shaken, shaking = moments
+    pressure, cohesion = _pressure_and_cohesion(slope, points, soil_stress)
+    friction = points.of_soils(slope.soils.friction)
+    lever = points.cosine[:, None]
+    grip = -friction * points.sine[:, None]
+    normal = vertical
+    loss = np.zeros_like(friction)
+    if method == "ordinary":
+        normal = ordinary
+        loss = friction * (ordinary - ordinary_shaken)
+        lever = np.ones_like(lever)
+        grip = np.zeros_like(grip)
+    effective = normal - pressure
+    strength = (cohesion + friction * effective) * lever
+    of_friction = friction * (radial - pressure)
+    every_lane = np.zeros_like(strength[points.first])
+    sums = []
+    for values in (drive, shaking, cohesion, of_friction, friction * tilt, loss, friction):
+        of_arcs = points.over_arcs(values)
+        sums.append(of_arcs + every_lane)
+    return Balance(points, strength, lever, grip, *sums)
+
+
+def _moments(slope: SlopeArrays, points: Points) -> tuple[Floats, Floats]:
+    """Return the sums of `_integrands` of soils and surcharges, (7, points, 1 or lanes), and the stress of the soil."""
     slices = points.slices
-    soils = slope.soils
-    radius = slices.arcs.radius[points.lane][:, None]
+    weights = slope.soils.unit_weight[0]
+    if points.is_shared:
+        weights = weights[:1]  # over which the stresses of slices are
     of_load = points.sums(_integrands_of_load(slices))[..., None]
-    first_weight = soils.unit_weight[0, :1] if points.is_shared else soils.unit_weight[0]  # stresses are over this
-    moments = of_load * points.of_lanes(first_weight)
+    moments = of_load * points.of_lanes(weights)
     soil_stress: Any = 0.0
     for surface, step in _steps(slope):
         height = np.maximum(slices.surface(surface) + slices.cosine, 0.0)
-        unit = points.sums(_integrands(slices, height, surface))
-        of_step = unit[..., None] * points.of_lanes(step)
-        soil_stress = soil_stress + of_step[0]
+        of_unit_weight = points.sums(_integrands(slices, height, surface))[..., None]
+        of_step = of_unit_weight * points.of_lanes(step)
+        vertical, *_ = of_step
+        soil_stress = soil_stress + vertical
         moments = moments + of_step
+    return moments, soil_stress
+
+
+def _pressure_and_cohesion(slope: SlopeArrays, points: Points, soil_stress: Floats) -> tuple[Floats, Floats]:
+    """Return pore pressure and cohesion at points, over R."""
+    slices = points.slices
+    soils = slope.soils
+    radius = slices.arcs.radius[points.lane][:, None]
     length = points.sums(np.ones_like(slices.sine))[:, None]
     ratio = points.of_soils(soils.pore_ratio)
-    pressure = ratio * soil_stress + points.of_lanes(slope.pressure) / radius * length
+    uniform = points.of_lanes(slope.pressure) / radius
+    pressure = ratio * soil_stress + uniform * length
     if slope.level is not None:
-        head = np.maximum(slices.surface(len(slope.tops) + 1) + slices.cosine, 0.0)
+        level = len(slope.tops) + 1
+        head = np.maximum(slices.surface(level) + slices.cosine, 0.0)
         of_head = points.sums(head)[:, None] * slope.water_unit_weight
         pressure = pressure + np.where(ratio > 0.0, 0.0, of_head)
-    cohesion = points.of_soils(soils.cohesion) / radius * length
     depth = points.sums(_below_datum(slices, soils))[:, None]
-    cohesion = cohesion + points.of_soils(soils.cohesion_gradient) * depth
-    friction = points.of_soils(soils.friction)
-    vertical, radial, ordinary, drive, tilt, ordinary_shaken, shaking = moments
-    normal = vertical - pressure
-    loss = np.zeros_like(friction)
-    lever = points.cosine[:, None]
-    grip = -friction * points.sine[:, None]
-    if method == "ordinary":
-        normal = ordinary - pressure
-        loss = friction * (ordinary - ordinary_shaken)
-        lever, grip = np.ones_like(lever), np.zeros_like(grip)
-    strength = (cohesion + friction * normal) * lever
-    over_arcs = points.over_arcs
-    of_closure = cohesion, friction * (radial - pressure), friction * tilt, loss, friction
-    every_lane = np.zeros_like(strength[points.first])
-    sums = [over_arcs(values) + every_lane for values in (drive, shaking, *of_closure)]
-    return Balance(points, strength, lever, grip, *sums)
+    growth = points.of_soils(soils.cohesion_gradient) * depth
+    cohesion = points.of_soils(soils.cohesion) / radius
+    return pressure, cohesion * length + growth
 
 
 def _steps(slope: SlopeArrays) -> Iterator[tuple[int, Floats]]:
