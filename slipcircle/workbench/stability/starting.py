@@ -131,7 +131,9 @@ class Balance(NamedTuple):
         if shaken:
             k_h = (resistance - self.drive) / (self.shaking + self.loss)
             resistance = self.drive + k_h * self.shaking
-        factor = resistance / (self.cohesion + np.maximum(self.friction + k_h * self.tilt, 0.0))
+        friction = self.friction + k_h * self.tilt
+        of_closure = self.cohesion + np.maximum(friction, 0.0)
+        factor = resistance / of_closure
         return np.where(self.coefficients > 0.0, factor, 1.0)
 
     def _resistance(self, y: Floats) -> Floats:
@@ -148,7 +150,8 @@ class Balance(NamedTuple):
             strength = self.strength / lever
             excess = y * self.points.over_arcs(strength) - self.drive
             growth = self.points.over_arcs(strength * self.cosine / lever)
-            room = np.where(self.grip < 0.0, -lever / self.grip, np.inf)
+            falls = self.grip < 0.0
+            room = np.where(falls, -lever / self.grip, np.inf)
             most = np.minimum.reduceat(room, self.points.first, axis=0) / 2
             step = np.minimum(-excess / growth, most)
             y = y + step
@@ -222,27 +225,32 @@ def _points(slices: Slices, is_shared: bool) -> Points:
     count = _LEAST_POINTS + int(_POINTS_PER_RADIAN * (high - low).max())
     places = np.cos(np.pi * (np.arange(count) + 0.5) / count)
     stretch = np.cumsum(begins) - 1
-    angle = np.arctan2(slices.sine, slices.cosine)
-    place = (angle - middle[stretch]) / half[stretch]
+    shares = _shares(slices, places, middle[stretch], half[stretch])
     at_ends = np.concatenate([[-1.0], places, [1.0]])
     points = middle[:, None] + half[:, None] * at_ends
-    every_arc, arc = np.unique(slices.arc[segments], return_inverse=True)
+    points = points.ravel()
+    arc_of_segment = slices.arc[segments]
+    layer_of_segment = slices.layer[segments]
+    _, arc = np.unique(arc_of_segment, return_inverse=True)
     each = at_ends.size
     return Points(
-        sine=np.sin(points).ravel(),
-        cosine=np.cos(points).ravel(),
-        layer=np.repeat(slices.layer[segments], each),
+        sine=np.sin(points),
+        cosine=np.cos(points),
+        layer=np.repeat(layer_of_segment, each),
         arc=np.repeat(arc, each),
-        lane=np.repeat(every_arc[arc], each),
+        lane=np.repeat(arc_of_segment, each),
         slices=slices,
-        shares=_shares(slices.weight, place, places),
+        shares=shares,
         segments=segments,
         is_shared=is_shared,
     )
 
 
-def _shares(weight: Floats, place: Floats, places: Floats) -> Floats:
+def _shares(slices: Slices, places: Floats, middle: Floats, half: Floats) -> Floats:
     """Return the integrals of Lagrange's polynomials of places at nodes, and nothing at both ends."""
+    angle = np.arctan2(slices.sine, slices.cosine)
+    place = (angle - middle) / half
+    weight = slices.weight
     degree = places.size - 1
     to_lagrange = np.linalg.inv(chebyshev.chebvander(places, degree))
     polynomials = chebyshev.chebvander(place, degree) @ to_lagrange
@@ -267,7 +275,8 @@ def _integrands(slices: Slices, height: Floats, surface: Any) -> Floats:
         slopes.ordinary_normal(sine, cosine, height, 0.0, 1.0),
         slopes.drive(0.0, cosine, height, 1.0),
     ]
-    return np.where(height > 0.0, np.stack(rows), 0.0)
+    stacked = np.stack(rows)
+    return np.where(height > 0.0, stacked, 0.0)
 
 
 def _integrands_of_load(slices: Slices) -> Floats:
@@ -279,7 +288,9 @@ def _integrands_of_load(slices: Slices) -> Floats:
     ordinary = slopes.ordinary_normal(sine, cosine, load, 0.0, 0.0)
     shaken = slopes.ordinary_normal(sine, cosine, load, 0.0, 1.0)
     drive = slopes.drive(sine, cosine, load, 0.0)
-    return np.stack([load, lever / distance, ordinary, drive, load * cosine * sine / distance, shaken, lever])
+    radial = lever / distance
+    tilt = load * cosine * sine / distance
+    return np.stack([load, radial, ordinary, drive, tilt, shaken, lever])
 
 
 def _balance(slope: SlopeArrays, points: Points, method: str) -> Balance:
@@ -350,15 +361,20 @@ def _pressure_and_cohesion(slope: SlopeArrays, points: Points, soil_stress: Floa
 def _steps(slope: SlopeArrays) -> Iterator[tuple[int, Floats]]:
     """Yield the surfaces below which there is another unit weight, and by how much."""
     soils = slope.soils
-    yield from enumerate(np.diff(soils.unit_weight, axis=0, prepend=0.0))
+    steps = np.diff(soils.unit_weight, axis=0, prepend=0.0)
+    yield from enumerate(steps)
     if slope.saturates:
         gain = soils.saturated_unit_weight - soils.unit_weight
-        yield from enumerate(np.diff(gain, axis=0, prepend=0.0), len(gain) + 1)
+        wet_steps = np.diff(gain, axis=0, prepend=0.0)
+        yield from enumerate(wet_steps, len(gain) + 1)
 
 
 def _below_datum(slices: Slices, soils: SoilArrays) -> Floats:
     """Return the depth below the height from which the cohesion of the base grows, over R."""
     lane = slices.arc if soils.datum.shape[1] > 1 else 0
-    above_centre = soils.datum[slices.layer, lane] - slices.arcs.centre[slices.arc, 1]
-    depth: Floats = np.maximum(above_centre / slices.arcs.radius[slices.arc] + slices.cosine, 0.0)
+    datum = soils.datum[slices.layer, lane]
+    centre = slices.arcs.centre[slices.arc, 1]
+    radius = slices.arcs.radius[slices.arc]
+    above_centre = (datum - centre) / radius
+    depth: Floats = np.maximum(above_centre + slices.cosine, 0.0)
     return depth
