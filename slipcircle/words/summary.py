@@ -12,8 +12,11 @@ SWING = 1e-6  # of the run-out: a mass that ends farther from it has swung back
 
 def standing(motion: Any) -> str:
     """Return words for a single mass that does not move, with the factor of safety that its motion would start from."""
-    by_closure = " by the paper's method" if motion.plan.scene.strength_factor == 1.0 else ""
-    return f"does not move, factor of safety {shown(float(motion.factor_of_safety))}{by_closure}"
+    factor = shown(float(motion.factor_of_safety))
+    by_closure = ""
+    if motion.plan.scene.strength_factor == 1.0:
+        by_closure = " by the paper's method"
+    return f"does not move, factor of safety {factor}{by_closure}"
 
 
 def summary(motion: Any) -> str:

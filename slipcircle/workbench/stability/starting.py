@@ -125,8 +125,10 @@ class Balance(NamedTuple):
 
     def factor(self, shaken: bool) -> Floats:
         """Return strength factors, (arcs, lanes)."""
-        y = np.ones_like(self.drive) if shaken else self._root()
         k_h: Any = 0.0
+        y = np.ones_like(self.drive)
+        if not shaken:
+            y = self._root()
         resistance = self._resistance(y)
         if shaken:
             k_h = (resistance - self.drive) / (self.shaking + self.loss)
@@ -139,8 +141,9 @@ class Balance(NamedTuple):
     def _resistance(self, y: Floats) -> Floats:
         """Return the resisting moment with a factor of safety of 1/y, NaN where m_alpha is too small."""
         lever = self.cosine + y[self.points.arc] * self.grip
-        is_known = self.points.over_arcs(lever < LEAST_LEVER) == 0
-        return np.where(is_known, self.points.over_arcs(self.strength / lever), np.nan)
+        too_small = self.points.over_arcs(lever < LEAST_LEVER)
+        strength = self.points.over_arcs(self.strength / lever)
+        return np.where(too_small == 0, strength, np.nan)
 
     def _root(self) -> Floats:
         """Return 1/F by Newton's steps, each at most half of the way to where m_alpha is 0."""
@@ -153,11 +156,14 @@ class Balance(NamedTuple):
             falls = self.grip < 0.0
             room = np.where(falls, -lever / self.grip, np.inf)
             most = np.minimum.reduceat(room, self.points.first, axis=0) / 2
-            step = np.minimum(-excess / growth, most)
+            newton = -excess / growth
+            step = np.minimum(newton, most)
             y = y + step
-            if not np.any(np.abs(step) > _CLOSE * y):
+            change = np.abs(step)
+            if not np.any(change > _CLOSE * y):
                 break
-        return y
+        balanced = np.abs(excess) <= _CLOSE * self.drive
+        return np.where(balanced, y, np.nan)
 
 
 def strength_factor(scene: Any, method: str) -> Any:
@@ -179,7 +185,8 @@ def strength_factor(scene: Any, method: str) -> Any:
         return 1.0
     shaken = "shaking" in scene.effects
     blocks = [_of_circles(*circles, method, shaken) for circles in circles_of(scene, _LANES)]
-    factor = np.broadcast_to(np.concatenate(blocks), scene.shape or (1,)).reshape(scene.shape)
+    every_lane = np.concatenate(blocks)
+    factor = every_lane.reshape(scene.shape)
     return factor if scene.shape else float(factor)
 
 
