@@ -51,7 +51,8 @@ The factor is the moment of this strength about the centre, divided by that of t
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
 they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
 paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
-motion starts from the paper's factor, so that a slope may be stable by Bishop's and slide. Below a water level the \
+motion starts from the factor by the method of the search, or by start in [circle]: strength is multiplied by \
+one number, which is constant during the motion; a Scene that is not read from a file has 1. Below a water level the \
 paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \
 Bishop's, or give a base. An [arc] has the paper's factor only, as its ground is not known. A pressure in kPa is \
 uniform along the arc.
