@@ -50,9 +50,12 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
     with np.errstate(divide="ignore", invalid="ignore"):
         if shaken:
             k_h = yield_coefficient(driven, method)
-            factor = 1.0 / factor_by(OF_CLOSURE, _under(k_h, driven))
+            wanted = np.ones_like(k_h)
+            of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
         else:
-            factor = factor_by(method, driven) / factor_by(OF_CLOSURE, driven)
+            wanted = factor_by(method, driven)
+            of_closure = factor_by(OF_CLOSURE, driven)
+        factor = wanted / of_closure
     slices = driven.slices
     friction = slices.integral(slices.friction)
     changes = (friction > 0.0) & (driven.facing != 0.0)
@@ -88,6 +91,7 @@ def _resistance(driven: Driven, method: str) -> Floats:
     lowest, highest = lever_range(slices)
     one = np.ones_like(lowest)
     friction = slices.friction * bishop_normal(slices, one)
-    resistance = slices.integral(slices.cohesion() + friction)
+    strength = slices.cohesion() + friction
+    resistance = slices.integral(strength)
     is_known = (lowest < one) & (one < highest)
     return np.where(is_known, resistance, np.nan)
