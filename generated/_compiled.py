@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 89a0d86f3cf8a1b6d9eb1c2761905ebdc6ccf0dc1d842b0876a5948e8dc81514
+# sha256 of the text below: e0fb0b74987188199402a800365ca9d13830725f7ead4ce67557b726b02054b1
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -39,7 +39,7 @@ def binary(name: str, digest: str) -> Any:
         found = import_module(f"generated.{name}")
     except ModuleNotFoundError:
         return None
-    except ImportError as error:
+    except (ImportError, OSError) as error:
         fault = f"it cannot be loaded ({error})"
     else:
         if digest != found.DIGEST:

@@ -75,7 +75,7 @@ class SlopeInput:
                 raise InputError("critical", [needs])
             limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
-            if least.radius > _FLATTEST * float(np.ptp(least.slope.ground)):
+            if least.radius > _FLATTEST * float(np.ptp(np.asarray(least.slope.ground))):
                 raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
             return {"centre": least.centre, "radius": least.radius, "between": least.between}, least
         circle = _circle(circle)
