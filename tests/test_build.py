@@ -137,7 +137,7 @@ def test_a_binary_that_cannot_be_read_is_refused(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(_compiled, "open", refuse, raising=False)
     monkeypatch.setattr(_compiled, "find_spec", lambda _: ModuleSpec("_kernels", None, origin="_kernels.so"))
     with pytest.warns(RuntimeWarning, match=r"NumPy serves: it cannot be loaded \(.*Permission denied") as caught:
-        assert _compiled.binary("_kernels", _compiled.DIGEST) is None
+        assert _compiled.binary("_kernels", "") is None
     assert len(caught) == 1
 
 
