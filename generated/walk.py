@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 30bfea65c065f6c6347296b202ce6241ad07c2a28ce78026581196a9fe50cf1f
+# sha256 of the text below: a8051a611fbe7261d651861eb900bdccafa8e5411c925008aa27c1426ab0d126
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1726,7 +1726,7 @@ def integrate(
 
     Parameters
     ----------
-    program : slipcircle.core.program.program.Program
+    program : generated.program.Program
     tables : sequence of slipcircle.tables.tables.Data
         For each table of the program.
     cells : ndarray
