@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "66e77aeab5635fe7d939d9eba6f6ec4b7830b67d8f475c82b880b75952e6cd37"
+#define DIGEST "1d8df84d5156dcde24e20fa1e806afb5e5fbe8cd3389f22206ff229ce9e63f6d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1778,15 +1778,15 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the speed with which a phase begins if it is the greatest. Of peaks that differ by rounding the earliest
- * is recorded, so that every processor reports the same one. A speed that has risen from the record since then is
- * compared exactly. */
-static void update_peak(Batch *b, unsigned lane, double rate, double since)
+/* Record the present speed, at a time from the lane's own on, if it is the greatest. Of peaks that differ by
+ * rounding the earliest is recorded, so that every processor reports the same one. A speed that has risen from a
+ * record at the lane's time is compared exactly. */
+static void update_peak(Batch *b, unsigned lane, double rate, double now)
 {
     V *const c = b->c;
-    int rises = c[PEAK_TIME][lane] == since;
+    int rises = c[PEAK_TIME][lane] == c[TIME][lane];
     if (c[OMEGA][lane] > ((rises ? 1.0 : (1.0 + TIE)) * fabs(c[PEAK_OMEGA][lane]))) {
-        c[PEAK_TIME][lane] = c[TIME][lane];
+        c[PEAK_TIME][lane] = now;
         c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
         c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
         c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
@@ -2184,10 +2184,9 @@ static void glide(Batch *b, unsigned lane, int t)
         if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
             c[X][lane] = x;
             c[OMEGA][lane] = omega;
-            double since = c[TIME][lane];
+            update_peak(b, lane, net, now);
             stand_before(b, lane, t, piece, now);
             pass_break(b, lane, t);
-            update_peak(b, lane, net, since);
         }
     }
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a8051a611fbe7261d651861eb900bdccafa8e5411c925008aa27c1426ab0d126
+# sha256 of the text below: 9f0d749423674c5457ba2e9ba42dfda765dffb36acd146072b6c087f6ca3c045
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -767,19 +767,19 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
     return power_of_two(lowest)
 
 
-def update_peak(lane: Lanes, i: Index, rate: Floats, since: Floats) -> None:
-    """Record the speed with which a phase begins if it is the greatest."""
+def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
+    """Record the present speed, at a time from the lane's own on, if it is the greatest."""
     c = lane.cells
-    rises = c[ix.PEAK_TIME, i] == since
+    rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
     holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
-    i_1, rate_1, rises_1 = (i, rate, rises)
-    i, rate, rises = among(holds_1, i_1, rate_1, rises_1)
+    i_1, rate_1, now_1, rises_1 = (i, rate, now, rises)
+    i, rate, now, rises = among(holds_1, i_1, rate_1, now_1, rises_1)
     if i.size:
-        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
+        c[ix.PEAK_TIME, i] = now
         c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
         c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
         c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
-    i, rate, rises = (i_1, rate_1, rises_1)
+    i, rate, now, rises = (i_1, rate_1, now_1, rises_1)
 
 
 def update_reach(lane: Lanes, i: Index) -> None:
@@ -1220,10 +1220,9 @@ def glide(lane: Lanes, i: Index, t: Table) -> None:
         if i.size:
             c[ix.X, i] = x
             c[ix.OMEGA, i] = omega
-            since = c[ix.TIME, i]
+            update_peak(lane, i, net, now)
             stand_before(lane, i, t, piece, now)
             pass_break(lane, i, t)
-            update_peak(lane, i, net, since)
         i, piece, x, omega, now, net = (i_3, piece_3, x_3, omega_3, now_3, net_3)
     i, rise = (i_1, rise_1)
 

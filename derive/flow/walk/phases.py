@@ -30,15 +30,15 @@ TIE = 256.0 * EPS  # relative difference up to which two peaks are equal
 CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
 
 
-def update_peak(lane: Lane, rate: float, since: float) -> None:
-    """Record the speed with which a phase begins if it is the greatest.
+def update_peak(lane: Lane, rate: float, now: float) -> None:
+    """Record the present speed, at a time from the lane's own on, if it is the greatest.
 
     Of peaks that differ by rounding the earliest is recorded, so that every processor reports the same one. A speed
-    that has risen from the record since then is compared exactly.
+    that has risen from a record at the lane's time is compared exactly.
     """
-    rises = lane.peak_time == since
+    rises = lane.peak_time == lane.time
     if lane.omega > where(rises, 1.0, 1.0 + TIE) * abs(lane.peak_omega):
-        lane.peak_time = lane.time
+        lane.peak_time = now
         lane.peak_rotation = lane.rotation + lane.direction * lane.x
         lane.peak_omega = lane.direction * lane.omega
         lane.peak_rate = lane.direction * rate
