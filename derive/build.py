@@ -55,7 +55,9 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
     if not source.is_file():
         raise NoBinaryError(f"{source.name} is missing: `python -m derive` writes it")
     compiler = c_compiler()
-    flags = (*flags, *(flag for group in OPTIONAL if _accepts(compiler, group) for flag in group))
+    for group in OPTIONAL:
+        if _accepts(compiler, group):
+            flags = (*flags, *group)
     try:
         import numpy as np
     except ImportError as error:

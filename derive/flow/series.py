@@ -194,7 +194,10 @@ def c() -> dict[str, str]:
     """Return codes, operands and cases of the operations on series and on cells."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in CELLS])
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
-    named = [(1, 0), (1, 1), *((len(o.results) + len(o.arguments), len(o.numbers)) for o in OPERATIONS.values())]
+    named = [(1, 0), (1, 1)]
+    for o in OPERATIONS.values():
+        registers = len(o.results) + len(o.arguments)
+        named.append((registers, len(o.numbers)))
     arguments = []
     cases = ""
     for name, operation in CELLS.items():
@@ -207,7 +210,7 @@ def c() -> dict[str, str]:
     series = map(_c_case, OPERATIONS.values())
     return {
         "CODES": "".join(enums),
-        "NAMED": ", ".join(f"{{{registers}, {cells}}}" for registers, cells in named),
+        "NAMED": ", ".join(f"{{{x}, {y}}}" for x, y in named),
         "ARGUMENTS": ", ".join(map(str, arguments)),
         "SERIES": "".join(series),
         "CELL_OPERATIONS": cases,
