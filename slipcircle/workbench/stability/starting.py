@@ -76,10 +76,12 @@ def yield_coefficient(driven: Driven, method: str) -> Floats:
         return factor_by(YIELD, driven)
     none = np.zeros_like(driven.gravity)
     unit = np.ones_like(driven.gravity)
-    at_rest = _resistance(_under(none, driven), method)
-    shaken = _resistance(_under(unit, driven), method)
+    still = _under(none, driven)
+    moved = _under(unit, driven)
+    at_rest = _resistance(still, method)
+    shaken = _resistance(moved, method)
     excess = at_rest - driven.gravity
-    growth = _under(unit, driven).driving - driven.gravity
+    growth = moved.driving - driven.gravity
     return excess / (growth - shaken + at_rest)
 
 
