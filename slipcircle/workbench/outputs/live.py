@@ -9,7 +9,6 @@ import gzip
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import resources
-from pathlib import Path
 from string import Template
 from typing import Any
 
@@ -21,6 +20,7 @@ from slipcircle.derivatives import with_parameters
 from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import Interval, end_words, summary
+from slipcircle.workbench.common.starting import start_rows
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.outputs.livemodel import (
     MOST_COEFFICIENTS,
@@ -41,7 +41,7 @@ _DIGITS = 8
 INTERPOLATED = 1e-6  # error of inputs that a page may have and show, where a slider is asked for
 _SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
 _LONGEST = 10.0
-_PAGE = Path(__file__).with_name("page")
+_PAGE = resources.files("slipcircle.workbench.outputs") / "page"
 _SHELL = """
 body { margin: 0 auto; max-width: 68rem; padding: 1rem; background: var(--paper); color-scheme: light dark; }
 h1 { margin: 0; font: 600 .95rem/1.4 system-ui, sans-serif; color: var(--soft); }
@@ -199,7 +199,7 @@ def _first(motion: Motion) -> dict[str, Any]:
     return {
         "headline": headline(motion),
         "end": end,
-        "facts": [*summary(motion).items()] if answered else [],
+        "facts": [*(summary(motion) | start_rows(motion)).items()] if answered else [],
         "warnings": warnings_of(motion) if answered else [],
     }
 
