@@ -82,27 +82,16 @@ class RotationTables(NamedTuple):
             names |= dict.fromkeys(function.coefficients)
         return list(names)
 
-    @property
-    def _sizes(self) -> dict[str, Floats]:
-        """The greatest coefficient of each part, by name, so that tables have the digits that functions require."""
-        sizes = dict[str, Floats]()
-        for function in self.functions.values():
-            for name, values in function.coefficients.items():
-                greatest = np.abs(values).max(axis=1)
-                sizes[name] = np.maximum(sizes.get(name, 0.0), greatest)
-        return {name: np.where(size == 0.0, 1.0, size) for name, size in sizes.items()}
-
     def _between(self, first: Floats, last: Floats) -> dict[str, Data]:
         """Tables between rotations; of lanes that share one geometry from the tables of its parts."""
         strength = self.section.arc_strength
         functions = self.functions
         names = self.names
-        sizes = self._sizes
 
         def values(rotation: Floats) -> Floats:
             parts = strength.parts(rotation, names)
             if self.share_geometry:
-                return np.concatenate([parts[name] * sizes[name][:, None, None] for name in names])
+                return np.concatenate([parts[name] for name in names])
             return np.stack([function.combined(parts) for function in functions.values()])
 
         kinks = strength.rotation_kinks
@@ -115,7 +104,7 @@ class RotationTables(NamedTuple):
             parts = {}
             for name in names:
                 of_part = islice(remaining, len(at_first[name]))
-                parts[name] = np.stack([*of_part]) / sizes[name][:, None, None, None]
+                parts[name] = np.stack([*of_part])
             rows = [function.combined(parts) for function in functions.values()]
             if all(row.shape[-1] == 1 for row in rows):  # of a single lane
                 rows = [row[..., 0] for row in rows]

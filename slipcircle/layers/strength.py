@@ -18,7 +18,7 @@ import numpy as np
 from generated.program import OF_SOIL
 from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.layers.soils import Soil, distinct, share_one_law
-from slipcircle.layers.stretches import StretchIntegrals
+from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
 
 class OfRotation(NamedTuple):
@@ -327,14 +327,15 @@ class ArcStrength(StretchIntegrals):
             coefficients["heads"] = self._by_direction(weight)
         if section.in_standing_water:
             stays_in_space = True
-            coefficients["standing"] = self._by_direction(share * section.water_unit_weight / self._weight_scale)
+            weight = share * section.water_unit_weight / self._weight_scale
+            coefficients["standing"] = self._by_direction(weight) / LIKE_WEIGHTS
         return self._function(coefficients, needs.rotates and stays_in_space)
 
     def standing_moment(self, needs: Needs) -> Any:
         """The moment of displaced water over Theta*."""
         section = self.section
         share = section.water_unit_weight * section._moments["inertia"] / self._weight_scale
-        return self._function({"displaced": share[None]}, needs.rotates)
+        return self._function({"displaced": share[None] / LIKE_WEIGHTS}, needs.rotates)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
         """A function of the rotation, or the number that it is at the start; 0 of nothing."""

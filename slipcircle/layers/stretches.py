@@ -22,6 +22,7 @@ from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
 
 
+LIKE_WEIGHTS = 2.0**14  # N/m^3: water in the unit of other parts, as tables have digits by the greatest part
 _DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts that are not of the weight
 
 
@@ -175,17 +176,14 @@ class StretchIntegrals:
         both = [np.broadcast_to(end, rotation.shape) for end in (last, first)]
         normal, _ = displaced(self.section, rotation, np.stack([*self._joints_met(rotation), *both]))
         there = self.space(rotation)
-        return normal - relieved(self.section.standing_level, there[-1], there)
+        taken: Floats = normal - relieved(self.section.standing_level, there[-1], there)
+        return LIKE_WEIGHTS * taken
 
     def displaced(self, rotation: Floats) -> Floats:
-        """Moment of the weight of displaced water, (1, M, circles).
-
-        Over the moment of inertia of a unit density: by itself it is small beside other parts, and tables have digits
-        by the greatest of them.
-        """
+        """Moment of the weight of displaced water over the moment of inertia of a unit density, (1, M, circles)."""
         _, moment = displaced(self.section, rotation, np.empty((0, *rotation.shape)))
         over_inertia: Floats = moment[None] / self.section._moments["inertia"]
-        return over_inertia
+        return LIKE_WEIGHTS * over_inertia
 
     def _growth(self, b: Floats) -> Floats:
         """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
