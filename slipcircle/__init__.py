@@ -8,6 +8,7 @@ friction laws: formulas, parameters and bounds; ``notebooks/0_the_method.ipynb``
 those of the package `generated`, which `python -m derive` writes.
 """
 
+import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +29,14 @@ if _project != "slipcircle":  # another package, or what it needs is missing
         f"slipcircle needs its package 'generated', and Python finds {_place or 'none'}: rename that one or start in "
         "another folder; or install slipcircle again"
     ) from (_project if isinstance(_project, Exception) else None)
+
+_numpy = sys.modules["numpy"].__version__
+for _needed, _least, _version in (
+    ("Python 3.11", (3, 11), sys.version_info[:2]),
+    ("NumPy 2.1", (2, 1), tuple(map(int, _numpy.split(".")[:2]))),
+):
+    if _version < _least:
+        raise ImportError(f"slipcircle needs {_needed} or later, and this is {'.'.join(map(str, _version))}")
 
 from slipcircle.base import VERSION
 from slipcircle.base.forms import use_forms
