@@ -30,14 +30,6 @@ if _project != "slipcircle":  # another package, or what it needs is missing
         "another folder; or install slipcircle again"
     ) from (_project if isinstance(_project, Exception) else None)
 
-_numpy = sys.modules["numpy"].__version__
-for _needed, _least, _version in (
-    ("Python 3.11", (3, 11), sys.version_info[:2]),
-    ("NumPy 2.1", (2, 1), tuple(map(int, _numpy.split(".")[:2]))),
-):
-    if _version < _least:
-        raise ImportError(f"slipcircle needs {_needed} or later, and this is {'.'.join(map(str, _version))}")
-
 from slipcircle.base import VERSION
 from slipcircle.base.forms import use_forms
 
@@ -61,6 +53,13 @@ if TYPE_CHECKING:
     from slipcircle.workbench.suites.synthetic import synthetic_records
 
 __version__ = VERSION
+_numpy = sys.modules["numpy"].__version__
+for _needed, _least, _version in (
+    ("Python 3.11", (3, 11), sys.version_info[:2]),
+    ("NumPy 2.1", (2, 1), tuple(map(int, _numpy.split(".")[:2]))),
+):
+    if _version < _least:
+        raise ImportError(f"slipcircle needs {_needed} or later, and this is {'.'.join(map(str, _version))}")
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
