@@ -11,6 +11,8 @@ those of the package `generated`, which `python -m derive` writes.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base import loading as loading
+
 try:
     import generated
 

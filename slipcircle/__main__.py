@@ -14,6 +14,7 @@ from textwrap import wrap
 from threading import active_count
 
 import slipcircle
+from slipcircle.base.loading import INTERRUPTED, finish
 from slipcircle.base.progress import say_later
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.commands.common import check_files
@@ -31,7 +32,6 @@ Three things to try:
 `slipcircle --help` lists all commands and scenes.
 """
 SILENT = 2.0  # s, at most
-INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
   {}
@@ -47,9 +47,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     if not argv:
         print(TO_TRY, end="")
         return 0
-    options = _parser(argv).parse_args(argv)
-    options.line = shlex.join(["slipcircle", *argv])
+    options = argparse.Namespace()
     try:
+        options = _parser(argv).parse_args(argv)
+        options.line = shlex.join(["slipcircle", *argv])
         check_files(options)
         answer = options.run(options)
         _write(answer, options)
@@ -65,8 +66,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         folder = getattr(options, "resume", None)
         kept = f"; finished blocks are in {folder}, and the same command continues from them" if folder else ""
-        print(file=sys.stderr)
-        say(f"interrupted{kept}")
+        say(f"interrupted{kept}", "\n")
         return INTERRUPTED
     else:
         return 0
@@ -77,6 +77,7 @@ def command() -> None:
     """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
     threads."""
     computing = say_later(SILENT)
+    finish()
     status = main()
     computing.cancel()
     if status == INTERRUPTED and active_count() > 1:

@@ -21,3 +21,10 @@ def digits_left(error: float) -> int:
         return DIGITS
     known = math.floor(-math.log10(min(2 * error, 1.0)))
     return max(1, min(DIGITS, known))
+
+
+def clean(text: str, kept: str = "") -> str:
+    """Text with a replacement character for each control character, except for those to be kept."""
+    return "".join(
+        c if c.isprintable() or c in kept else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
+    )

@@ -85,7 +85,7 @@ def _by_record_part(study: SuiteStudy, scale: int) -> Part:
     """Displacements and the like of each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
-    rows = zip(*columns.values(), strict=True)
+    rows = [*zip(*columns.values(), strict=True)]
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
     others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""

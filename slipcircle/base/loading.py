@@ -1,0 +1,23 @@
+"""Ctrl-C while the command loads modules: one line and status 130, as `slipcircle.__main__` gives it later."""
+
+import os
+import signal
+import sys
+
+INTERRUPTED = 130  # exit status
+_COMMANDS = ("-m", "slipcircle")  # how Python names them
+
+
+def _end(*_: object) -> None:
+    os.write(2, b"\nslipcircle: interrupted\n")
+    os._exit(INTERRUPTED)
+
+
+def finish() -> None:
+    """Let Ctrl-C raise `KeyboardInterrupt` again."""
+    if signal.getsignal(signal.SIGINT) is _end:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+if os.path.basename(sys.argv[0]) in _COMMANDS and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, _end)
