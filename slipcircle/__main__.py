@@ -115,6 +115,8 @@ def _write(answer: Answer, options: argparse.Namespace) -> None:
             contents[path] = content(path)
     for path, written in contents.items():
         files.write(path, written)
+        if options.command != "new" and os.path.isfile(path):
+            say(f"wrote {path}")
 
 
 def _print(answer: Answer, as_json: bool) -> None:

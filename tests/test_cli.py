@@ -387,7 +387,8 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     worked, loaded, needed = json.loads(done.stdout)
     for words, status, out, err in worked:
         assert (status, out.count("\n") > 5) == (0, True), words
-        assert re.fullmatch(r"(1 of 1 scenes solved.*\n)?", err), words  # where it takes longer than a moment
+        # Where it takes longer than a moment, and what it has written.
+        assert re.fullmatch(r"(1 of 1 scenes solved.*\n)?(slipcircle: wrote .*\n)?", err), words
     assert (tmp_path / "creep.csv").exists()
     assert {*loaded} <= {"numpy", "slipcircle", "generated"}
     for words, status, out, err in needed:
@@ -411,3 +412,21 @@ def test_info(said: Any) -> None:
         assert digest[:23] == facts[f"generated/{path.name}"][:23]
     text = said("info")
     assert all(re.search(rf"{re.escape(key)} +{re.escape(value)}", text) for key, value in facts.items())
+
+
+@pytest.mark.parametrize(
+    ("option", "ending"), [("--csv x.xlsx", ".csv"), ("--npz x.csv", ".npz"), ("--report x.pdf", ".html")]
+)
+def test_files_in_formats_that_are_not_written(option: str, ending: str, tmp_path: Path, refused: Any) -> None:
+    flag, name = option.split()
+    command = "sweep vaiont --samples 2 --uncertain friction.angle_deg=normal:10:1"
+    told = refused(f"{command} {flag}", tmp_path / name)
+    assert told.endswith(f"{name}: cannot be written in this format; give a name that ends in {ending}\n")
+    assert not [*tmp_path.iterdir()]
+
+
+def test_every_file_that_is_written_is_named(tmp_path: Path, asked: Any) -> None:
+    table, page = tmp_path / "a.csv", tmp_path / "a.html"
+    status, _, err = asked("run vaiont --csv", table, "--live", page)
+    assert (status, err.splitlines()) == (0, [f"slipcircle: wrote {table}", f"slipcircle: wrote {page}"])
+    assert asked("run vaiont --csv /dev/null")[2] == ""

@@ -253,7 +253,7 @@ def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) ->
     drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 15, "std": 2}}
     one = replace(slipcircle.load(write(FIXED)), uncertain=drawn)
     slipcircle.ensemble(one, 16, rng=1, folder=tmp_path)
-    with pytest.raises(ValueError, match="another study: section"):
+    with pytest.raises(ValueError, match="another study: mass"):
         slipcircle.ensemble(replace(one, arc=replace(one.arc, radius=28.55)), 16, rng=1, folder=tmp_path)
 
 

@@ -12,6 +12,9 @@ from typing import IO, Any
 from slipcircle.base.checks import raise_all
 from slipcircle.base.text import clean
 
+_HTML, _CSV = (".html", ".htm", ".xhtml", ""), (".csv", ".txt", "")
+ENDINGS = {"--report": _HTML, "--live": _HTML, "--csv": _CSV, "--fragility": _CSV, "--npz": (".npz", "")}
+
 
 def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
     """Check that the files of a command, by their options, can be written and are not among those that it reads.
@@ -31,6 +34,10 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
             found.append(f"{option} {name}: is a folder; give a file's name")
         elif not path.parent.is_dir():
             found.append(f"{option} {name}: there is no folder {Path(name).parent}")
+        elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
+            found.append(
+                f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
+            )
         elif not os.access(path.parent, os.W_OK):
             found.append(f"{option} {name}: may not be written")
         elif str(path) in taken:

@@ -263,9 +263,9 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 
 
 def say(message: str, before: str = "") -> None:
-    """Print a message on stderr, if it is open."""
-    if sys.stderr is not None:
-        print(f"{before}slipcircle: {clean(message)}", file=sys.stderr)
+    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    for text in message.splitlines() if sys.stderr is not None else ():
+        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr)
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
