@@ -34,14 +34,14 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
             found.append(f"{option} {name}: is a folder; give a file's name")
         elif not path.parent.is_dir():
             found.append(f"{option} {name}: there is no folder {Path(name).parent}")
-        elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
-            found.append(
-                f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
-            )
         elif not os.access(path.parent, os.W_OK):
             found.append(f"{option} {name}: may not be written")
         elif str(path) in taken:
             found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
+        elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
+            found.append(
+                f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
+            )
         taken[str(path)] = option
     raise_all(command, found)
 
