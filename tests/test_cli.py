@@ -18,6 +18,7 @@ import pytest
 
 import generated
 import slipcircle
+from derive import __main__ as derive_line
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
 from slipcircle.workbench.common.records import record
@@ -430,3 +431,18 @@ def test_every_file_that_is_written_is_named(tmp_path: Path, asked: Any) -> None
     status, _, err = asked("run vaiont --csv", table, "--live", page)
     assert (status, err.splitlines()) == (0, [f"slipcircle: wrote {table}", f"slipcircle: wrote {page}"])
     assert asked("run vaiont --csv /dev/null")[2] == ""
+
+
+HELPS = [["slipcircle", name] for name in ("", *line.COMMANDS)] + [
+    ["derive", name] for name in ("", *derive_line.COMMANDS)
+]
+
+
+@pytest.mark.parametrize(("program", "name"), HELPS)
+def test_every_command_has_help(program: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """In full words, of its options too."""
+    main = {"slipcircle": line.main, "derive": derive_line.main}[program]
+    with pytest.raises(SystemExit) as leaving:
+        main([*filter(None, [name]), "--help"])
+    assert leaving.value.code == 0
+    assert capsys.readouterr().out.startswith(f"usage: {'python -m ' * (program == 'derive')}{program} {name}".rstrip())

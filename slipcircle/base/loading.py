@@ -19,5 +19,7 @@ def finish() -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-if os.path.basename(sys.argv[0]) in _COMMANDS and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+_is_command = os.path.basename(sys.argv[0]) in _COMMANDS
+_is_default = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+if _is_command and _is_default:
     signal.signal(signal.SIGINT, _end)

@@ -25,6 +25,12 @@ def digits_left(error: float) -> int:
 
 def clean(text: str, kept: str = "") -> str:
     """Text with a replacement character for each control character, except for those to be kept."""
-    return "".join(
-        c if c.isprintable() or c in kept else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text
-    )
+    cleaned = []
+    for character in text:
+        if character.isprintable() or character in kept:
+            cleaned.append(character)
+        elif character.isspace():
+            cleaned.append(" ")
+        else:
+            cleaned.append("\N{REPLACEMENT CHARACTER}")
+    return "".join(cleaned)
