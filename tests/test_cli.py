@@ -21,6 +21,7 @@ import slipcircle
 from derive import __main__ as derive_line
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
+from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.scenefile import find, shipped
 from tests.support.lanes import BINARY, compiled
@@ -433,12 +434,10 @@ def test_every_file_that_is_written_is_named(tmp_path: Path, asked: Any) -> None
     assert asked("run vaiont --csv /dev/null")[2] == ""
 
 
-HELPS = [["slipcircle", name] for name in ("", *line.COMMANDS)] + [
-    ["derive", name] for name in ("", *derive_line.COMMANDS)
-]
+HELPS = [("slipcircle", ["", *COMMANDS]), ("derive", ["", *derive_line.COMMANDS])]
 
 
-@pytest.mark.parametrize(("program", "name"), HELPS)
+@pytest.mark.parametrize(("program", "name"), [(program, name) for program, names in HELPS for name in names])
 def test_every_command_has_help(program: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
     """In full words, of its options too."""
     main = {"slipcircle": line.main, "derive": derive_line.main}[program]
