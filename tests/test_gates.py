@@ -19,7 +19,7 @@ from derive.approximate import certificates, programs, shapes
 from derive.approximate.shapes import Kernel
 from derive.check import certify, truth
 from derive.check.proof import ProofError
-from derive.check.records import TIERS, read
+from derive.check.records import TIERS, read, seal
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta
@@ -68,7 +68,7 @@ def test_a_bound_above_its_tier_s_goal(tier: str) -> None:
 
 def test_the_checker_knows_the_goals_too() -> None:
     record = next(r for r in read() if (r["kernel"], r["tier"]) == ("resistance_factor", "1e-6"))
-    fires(lambda: certify.prove(record | {"bound": 2e-6}), "resistance_factor", "goal of tier 1e-6 fused")
+    fires(lambda: certify.prove(seal(record | {"bound": 2e-6})), "resistance_factor", "goal of tier 1e-6 fused")
 
 
 @pytest.mark.parametrize(
