@@ -137,12 +137,15 @@ def _other_water(section: Any) -> Fault:
     first = np.maximum(water.first, left)
     last = np.minimum(water.last, right)
     at_exit = centre[:, 1] + radius * section.standing_level
-    differs = np.abs(water.level - at_exit) > 1e-9 * radius
-    other = (last > first) & differs
+    difference = np.abs(water.level - at_exit)
+    differs = difference > 1e-9 * radius
+    covers = last > first
+    other = covers & differs
 
     def sentence(k: int) -> str:
-        lane = np.broadcast_to(water.level, other.shape)[:, k]
-        level = lane[other[:, k]][0]
+        levels = np.broadcast_to(water.level, other.shape)
+        of_lane = levels[:, k]
+        level = of_lane[other[:, k]][0]
         why = "not its exit" if np.isinf(at_exit[k]) else f"free water at y = {at_exit[k]:.6g} its exit"
         return (
             f"{{level}}: free water at y = {level:.6g} covers the mass, and {why}; a motion takes the level at the exit"

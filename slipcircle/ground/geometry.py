@@ -220,14 +220,17 @@ class SectionGeometry(TurningMass):
     @cached_property
     def in_standing_water(self) -> bool:
         """Whether free water covers an exit."""
-        return bool(np.any(np.isfinite(self.standing_level)))
+        is_under_water = np.isfinite(self.standing_level)
+        return bool(is_under_water.any())
 
     @cached_property
     def _span(self) -> tuple[Floats, Floats]:
         """Directions of the entry and of the exit, positive down-slope, (lanes,)."""
         left, right = self._angles
         faces_right = self._facing > 0.0
-        return np.where(faces_right, left, -right), np.where(faces_right, right, -left)
+        entry = np.where(faces_right, left, -right)
+        exit_ = np.where(faces_right, right, -left)
+        return entry, exit_
 
     @cached_property
     def _water(self) -> HeightIntegrals:

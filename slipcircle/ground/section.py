@@ -260,28 +260,35 @@ class Section(SectionGeometry, Mass):
             return pressure
         shape, turned = self._rotations(rotation)
         first, last = self._span
-        exit_ = np.broadcast_to(last, (1, *turned.shape))
-        (normal,), _ = room("standing").displaced(self, turned, exit_)
-        taken = room("standing").relieved(self.standing_level, first + turned, last + turned)
-        height = ((normal - taken) / (last - first)).reshape(shape)
+        to_exit = np.broadcast_to(last, (1, *turned.shape))
+        standing = room("standing")
+        (normal,), _ = standing.displaced(self, turned, to_exit)
+        hydrostatic = standing.relieved(self.standing_level, first + turned, last + turned)
+        taken = (normal - hydrostatic) / (last - first)
+        height = taken.reshape(shape)
         return pressure + height * np.multiply(self.radius, self.water_unit_weight)
 
     def standing_moment(self, rotation: Any = 0.0) -> Any:
         """Moment of the weight of water displaced below standing water, over Theta*."""
         shape, turned = self._rotations(rotation)
-        _, moment = room("standing").displaced(self, turned, np.empty((0, *turned.shape)))
-        of_weight = np.divide(self.water_unit_weight, self.mean_unit_weight) / self.moments["moment_of_inertia"]
-        return moment.reshape(shape)[()] * of_weight
+        nowhere = np.empty((0, *turned.shape))
+        _, moment = room("standing").displaced(self, turned, nowhere)
+        lighter = np.divide(self.water_unit_weight, self.mean_unit_weight)
+        of_weight = lighter / self.moments["moment_of_inertia"]
+        by_rotation = moment.reshape(shape)
+        return by_rotation[()] * of_weight
 
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
         """What water does that stays in place."""
         pressures = effects.get("pore_pressure", {})
+        turns = rotates(effects)
         tables = {}
         for symbol, name in {"water": "level", "standing_water": "standing"}.items():
-            if name in pressures:
-                tables[symbol] = room("water").table_of(self, pressures[name], rotates(effects), upslope, tolerance)
+            function = pressures.get(name)
+            if function is not None:
+                tables[symbol] = room("water").table_of(self, function, turns, upslope, tolerance)
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:
@@ -299,10 +306,12 @@ class Section(SectionGeometry, Mass):
         kinks = [np.empty((len(self._facing), 0))]
         if self.level is not None:
             until_kink = [self._water.kinks - end[:, None] for end in self._angles]
-            kinks += [turns * self._facing[:, None] for turns in until_kink]
+            turns = np.concatenate(until_kink, axis=1)
+            kinks.append(turns * self._facing[:, None])
         if self.in_standing_water:
             kinks.append(room("standing").vertex_kinks(self))
-        return self._shaped(np.sort(np.concatenate(kinks, axis=1), axis=1))
+        every = np.concatenate(kinks, axis=1)
+        return self._shaped(np.sort(every, axis=1))
 
 
 def copy_computed(source: object, target: object, names: Collection[str]) -> None:

@@ -46,11 +46,12 @@ class TurningMass:
             return 0.0
         level = np.asarray(self.level, dtype=np.float64)
         depths = [0.0]
+        (standing,) = self.standing_level
+        lowest = self.centre[1] + self.radius * standing
         for rotation in rotations:
             x, y = self.placed(self.surface, rotation).T
-            (standing,) = self.standing_level
-            lowest = float(self.centre[1]) + float(self.radius) * standing
-            turned = np.stack([x, np.maximum(y, lowest)], axis=1)
+            dry = np.maximum(y, lowest)
+            turned = np.stack([x, dry], axis=1)
             depths.append(_greatest_depth(turned, level))
         return max(depths)
 

@@ -218,9 +218,10 @@ def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
     flat = values.reshape(*axes, pieces * circles)
     developed = _DEVELOPING @ flat
     by_piece = developed.reshape(*axes[:2], -1, pieces, circles)
-    series = by_piece[:, :, : _COUNT + 1]
-    sizes = by_piece[:, :, _COUNT + 1 :]
-    of_terms = np.abs(sizes).max(axis=(0, 1))
+    terms = _COUNT + 1
+    series = by_piece[:, :, :terms]
+    sizes = np.abs(by_piece[:, :, terms:])
+    of_terms = sizes.max(axis=(0, 1))
     head = of_terms[:2].max(axis=0)
     tail = of_terms[2:].max(axis=0)
     return series.transpose(3, 4, 1, 0, 2), head, tail
@@ -241,8 +242,10 @@ def _integrands(
     slope = strips.slope[:, circle, strip]
     above = strips.above[:, circle, strip]
     weight = weights[:, :, None, circle] * above
-    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # of each surface
-    total = np.zeros((len(MEASURED) + 1, len(weight), *beta.shape))
+    by_surface = np.moveaxis(weight, 1, 0)
+    columns = by_surface[:, :, None]
+    count = len(MEASURED) + 1
+    total = np.zeros((count, len(weight), *beta.shape))
     of_heights = weight[:, : len(slope)]
     counts = of_heights.any(axis=(0, 2, 3))
     for k in np.flatnonzero(counts).tolist():
@@ -282,16 +285,18 @@ def _add_loads(
 
 def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
     """The integrals over y from the arc to a height h above it, by their numbers; `_complete` adds the rest."""
-    gap = h * (2.0 * c - h)  # 1 - rho^2
+    chord = 2.0 * c - h
+    gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
     to_top = rho + c - h
     ratio = (inward + h) / to_top
+    centre = h / 3 - c
     yield RADIAL_Y, -inward
     yield RADIAL_X, np.log1p(ratio)
     yield POLAR, h * rho
     yield AREA, h
-    yield INERTIA, h * h * (h / 3 - c)
+    yield INERTIA, h * h * centre
     yield MOMENT_Y, gap / -2
 
 

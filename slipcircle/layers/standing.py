@@ -6,16 +6,18 @@ displaced water from the arc up to the ground or the level, whichever is lower. 
 the mass it is a line that turns backwards.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.layers.profile import AREA, MOMENT_Y, RADIAL_X, RADIAL_Y, over_height
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-_FROM_FIRST = 1.0 + _NODES[:, None, None]
-_TOGETHER = 1 << 18  # nodes at a time
+_GAUSS = np.polynomial.legendre.leggauss(12)
+_NODES = _GAUSS[0][:, None, None]
+_WEIGHTS = _GAUSS[1][:, None, None]
+_FROM_FIRST = 1.0 + _NODES
+_TOGETHER = 1 << 14  # vertices times rotations at a time
 _UPRIGHT = 1.5  # rad: greatest rotation for which the level is a line over the strips of the mass
 
 
@@ -31,83 +33,153 @@ def displaced(section: Any, rotation: Floats, directions: Floats) -> tuple[Float
     """
     normal = np.zeros(np.shape(directions))
     moment = np.zeros(np.shape(rotation))
-    level = section.standing_level
-    for circle in np.flatnonzero(np.isfinite(level)).tolist():
+    heights = section.standing_level
+    ends = np.stack(section._span)
+    every = np.arange(len(rotation))
+    under_water = np.isfinite(heights)
+    for circle in np.flatnonzero(under_water).tolist():
         surface = _surface(section, circle)
-        blocks = -(-len(rotation) * len(surface) * _NODES.size // _TOGETHER)
-        for rows in np.array_split(np.arange(len(rotation)), max(blocks, 1)):
+        first, last = ends[:, circle]
+        size = len(every) * len(surface)
+        blocks = 1 + size // _TOGETHER
+        for rows in np.array_split(every, blocks):
             turned = np.clip(rotation[rows, circle], -_UPRIGHT, _UPRIGHT)
-            of_rows = _of_circle(surface, level[circle], turned, directions[:, rows, circle])
-            normal[:, rows, circle], moment[rows, circle] = of_rows
+            cosine = np.cos(turned)
+            sine = np.sin(turned)
+            level = _Level(heights[circle], cosine, sine)
+            upto = directions[:, rows, circle]
+            kinks = _kinks(surface, level, turned)
+            cuts = np.concatenate([kinks, upto])
+            cuts.sort(axis=0)
+            edges = np.clip(cuts, first, last)
+            integrals = _Integrals(surface, level, edges)
+            to_directions = integrals.normal(upto)
+            whole = integrals.moment
+            normal[:, rows, circle] = to_directions
+            moment[rows, circle] = whole
     return normal, moment
 
 
 def _surface(section: Any, circle: int) -> Floats:
-    """The ground over a mass from its entry to its exit, from the centre over R, x down-slope."""
+    """The ground from the centre of a circle, over R, x down-slope."""
     ground, centre, radius = section._circle
-    facing = section._facing[circle]
-    lines = ground[circle % len(ground)]
-    line = (lines - centre[circle]) / radius[circle] * [facing, 1.0]
-    down_slope = line[:: int(facing)]
-    left, right = (end.points[circle] * [facing, 1.0] for end in section._ends)
-    entry, exit_ = (left, right)[:: int(facing)]
-    x = down_slope[:, 0]
-    inside = (x > entry[0]) & (x < exit_[0])
-    return np.concatenate([[entry], down_slope[inside], [exit_]])
+    way = int(section._facing[circle])
+    line = ground[circle % len(ground)]
+    from_centre = line - centre[circle]
+    over_radius = from_centre / radius[circle]
+    down_slope: Floats = over_radius * [way, 1.0]
+    return down_slope[::way]
 
 
-def _of_circle(surface: Floats, level: float, rotation: Floats, directions: Floats) -> tuple[Floats, Floats]:
-    """The same of one circle, with one axis less."""
-    x, y = surface.T
-    cosine = np.cos(rotation)
-    sine = np.sin(rotation)
+class _Level(NamedTuple):
+    """A level over R from the centre, as a line in a mass that has turned."""
 
-    def level_at(place: Floats) -> Floats:
-        height: Floats = (level - place * sine) / cosine
-        return height
+    height: float
+    cosine: Floats
+    sine: Floats
 
-    depth = y[:, None] - level_at(x[:, None])
+    def at(self, x: Floats) -> Floats:
+        """Its height in the mass at x (..., M)."""
+        fall = x * self.sine
+        y: Floats = (self.height - fall) / self.cosine
+        return y
+
+
+def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
+    """Directions of ends, of vertices, and where the level meets ground or arc: integrands are smooth between them."""
+    columns = surface.T
+    x, y = columns[..., None]
+    depth = y - level.at(x)
     fall = depth[:-1] - depth[1:]
-    share = depth[:-1] / np.where(fall == 0.0, np.inf, fall)
-    crossing = x[:-1, None] + np.clip(share, 0.0, 1.0) * np.diff(x)[:, None]
-    vertices = np.broadcast_to(x[:, None], depth.shape)
-    of_ground = np.arcsin(np.clip(np.concatenate([vertices, crossing]), -1.0, 1.0))
-    at_arc = np.arccos(np.clip(-level, -1.0, 1.0)) * np.array([[-1.0], [1.0]]) - rotation
-    first, last = of_ground[0], of_ground[len(x) - 1]
-    cuts = np.concatenate([of_ground, at_arc, directions])
-    edges = np.sort(np.clip(cuts, first, last), axis=0)
-    half = np.diff(edges, axis=0) / 2
-    b = edges[:-1] + half * _FROM_FIRST
-    place = np.sin(b)
-    depth_of_arc = np.cos(b)
-    top = np.minimum(np.interp(place, x, y), level_at(place))
-    integrals = dict(over_height(depth_of_arc, np.maximum(top + depth_of_arc, 0.0)))
-    per_node = half * _WEIGHTS[:, None, None] * depth_of_arc
-    radial = integrals[RADIAL_Y] * cosine + place * integrals[RADIAL_X] * sine
-    lever = integrals[MOMENT_Y] * sine - place * integrals[AREA] * cosine
-    normal = -(radial * per_node).sum(axis=0)
-    moment: Floats = (lever * per_node).sum(axis=(0, 1))
-    middle = (edges[:-1] + edges[1:]) / 2
-    before = middle < directions[:, None]
-    return np.where(before, normal, 0.0).sum(axis=1), moment
+    divisor = np.where(fall == 0.0, np.inf, fall)
+    quotient = depth[:-1] / divisor
+    share = np.clip(quotient, 0.0, 1.0)
+    run = np.diff(x, axis=0)
+    crossing = x[:-1] + share * run
+    vertices = np.broadcast_to(x, depth.shape)
+    first_row = depth[:1]
+    beyond = np.full_like(first_row, 2.0)
+    sines = np.concatenate([-beyond, vertices, crossing, beyond])
+    within = np.clip(sines, -1.0, 1.0)
+    of_ground = np.arcsin(within)
+    reach = _reach(level.height)
+    before = reach - rotation
+    after = -reach - rotation
+    return np.concatenate([of_ground, [before], [after]])
+
+
+def _reach(height: Any) -> Any:
+    """Direction at which the arc passes a height over R from the centre."""
+    cosine = np.clip(-height, -1.0, 1.0)
+    return np.arccos(cosine)
+
+
+class _Integrals:
+    """Integrals over the arc of the displaced water of one circle, by Gauss' rule between edges (edges, M)."""
+
+    def __init__(self, surface: Floats, level: _Level, edges: Floats) -> None:
+        first = edges[:-1]
+        width = np.diff(edges, axis=0)
+        half = width / 2
+        b = first + half * _FROM_FIRST
+        x = np.sin(b)
+        arc = np.cos(b)
+        ground = np.interp(x, *surface.T)
+        top = np.minimum(ground, level.at(x))
+        height = np.maximum(top + arc, 0.0)
+        self.rows = dict(over_height(arc, height))
+        self.x = x
+        self.weight = half * arc * _WEIGHTS
+        self.middle = first + half
+        self.level = level
+
+    def normal(self, directions: Floats) -> Floats:
+        """Of its normal stress, up to directions (J, M)."""
+        radial_y = self.rows[RADIAL_Y] * self.level.cosine
+        radial_x = self.rows[RADIAL_X] * self.level.sine
+        radial = radial_y + self.x * radial_x
+        weighted = radial * self.weight
+        in_intervals = weighted.sum(axis=0)
+        before = self.middle < directions[:, None]
+        up_to = np.where(before, in_intervals, 0.0)
+        normal: Floats = -up_to.sum(axis=1)
+        return normal
+
+    @property
+    def moment(self) -> Floats:
+        """Of its moment, (M,)."""
+        moment_y = self.rows[MOMENT_Y] * self.level.sine
+        moment_x = self.rows[AREA] * self.level.cosine
+        lever = moment_y - self.x * moment_x
+        weighted = lever * self.weight
+        moment: Floats = weighted.sum(axis=(0, 1))
+        return moment
 
 
 def vertex_kinks(section: Any) -> Floats:
     """Rotations at which a vertex of the ground or an end of the mass passes the level, (circles, kinks)."""
-    rows = []
-    for circle, level in enumerate(section.standing_level):
-        x, y = _surface(section, circle).T
-        reach = np.arccos(np.clip(-level / np.hypot(x, y), -1.0, 1.0))
-        direction = np.arctan2(x, -y)
-        rows.append(np.concatenate([reach - direction, -reach - direction]))
-    widest = max(map(len, rows))
-    return np.stack([np.pad(row, (0, widest - len(row)), mode="edge") for row in rows])
+    heights = section.standing_level[:, None]
+    surfaces = [_surface(section, circle) for circle in range(len(heights))]
+    every = np.stack(surfaces)
+    x = every[..., 0]
+    y = every[..., 1]
+    distance = np.hypot(x, y)
+    of_ground = np.arctan2(x, -y)
+    at_vertices = _reach(heights / distance)
+    at_ends = _reach(heights)
+    ends = np.stack(section._span, axis=1)
+    kinks = [at_vertices - of_ground, -at_vertices - of_ground, at_ends - ends, -at_ends - ends]
+    return np.concatenate(kinks, axis=1)
 
 
 def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
     """Integral over arcs in space of the depth below a level, over R; directions are down-slope."""
-    reach = np.arccos(np.clip(-level, -1.0, 1.0))
+    reach = _reach(level)
     start = np.clip(first, -reach, reach)
     end = np.clip(last, -reach, reach)
-    still: Floats = np.where(np.isfinite(level), level, 0.0) * (end - start) + np.sin(end) - np.sin(start)
-    return still
+    is_known = np.isfinite(level)
+    known = np.where(is_known, level, 0.0)
+    above_level = known * (end - start)
+    below_centre = np.sin(end) - np.sin(start)
+    integral: Floats = above_level + below_centre
+    return integral

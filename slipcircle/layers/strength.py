@@ -328,14 +328,17 @@ class ArcStrength(StretchIntegrals):
         if section.in_standing_water:
             stays_in_space = True
             weight = share * section.water_unit_weight / self._weight_scale
-            coefficients["standing"] = self._by_direction(weight) / LIKE_WEIGHTS
+            by_direction = self._by_direction(weight)
+            coefficients["standing"] = by_direction / LIKE_WEIGHTS
         return self._function(coefficients, needs.rotates and stays_in_space)
 
     def standing_moment(self, needs: Needs) -> Any:
         """The moment of displaced water over Theta*."""
         section = self.section
-        share = section.water_unit_weight * section._moments["inertia"] / self._weight_scale
-        return self._function({"displaced": share[None] / LIKE_WEIGHTS}, needs.rotates)
+        inertia = section._moments["inertia"]
+        share = section.water_unit_weight * inertia / self._weight_scale
+        coefficients = share / LIKE_WEIGHTS
+        return self._function({"displaced": coefficients[None]}, needs.rotates)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
         """A function of the rotation, or the number that it is at the start; 0 of nothing."""
