@@ -143,6 +143,12 @@ class Section(SectionGeometry, Mass):
         return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
 
     @property
+    def rotation_range(self) -> tuple[float, Any]:
+        """Rotations between which the method applies, rad: the toe must not rise far above the original ground."""
+        upslope, downslope = room("toe").rotation_range(self)
+        return upslope, downslope
+
+    @property
     def lanes_shape(self) -> tuple[int, ...]:
         return self.shape
 

@@ -3,6 +3,7 @@
 Whatever implements it can be solved: nothing in the core asks what kind of mass it has.
 """
 
+import math
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
@@ -13,6 +14,8 @@ from slipcircle.base.checks import EPS, Fault, plain
 from slipcircle.base.kinds import Effects, Floats, Names, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.piecewise import Data, Tables
+
+MOST_ROTATION = math.radians(30.0)  # of a rigid mass, by convention
 
 
 @dataclass(frozen=True)
@@ -166,6 +169,11 @@ class Mass:
     def drowned(self, *rotations: float) -> float:
         """How far below a water level the ground over it comes, where that is deepest, m."""
         return 0.0
+
+    @property
+    def rotation_range(self) -> tuple[float, Any]:
+        """Rotations up-slope and down-slope between which the method applies, rad: by convention 30 degrees."""
+        return -MOST_ROTATION, MOST_ROTATION
 
     # --- where a rotation about the centre brings it ------------------------------------------------------------------
 

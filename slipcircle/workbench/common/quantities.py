@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
-from slipcircle.words import VelocityTimes, swings_back
+from slipcircle.words import OUTSIDE, VelocityTimes, range_words, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -61,13 +61,13 @@ class Quantity:
         """The printed value of a single motion, with as many digits as its error justifies."""
         if not self.where(motion):
             return ""
+        if text := self.instead(motion):
+            return text
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
         if isinstance(value, str):
             return value
-        if missing := self.instead(motion):
-            return missing
         if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
@@ -114,6 +114,9 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
+    Quantity(
+        "outside_range", "", OUTSIDE, "outside_range", key=True, where=attrgetter("outside_range"), instead=range_words
+    ),
     Quantity("factor_of_safety", "", factor_label(OF_MOTION), "factor_of_safety", key=True),
     Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
     Quantity("friction", "", "friction angle", "friction", degrees=True),

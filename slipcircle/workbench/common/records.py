@@ -27,6 +27,7 @@ def record(motion: Any) -> dict[str, Any]:
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
         | {"factor_of_safety_method": OF_MOTION}
         | states
+        | {"range_end": motion.range_end}
         | ({"observed": scene.observed} if scene.observed else {})
         | ({"stability": stability.record()} if stability else {})
         | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})

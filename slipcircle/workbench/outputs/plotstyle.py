@@ -11,9 +11,11 @@ from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.outputs.trace import drawn
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
+OUTSIDE_COLOUR = "0.6"
 # The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
 # which remain distinct in grey.
 LINES: Mapping[str, Mapping[str, Any]] = {
@@ -225,6 +227,17 @@ def described(figure: Any) -> list[str]:
 def _is_fixed(text: Any) -> bool:
     """Whether a text is a label without measured values."""
     return hasattr(text, "anchors") and text.get_gid() != MEASURED
+
+
+def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
+    """Draw a curve over the times of `drawn`, grey where the motion is outside the range of the method."""
+    from matplotlib.collections import LineCollection
+
+    (line,) = ax.plot(x, y, **style)
+    if motion.outside_range:
+        outside = drawn(motion)["time"] >= motion.range_end.time
+        covering = {"colors": OUTSIDE_COLOUR, "lw": 1.3 * line.get_linewidth(), "zorder": line.get_zorder() + 0.1}
+        ax.add_collection(LineCollection([np.transpose([x, y])[outside]], **covering), autolim=False)
 
 
 def ending(motion: Motion) -> str:
