@@ -31,7 +31,7 @@ def range_end(motion: Motion) -> State | None:
     arc = motion.plan.scene.arc
     starts = [phase.rotation for phase in motion.phases]
     ends = [*starts[1:], float(motion.end.rotation)]
-    for phase, end in zip(motion.phases, ends, strict=True):
+    for phase, end in zip(motion.phases, ends, strict=False):
         limit = float(arc.rotation_range[phase.direction > 0])
         way = phase.direction
         if way * (end - limit) > 0.0:
