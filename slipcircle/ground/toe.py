@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.core.scene.mass import MOST_ROTATION
+from slipcircle.core.scene.mass import Mass
+from slipcircle.ground.ground import continued
 
 RISE = 0.25  # of the height between entry and exit
-_FAR = 4.0  # radii by which the ground is continued at both ends
 _ROUNDING = 1e-12  # rad
 
 
@@ -17,30 +17,26 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     Down-slope the mass may turn until its toe is `RISE` above the original ground vertically below it. There the circle
     crosses a line that much above the ground, which continues horizontally beyond its ends.
     """
-    left, right = (end.x + 1j * end.y for end in section._ends)
-    rise = RISE * np.abs((right - left).imag)
-    line = _ground(section) + 1j * rise[:, None]
-    start = line[:, :-1]
-    edge = np.diff(line)
-    # |start + share edge| = 1
-    square = np.abs(edge) ** 2
-    along = (start * edge.conj()).real
-    outside = np.abs(start) ** 2 - 1.0
-    with np.errstate(invalid="ignore"):
-        root = np.sqrt(along**2 - square * outside)
-    shares = (np.stack([-root, root]) - along) / square
-    crossing = start + shares * edge
-    facing = section._facing
-    toe = np.where(facing > 0.0, right, left)
-    rotation = facing[:, None] * np.angle(crossing / toe[:, None])
-    is_ahead = (0.0 <= shares) & (shares <= 1.0) & (rotation > -_ROUNDING)
-    first = np.min(rotation, axis=(0, 2), where=is_ahead, initial=MOST_ROTATION)
-    return -MOST_ROTATION, section._shaped(first)
-
-
-def _ground(section: Any) -> Any:
-    """Return the ground from the centre as complex numbers over the radius, (lanes, points)."""
+    upslope, most = Mass.rotation_range
     ground, centre, radius = section._circle
-    points = (ground - centre[:, None]) / radius[:, None, None]
-    line = points[..., 0] + 1j * points[..., 1]
-    return np.concatenate([line[:, :1] - _FAR, line, line[:, -1:] + _FAR], axis=1)
+    left, right = section._ends
+    x = centre[:, 0]
+    line = (continued(ground, np.min(x - 2.0 * radius), np.max(x + 2.0 * radius)) - centre[:, None]) / radius[
+        :, None, None
+    ]
+    rise = RISE * np.abs(left.y - right.y)
+    raised = line[..., 0] + 1j * (line[..., 1] + rise[:, None])
+    start = raised[:, :-1]
+    edge = np.diff(raised)
+    way = edge / np.abs(edge)
+    foot = start - (start / way).real * way  # of the perpendicular from the centre
+    with np.errstate(invalid="ignore"):
+        half = np.sqrt(1.0 - np.abs(foot) ** 2)
+    crossing = foot + np.stack([-half, half]) * way
+    share = ((crossing - start) / edge).real
+    facing = section._facing
+    first, last = section._angles
+    toe = np.where(facing > 0.0, last, first)
+    rotation = facing[:, None] * (np.angle(1j * crossing) - toe[:, None])
+    is_ahead = (0.0 <= share) & (share <= 1.0) & (rotation > -_ROUNDING)
+    return upslope, section._shaped(np.min(rotation, axis=(0, 2), where=is_ahead, initial=most))

@@ -15,8 +15,6 @@ from slipcircle.base.kinds import Effects, Floats, Names, Values, cached_propert
 from slipcircle.core.doors import room
 from slipcircle.core.scene.piecewise import Data, Tables
 
-MOST_ROTATION = math.radians(30.0)  # of a rigid mass, by convention
-
 
 @dataclass(frozen=True)
 class Dimensionless:
@@ -88,6 +86,8 @@ class Mass:
         That of its soils, in place of the scene's.
     given : mapping or None
         Coefficients in place of computed ones.
+    rotation_range : tuple
+        Rotations up-slope and down-slope between which the method applies, rad; by convention 30 degrees.
     centre, exit, centroid : array
         x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
     area : float or array
@@ -111,6 +111,7 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
+    rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 
@@ -169,11 +170,6 @@ class Mass:
     def drowned(self, *rotations: float) -> float:
         """How far below a water level the ground over it comes, where that is deepest, m."""
         return 0.0
-
-    @property
-    def rotation_range(self) -> tuple[float, Any]:
-        """Rotations up-slope and down-slope between which the method applies, rad: by convention 30 degrees."""
-        return -MOST_ROTATION, MOST_ROTATION
 
     # --- where a rotation about the centre brings it ------------------------------------------------------------------
 

@@ -239,8 +239,6 @@ OBSERVABLE: Mapping[str, Quantity] = {
     for q in (*RESULTS, *JOURNEY)
     if q.name in ("run_out", "end_displacement", "peak_velocity", "duration", "toe_rise")
 }
-_GREATEST = "which is the greatest displacement"
-REMOVED = {"observed.reach": f"use run_out, {_GREATEST}", "observed.reach_m": f"use run_out_m, {_GREATEST}"}
 
 
 def observable(motion: Any, name: str) -> Any:

@@ -17,7 +17,7 @@ import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
-from slipcircle.derivatives import with_parameter_arrays, with_parameters
+from slipcircle.derivatives import with_parameters
 from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import Interval, end_words, summary
@@ -38,7 +38,6 @@ from slipcircle.workbench.studies.ensemble import varied_number
 
 _SAMPLES = 241  # of the motion as it is
 _DIGITS = 8
-_RANGES = 65  # places of a slider at which the range of the method is given
 INTERPOLATED = 1e-6  # error of inputs that a page may have and show, where a slider is asked for
 _SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
 _LONGEST = 10.0
@@ -134,23 +133,14 @@ def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_no
         "observed": {n: list(x) if isinstance(x, Interval) else x for n, x in scene.observed.items()},
         "sliders": [],
         "model": None,
-        "range": _range(scene, []),
+        "range": [float(rotation) for rotation in scene.arc.rotation_range],
     }
     if not why_not:
         chosen = default_sliders(scene) if sliders is None else sliders
         found = model(scene, chosen)
         data |= {"sliders": [one.described(scene) for one in chosen], "input_error": found.pop("input_error")}
-        data["range"] = _range(scene, chosen)
         data["model"] = _packed(found)
     return data
-
-
-def _range(scene: Scene, sliders: Sequence[Slider]) -> list[Any]:
-    """The rotations between which the method applies, the one down-slope over the first slider where it varies."""
-    values = {one.number.name: np.linspace(one.ends[0], one.ends[1], _RANGES) for one in sliders[:1]}
-    varied, _ = with_parameter_arrays(scene, values)
-    upslope, downslope = varied.arc.rotation_range
-    return [upslope, np.ravel(downslope).tolist()]
 
 
 def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
@@ -200,8 +190,8 @@ def _stored(motion: Motion) -> dict[str, Any]:
         states = motion.at(times)
         columns |= {"s": states.displacement, "v": states.velocity}
     rounded = {name: [float(f"{x:.{_DIGITS}g}") for x in column.tolist()] for name, column in columns.items()}
-    cut = int(np.searchsorted(times, motion.range_end.time)) if _is_motion(motion) and motion.outside_range else None
-    return rounded | {"duration": _duration(motion), "cut": cut}
+    left = _is_motion(motion) and motion.range_end
+    return rounded | {"duration": _duration(motion), "left": left and float(left.time)}
 
 
 def _first(motion: Motion) -> dict[str, Any]:

@@ -15,7 +15,6 @@ from slipcircle.workbench.outputs.trace import drawn
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
-OUTSIDE_COLOUR = "0.6"
 # The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
 # which remain distinct in grey.
 LINES: Mapping[str, Mapping[str, Any]] = {
@@ -233,11 +232,11 @@ def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
     """Draw a curve over the times of `drawn`, grey where the motion is outside the range of the method."""
     from matplotlib.collections import LineCollection
 
-    (line,) = ax.plot(x, y, **style)
+    ax.plot(x, y, **style)
     if motion.outside_range:
         outside = drawn(motion)["time"] >= motion.range_end.time
-        covering = {"colors": OUTSIDE_COLOUR, "lw": 1.3 * line.get_linewidth(), "zorder": line.get_zorder() + 0.1}
-        ax.add_collection(LineCollection([np.transpose([x, y])[outside]], **covering), autolim=False)
+        points = np.transpose([x, y])[outside]
+        ax.add_collection(LineCollection([points], colors="0.6", lw=2.4, zorder=2.1), autolim=False)
 
 
 def ending(motion: Motion) -> str:

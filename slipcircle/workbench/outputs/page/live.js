@@ -32,6 +32,7 @@ function start(figure, addressed) {
   const find = (selector) => figure.querySelector(selector);
   const data = JSON.parse(find('script').textContent);
   const given = { ...data.stored, ...data.first }; // the scene as it is, solved when the page was made
+  given.cut = given.left ? given.t.findIndex((t) => t >= given.left) : null;
   const sliders = data.sliders.map((slider) => ({ ...slider, now: slider.value }));
   const slider = find('.at input'), button = find('.play'), shape = find('.shape');
   const mass = find('.mass'), ghost = mass.querySelector('.edge').cloneNode();
@@ -113,12 +114,9 @@ function start(figure, addressed) {
 
   // The first sample outside the range of the method, and in words when and where the mass leaves it.
   function departure({ rotation, t, s }) {
-    const [upslope, downslope] = data.range, last = downslope.length - 1;
-    const at = last ? (place(sliders[0], sliders[0].now) + 1) / 2 * last : 0, k = Math.min(Math.floor(at), Math.max(last - 1, 0));
-    const limit = last ? downslope[k] + (at - k) * (downslope[k + 1] - downslope[k]) : downslope[0];
-    const cut = rotation.findIndex((phi) => phi > limit || phi < upslope);
+    const [upslope, downslope] = data.range, cut = rotation.findIndex((phi) => phi > downslope || phi < upslope);
     if (cut < 1) return { cut: null };
-    const [before, after] = rotation.slice(cut - 1, cut + 1), bound = after > 0 ? limit : upslope;
+    const [before, after] = rotation.slice(cut - 1, cut + 1), bound = after > 0 ? downslope : upslope;
     const between = (column) => column[cut - 1] + (column[cut] - column[cut - 1]) * (bound - before) / (after - before);
     const [time, way] = [t, s].map((column) => Number(between(column).toPrecision(3)));
     return { cut, words: `after ${time} s, ${way} m` };
