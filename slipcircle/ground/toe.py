@@ -5,9 +5,10 @@ from typing import Any
 import numpy as np
 
 from slipcircle.core.scene.mass import Mass
-from slipcircle.ground.ground import continued
+from slipcircle.ground.ground import FAR, continued
 
 RISE = 0.25  # of the height between entry and exit
+_PLANE = [1.0, 1.0j]  # points as complex numbers
 _ROUNDING = 1e-12  # rad
 
 
@@ -19,24 +20,17 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     """
     upslope, most = Mass.rotation_range
     ground, centre, radius = section._circle
-    left, right = section._ends
-    x = centre[:, 0]
-    line = (continued(ground, np.min(x - 2.0 * radius), np.max(x + 2.0 * radius)) - centre[:, None]) / radius[
-        :, None, None
-    ]
-    rise = RISE * np.abs(left.y - right.y)
-    raised = line[..., 0] + 1j * (line[..., 1] + rise[:, None])
-    start = raised[:, :-1]
-    edge = np.diff(raised)
+    toe, entry = (np.reshape(end, (-1, 1, 2)) @ _PLANE for end in (section.exit, section.entry))
+    line = continued(ground, -FAR, FAR) @ _PLANE + RISE * 1.0j * np.abs((entry - toe).imag)
+    middle = centre[:, None] @ _PLANE
+    edge = np.diff(line)
     way = edge / np.abs(edge)
-    foot = start - (start / way).real * way  # of the perpendicular from the centre
+    start = (line[:, :-1] - middle) / way
     with np.errstate(invalid="ignore"):
-        half = np.sqrt(1.0 - np.abs(foot) ** 2)
-    crossing = foot + np.stack([-half, half]) * way
-    share = ((crossing - start) / edge).real
-    facing = section._facing
-    first, last = section._angles
-    toe = np.where(facing > 0.0, last, first)
-    rotation = facing[:, None] * (np.angle(1j * crossing) - toe[:, None])
-    is_ahead = (0.0 <= share) & (share <= 1.0) & (rotation > -_ROUNDING)
+        half = np.sqrt(radius[:, None] ** 2 - start.imag**2)
+    along = np.stack([-half, half])
+    is_on_edge = (start.real <= along) & (along <= start.real + np.abs(edge))
+    crossing = way * (along + 1.0j * start.imag)
+    rotation = section._facing[:, None] * np.angle(crossing / (toe - middle))
+    is_ahead = is_on_edge & (rotation > -_ROUNDING)
     return upslope, section._shaped(np.min(rotation, axis=(0, 2), where=is_ahead, initial=most))

@@ -12,14 +12,14 @@ _ROUNDS, _PARTS = 11, 33  # each round of so many times gains five bits
 
 def outside(motion: Motion) -> Any:
     """Return whether each case turns beyond the `rotation_range` of its mass; `Motion.outside_range`."""
+    if not motion.shape:
+        return motion.range_end is not None
     arc = motion.plan.scene.arc
     upslope, downslope = arc.rotation_range
-    rotation = motion.run_out / np.asarray(arc.radius)
-    may_leave = np.abs(rotation) > downslope  # which is less than up-slope
-    if not motion.shape:
-        return bool(may_leave) and motion.range_end is not None
-    leaves = may_leave & ((rotation > 0.0) | (rotation < upslope))
-    for place in zip(*np.nonzero(may_leave & ~leaves), strict=True):  # farther up-slope than down-slope
+    rotation = motion.run_out / arc.radius
+    leaves = (rotation > downslope) | (rotation < upslope)
+    may_leave_earlier = ~leaves & (-rotation > downslope)  # farther up-slope than down-slope
+    for place in zip(*np.nonzero(may_leave_earlier), strict=True):
         leaves[place] = motion[place].outside_range
     return leaves
 

@@ -21,7 +21,8 @@ def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = 
     ``written`` words a number by its name and its value in SI units.
     """
     odd_input = questions(motion.plan.scene, written)
-    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_range(motion))
+    outside = [f"{OUTSIDE} {range_words(motion)}"] * motion.outside_range
+    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *outside)
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:
@@ -64,8 +65,3 @@ def _submergence(motion: Any) -> Iterator[str]:
             f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water above it is "
             "not included"
         )
-
-
-def _range(motion: Any) -> Iterator[str]:
-    if motion.outside_range:
-        yield f"{OUTSIDE} {range_words(motion)}"
