@@ -1,4 +1,7 @@
-"""Range of validity of a section: how far its toe may rise above the original ground."""
+"""Range of validity of a section: how far its toe may rise above the original ground.
+
+Points are complex numbers.
+"""
 
 from typing import Any
 
@@ -8,7 +11,7 @@ from slipcircle.core.scene.mass import Mass
 from slipcircle.ground.ground import FAR, continued
 
 RISE = 0.25  # of the height between entry and exit
-_PLANE = [1.0, 1.0j]  # points as complex numbers
+_PLANE = [1.0, 1.0j]
 _ROUNDING = 1e-12  # rad
 
 
@@ -20,17 +23,40 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     """
     upslope, most = Mass.rotation_range
     ground, centre, radius = section._circle
-    toe, entry = (np.reshape(end, (-1, 1, 2)) @ _PLANE for end in (section.exit, section.entry))
-    line = continued(ground, -FAR, FAR) @ _PLANE + RISE * 1.0j * np.abs((entry - toe).imag)
     middle = centre[:, None] @ _PLANE
-    edge = np.diff(line)
-    way = edge / np.abs(edge)
-    start = (line[:, :-1] - middle) / way
+    toe = _point(section.exit)
+    height = _point(section.entry) - toe
+    rise = RISE * np.abs(height.imag)
+    level = continued(ground, -FAR, FAR)
+    line = level @ _PLANE
+    raised = line + 1.0j * rise
+    edge = np.diff(raised)
+    length = np.abs(edge)
+    way = edge / length
+    from_centre = raised[:, :-1] - middle
+    start = from_centre / way
+    distance = start.imag
+    square = radius[:, None] ** 2
+    clear = square - distance**2
     with np.errstate(invalid="ignore"):
-        half = np.sqrt(radius[:, None] ** 2 - start.imag**2)
+        half = np.sqrt(clear)
     along = np.stack([-half, half])
-    is_on_edge = (start.real <= along) & (along <= start.real + np.abs(edge))
-    crossing = way * (along + 1.0j * start.imag)
-    rotation = section._facing[:, None] * np.angle(crossing / (toe - middle))
-    is_ahead = is_on_edge & (rotation > -_ROUNDING)
-    return upslope, section._shaped(np.min(rotation, axis=(0, 2), where=is_ahead, initial=most))
+    begin = start.real
+    is_after = along >= begin
+    is_before = along <= begin + length
+    from_foot = along + 1.0j * distance
+    crossing = way * from_foot
+    at_toe = toe - middle
+    turn = np.angle(crossing / at_toe)
+    facing = section._facing
+    rotation = facing[:, None] * turn
+    is_ahead = rotation > -_ROUNDING
+    counts = is_after & is_before & is_ahead
+    first = np.min(rotation, axis=(0, 2), where=counts, initial=most)
+    return upslope, section._shaped(first)
+
+
+def _point(place: Any) -> Any:
+    """Return a point of each circle, (lanes, 1)."""
+    points = np.reshape(place, (-1, 1, 2))
+    return points @ _PLANE
