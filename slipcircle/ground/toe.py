@@ -22,14 +22,9 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     crosses a line that much above the ground, which continues horizontally beyond its ends.
     """
     upslope, most = Mass.rotation_range
-    ground, centre, radius = section._circle
+    _, centre, radius = section._circle
     middle = centre[:, None] @ _PLANE
-    toe = _point(section.exit)
-    height = _point(section.entry) - toe
-    rise = RISE * np.abs(height.imag)
-    level = continued(ground, -FAR, FAR)
-    line = level @ _PLANE
-    raised = line + 1.0j * rise
+    raised = _raised_ground(section)
     edge = np.diff(raised)
     length = np.abs(edge)
     way = edge / length
@@ -46,7 +41,7 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     is_before = along <= begin + length
     from_foot = along + 1.0j * distance
     crossing = way * from_foot
-    at_toe = toe - middle
+    at_toe = _point(section.exit) - middle
     turn = np.angle(crossing / at_toe)
     facing = section._facing
     rotation = facing[:, None] * turn
@@ -54,6 +49,16 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     counts = is_after & is_before & is_ahead
     first = np.min(rotation, axis=(0, 2), where=counts, initial=most)
     return upslope, section._shaped(first)
+
+
+def _raised_ground(section: Any) -> Any:
+    """Return the line to which the toe may rise, (lanes, points)."""
+    ground, *_ = section._circle
+    level = continued(ground, -FAR, FAR)
+    line = level @ _PLANE
+    height = _point(section.entry) - _point(section.exit)
+    rise = RISE * np.abs(height.imag)
+    return line + 1.0j * rise
 
 
 def _point(place: Any) -> Any:
