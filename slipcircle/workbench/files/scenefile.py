@@ -51,9 +51,10 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability, remarks = parts.pop("stability"), parts.pop("remarks")
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
-        parts["effects"] = with_records(parts["effects"], gravity, parts["uncertain"])
-        if stability:
-            scene: Scene[float] = SlopeScene(**parts, stability=stability.without_map(), remarks=remarks)
+        parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
+        if stability or of_records:
+            known = stability and stability.without_map()
+            scene: Scene[float] = SlopeScene(**parts, stability=known, remarks=(*remarks, *of_records))
         else:
             scene = Scene(**parts)
         return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
