@@ -82,7 +82,7 @@ def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int
     rows: list[tuple[int, str | None, int]] = []
     for k, line in enumerate(map(without_comment, io.StringIO(text))):
         row = _row(k, line)
-        if not row and _COMMAS.fullmatch(line):
+        if (not row and _COMMAS.fullmatch(line)) or re.fullmatch(r"[-+]?\d+,0\d+", line):
             raise ValueError(f"{name}, line {k + 1}: {line[:60]!r}: decimal commas; write points instead")
         rows += row
         if rows and line and (not row or len(rows) == 3):

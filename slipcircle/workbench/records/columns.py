@@ -9,7 +9,7 @@ _SEED = "[bcehs][nlgh]"  # band and instrument of a channel code, followed by it
 _VERTICAL = rf"[zvu]|(?:ud|up|du|dn|dwn|down|vert?|vrt)\d?|verti[ck]al\w*|updown|a(?:cc|ccel)?[zv]|{_SEED}z(?:\d\d)?"
 _HORIZONTAL = (
     r"[newsxylt]|(?:ns|ew|sn|we|h|fn|fp)\d?|north\w*|east\w*|south|west|long\w*|trans?\w*|rad\w*|horiz\w*|"
-    rf"[ns]\d{{1,2}}[ew]|[0-2]?\d?\d|3[0-5]\d|360|\d{{1,3}}deg|{_SEED}[ne123rt](?:\d\d)?"
+    rf"[ns]\d{{1,2}}[ew]|[0-2]\d\d|3[0-5]\d|360|\d{{1,3}}deg|{_SEED}[ne123rt](?:\d\d)?"
 )
 _NAMED = r"acc(?:el\w*)?|acel\w*|beschl\w*|ivme|a[xyhn]?|ae"
 _TIME = r"t|times?|timestamp|zeit|temps|tiempo|tempo|zaman|elapsed|s|secs?|seconds?"
@@ -47,7 +47,7 @@ def is_vertical(component: str) -> bool:
 
 def is_direction(text: str) -> bool:
     """Whether a text is the name of a component and nothing else."""
-    return re.fullmatch(f"{_VERTICAL}|{_HORIZONTAL}", _words(text)[-1]) is not None
+    return re.fullmatch(rf"{_VERTICAL}|{_HORIZONTAL}|\d\d?", _words(text)[-1]) is not None
 
 
 def _is_time(name: str) -> bool:

@@ -48,10 +48,10 @@ def with_records(
     return read, remarks
 
 
-def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], column: Any, remarks: list[str]) -> Samples:
+def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], remarks: list[str]) -> Samples:
     """Samples of a record with the settings of an effect; remarks are added about columns that are not used."""
     options = Options(**{key: settings[key] for key in Options._fields if key in settings})
-    samples, unused = read_samples(quantity, file, options._replace(column=column))
+    samples, unused = read_samples(quantity, file, options)
     remarks += unused
     return samples
 
@@ -59,7 +59,7 @@ def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], column:
 def _pore_pressure(settings: Mapping[str, Any], remarks: list[str]) -> dict[str, Any]:
     """A ratio or a pressure from a record."""
     file = settings["record"]
-    series = pressure_of(_samples(PORE_PRESSURE, file, settings, settings.get("column"), remarks), file)
+    series = pressure_of(_samples(PORE_PRESSURE, file, settings, remarks), file)
     other = next((k for k in ("time", *series) if k in settings), None)
     if other is not None:
         raise InputError("", [f"{{{other}}} and {{record}} exclude each other; remove one"])
@@ -80,14 +80,16 @@ def _shaking(settings: Mapping[str, Any], gravity: float, remarks: list[str]) ->
         missing = '{holds}: is missing: a record must say whether it holds "ground" or "driving" acceleration'
         raise InputError("", [missing])
     scaled = "scale" in settings or "peak" in settings
-    chosen = {"horizontal": (settings["record"], settings.get("column"))}
+    chosen = {"horizontal": settings}
     if "vertical_record" in settings or "vertical_column" in settings:
-        path = settings.get("vertical_record", settings["record"])
-        chosen["vertical"] = path, settings.get("vertical_column")
+        of_vertical = {"record": settings.get("vertical_record", settings["record"])}
+        chosen["vertical"] = {**settings, **of_vertical, "column": settings.get("vertical_column")}
     series: dict[str, Any] = {}
-    for name, (file, column) in chosen.items():
-        samples = _samples(ACCELERATION, file, settings, column, remarks)
-        record = series[name] = shaking_of(samples, file, settings["holds"], gravity, scaled)
-        remarks += [f"{file}: {drift}" for drift in [drift_warning(record, gravity)] if drift]
+    for name, of_record in chosen.items():
+        file = of_record["record"]
+        samples = _samples(ACCELERATION, file, of_record, remarks)
+        series[name] = shaking_of(samples, file, settings["holds"], gravity, scaled)
+        if drift := drift_warning(series[name], gravity):
+            remarks.append(f"{file}: {drift}")
     factor = {} if "peak" in settings else {"scale": 1.0}
     return series | factor | {k: settings[k] for k in _BESIDE_RECORDS if k in settings}

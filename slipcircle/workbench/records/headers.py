@@ -39,7 +39,8 @@ _FORMATS = {
     # PEER: "NPTS= 5590, DT= .0050 SEC", formerly "5590 .0050 NPTS, DT"; the component ends the first line of text
     "an AT2 file": Format(
         r"NPTS.*\bDT\b",
-        rf"(?:.*\n){{0,9}}?(?:(?!.*NPTS).*,\s*(?P<component>[^,(\n]*?)\s*(?:\(.*)?\n)?(?:.*UNITS OF\s+(?P<units>[^\s,]+).*\n)?"
+        rf"(?:.*\n){{0,9}}?(?:(?!.*NPTS).*,\s*(?P<component>[^,(\n]*?)\s*(?:\(.*)?\n)?"
+        r"(?:.*UNITS OF\s+(?P<units>[^\s,]+).*\n)?"
         rf"(?=.*NPTS)(?:.*NPTS\s*=)?\s*(?P<samples>{_NUMBER})[\s,]+(?:DT\s*=)?\s*(?P<step>{_NUMBER}).*\n",
         "NPTS and DT, as in 'NPTS= 4000, DT= .0050 SEC'",
         "g",

@@ -19,6 +19,7 @@ MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
 _LONGEST_STEP = 0.5  # s, of two columns without names that are time and acceleration by convention
 WRAPPED = "wrapped"  # the role of all columns, where the values of one record run along the lines
 SKIP = "skip"
+_CLOCK, _COUNTER = "has times of day or dates", "counts the samples"
 
 
 class Samples(NamedTuple):
@@ -39,6 +40,7 @@ class Options(NamedTuple):
     units: str | None = None
     start: float | None = None
     gaps: str = "refuse"
+    of_all: bool = True  # whether the roles are those of every table, and not only of tables of their width
 
     def roles(self, quantity: Quantity) -> tuple[str, ...]:
         """Return the roles of the columns, which a text separates by commas."""
@@ -134,7 +136,8 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
     _check_count(name, len(fields), header.samples)
     samples = _samples(name, header.step, fields, lines, unit_of(header.units) or "")
     if header.scale:
-        return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
+        with np.errstate(invalid="ignore", over="ignore"):  # numbers that are not finite are refused later
+            return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
     return samples
 
 
@@ -145,7 +148,12 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     """The columns of a table other than its times."""
     table = table_of(quantity, name, text)
     roles = options.roles(quantity)
-    width = table.width if roles != (WRAPPED,) else 1
+    is_wrapped = roles == (WRAPPED,) and (options.of_all or not any(column.name for column in table.columns))
+    width = 1 if is_wrapped else table.width
+    if len(roles) != width and not is_wrapped:
+        if roles and options.of_all:
+            raise InputError("", [f"{name}: {{columns}} = {','.join(roles)!r}: the file has {width} columns"])
+        roles = ()
     fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
     cells, lines = [fields[k::width] for k in range(width)], lines[::width]
     if table.stated:
@@ -159,13 +167,15 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     time = _times(quantity, name, columns, cells, lines, table.step or options.step)
     found = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
-        label, role, stated = column.name or table.component, column.role, column.unit or table.unit
+        label, role, stated = column.name, column.role, column.unit or table.unit
         if role in (quantity.role, "vertical"):
             unit = unit_of(stated, quantity) if stated else ""
             if unit is None:
                 raise ValueError(f"{name}: {unknown_unit(stated)}")
             samples = _samples(name, time, of_column, lines, unit)
-            found.append(Channel(k, label, role * bool(column.name or roles), "", samples))
+            if table.component and width == 1:
+                label = table.component
+            found.append(Channel(k, label, role if roles or role == "vertical" else "", "", samples))
         elif role not in ("time", SKIP):
             found.append(Channel(k, label, "", column.reason if any(of_column) else "is empty"))
     return found
@@ -179,19 +189,25 @@ def _with_roles(
     columns = named or [Column("")] * width
     if roles == (WRAPPED,) or (width == 1 and not named):
         return [Column("", "", quantity.role)]
-    if len(roles) == width:
+    if roles:
         return [column._replace(role=role) for column, role in zip(columns, roles, strict=True)]
     first = _plain(cells[0])
-    why = ""
-    if CLOCK.fullmatch(cells[0][0]):
-        why = "has times of day or dates"
-    elif not columns[0].name and first.size > 2 and np.all(np.diff(first) == 1.0):
-        why = "counts the samples"
-    elif not named and (quantity is not ACCELERATION or (width == 2 and _is_even(first))):
+    is_even = _is_even(first)
+    columns = [
+        c._replace(role="", reason=_CLOCK) if CLOCK.fullmatch(x[0]) else c for c, x in zip(columns, cells, strict=True)
+    ]
+    if not columns[0].name and first.size > 2 and np.all(np.diff(first) == 1.0):
+        columns[0] = Column("", reason=_COUNTER)
+    elif not named and (quantity is not ACCELERATION or (width == 2 and is_even)):
         return [Column("", "", "time"), *[Column("", "", quantity.role)] * (width - 1)]
-    elif not named and not _is_even(first) and all(np.all(x >= 0.0) or np.all(x <= 0.0) for x in map(_plain, cells)):
+    elif (
+        columns[0].name in ("", "T")
+        and not is_even
+        and all(np.all(x >= 0.0) or np.all(x <= 0.0) for x in map(_plain, cells))
+    ):
         why = "resembles the abscissae of a spectrum: uneven, beside values of one sign"
-    return [columns[0]._replace(role="", reason=why), *columns[1:]] if why else columns
+        columns[0] = columns[0]._replace(role="spectrum", reason=columns[0].reason or why)
+    return columns
 
 
 def _plain(cells: list[str]) -> Floats:
@@ -229,21 +245,23 @@ def _times(
     roles = [column.role for column in columns]
     reasons = [str(Channel(k, c.name, "", c.reason)) for k, c in enumerate(columns, 1) if c.reason]
     why = "; ".join(reasons or [f"its header does not name its {len(columns)} columns"])
-    if "time" in roles and {quantity.role, "vertical"} & {*roles}:
+    is_record = bool({quantity.role, "vertical"} & {*roles})
+    if "time" in roles and is_record:
         clock = roles.index("time")
         unit = unit_of(columns[clock].unit or "s", TIME)
-        return numbers_of(name, cells[clock], lines) * TIME.units[unit or "s"]
-    if "spectrum" in roles and "time" not in roles:
-        raise ValueError(f"{name}: {why}; it is not a record")
-    leader = SKIP if columns[0].reason and not columns[0].role else "time"
-    example = [leader, *(role or quantity.role for role in roles[1:])]
+        if unit is None:
+            raise ValueError(f"{name}: the times are in {columns[clock].unit!r}: must be {TIME.choice}; convert them")
+        return numbers_of(name, cells[clock], lines) * TIME.units[unit]
+    is_spectrum = "spectrum" in roles and "time" not in roles
+    if step and is_record and not is_spectrum:
+        return step
+    leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
+    example = [leader, *(role if role == "vertical" else quantity.role for role in roles[1:])]
     each = f"one of time, {quantity.role}, vertical and {SKIP} for each of {len(columns)} columns"
     series = f", or {WRAPPED} if each line has several values of one record" if len(columns) > 2 else ""
     give = f"{{columns}} {','.join(example)}: {each}{series}"
-    if not {quantity.role, "vertical"} & {*roles}:
-        raise InputError("", [f"{name}: {why}; give {give}"])
-    if step:
-        return step
+    if is_spectrum or not is_record:
+        raise InputError("", [f"{name}: {why}{'; not a record, or ' if is_spectrum else '; '}give {give}"])
     lacks = f"has no times; {why}" if reasons else f"has {'one column and ' * (len(columns) == 1)}no times"
     other = f", or {give}" * (len(columns) > 1 and not reasons)
     raise InputError("", [f"{name}: {lacks}; give {{step}}, the time between samples in s{other}"])

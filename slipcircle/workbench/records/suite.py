@@ -254,7 +254,7 @@ def read_suite(
         raise ValueError(f"records: units = {units!r}: must be one of {ACCELERATION.choice}")
     if step is not None and not step > 0.0:
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
-    options = Options(columns, None, step, units, 0.0, gaps)
+    options = Options(columns, None, step, units, 0.0, gaps, of_all=False)
     options.roles(ACCELERATION)
     entries, unread = list[Entry](), list[Unread]()
     reading = {"options": options, "holds": holds, "gravity": gravity}

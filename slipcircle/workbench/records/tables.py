@@ -54,7 +54,7 @@ def _step(said: dict[str, tuple[str, str]]) -> float:
     for key, default in (("step", "s"), ("rate", "Hz")):
         unit, value = said[key]
         found = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", value, re.IGNORECASE)
-        if found and float(found[1]):
+        if found and 0.0 < float(found[1]) < 1e9:
             word = unit or found[2] or default
             if seconds := TIME.units.get(unit_of(word, TIME) or ""):
                 return float(found[1]) * seconds
@@ -76,6 +76,9 @@ def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
 def _columns(quantity: Quantity, above: list[str], separator: str | None, width: int) -> list[Column]:
     """The columns by the last line of the header that names them, and the units below it; empty if there is none."""
     units = [""] * width
+    if above and re.fullmatch(r"\s*\d+[\s,;]+0?\.\d+\s*", above[-1]):
+        why = f"is below {above[-1].strip()!r}, which resembles a number of samples and their step"
+        return [Column("", "", quantity.role * (width == 1), why)] * width
     for line in reversed(above):
         is_comment = not without_comment(line)
         mark, parts = _parts(line.strip().lstrip("#% "), separator, width)
