@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 
 STEP, COUNT = 0.02, 60
-TIME = STEP * np.arange(COUNT)
+TIME: Any = STEP * np.arange(COUNT)
 _RAW = np.sin(23.0 * TIME) * np.exp(-3.0 * TIME)
 _RAW -= np.mean(_RAW)  # as K-NET's counts are freed of theirs
-NORTH = 0.3 * _RAW / np.max(np.abs(_RAW))  # g; the other components are shares of it
-EAST, UP = 0.5 * NORTH, 0.25 * NORTH
+NORTH: Any = 0.3 * _RAW / np.max(np.abs(_RAW))  # g; the other components are shares of it
+EAST: Any = 0.5 * NORTH
+UP: Any = 0.25 * NORTH
 GAL = 981.0
 
 
@@ -85,7 +86,7 @@ def geonet(title: str = "Corrected") -> str:
 
 def knet(direction: str = "N-S") -> str:
     head = "Origin Time       2018/01/24 19:51:00\nStation Code      ABC001\nSampling Freq(Hz) 50Hz\n"
-    head += f"Duration Time(s)  1.2\nDir.              {direction}\nScale Factor      2000(gal)/8388608\nMax. Acc. (gal)   294.3\nMemo.\n"
+    head += f"Duration Time(s)  1.2\nDir.              {direction}\nScale Factor      2000(gal)/8388608\nMemo.\n"
     return head + packed(np.round(GAL * NORTH * 8388608 / 2000 + 500).astype(int).tolist(), "%9d", 8)
 
 

@@ -173,10 +173,14 @@ class Suite:
         return [*map(str, self.unread), *verticals]
 
     @property
+    def not_used(self) -> list[str]:
+        """The same as warnings."""
+        return [f"{line}; not used" for line in self.reasons]
+
+    @property
     def warnings(self) -> list[str]:
-        """The same as warnings, and a warning for each record with a drift."""
-        unused = [f"{line}; not used" for line in self.reasons]
-        return [*unused, *(f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift)]
+        """Warnings about what is not used, and about each record with a drift."""
+        return [*self.not_used, *(f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift)]
 
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
