@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 74c21897a0c77f697469c467d8b146190f0f76aa95d86a5a3959cf99d6c8f58c
+# sha256 of the text below: 4efd75101667402bd55cd3cbef0cd19d94b0ffa3315b2912553974418a2da1fa
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1722,7 +1722,7 @@ def integrate(
 
     Parameters
     ----------
-    program : slipcircle.core.program.program.Program
+    program : generated.program.Program
     tables : sequence of slipcircle.tables.tables.Data
         For each table of the program.
     cells : ndarray

@@ -24,9 +24,9 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import Mask, first_section
 from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.program import Samples
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.walk import compiled
+from slipcircle.core.walk.compiled import Samples
 
 Lanes = NDArray[np.intp]
 Integrate = Callable[[Floats, Samples | None], Floats]  # final cells of those to begin with

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from generated import layout as ix
+from generated.program import Program
 from slipcircle.base.checks import EPS, choose
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.program import Program, Samples
+from slipcircle.core.walk.compiled import Samples
 from slipcircle.core.walk.lanes import integrate
 
 Final = Mapping[int, Any]  # state entries of lanes at their end, by their places
@@ -40,7 +41,7 @@ UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 CLOSER = 1e-3
 CLOSEST = 1e-13
 # What single motions are compared by.
-COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.END_ROTATION, ix.PEAK_OMEGA])
+COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.REACH_ROTATION, ix.PEAK_OMEGA])
 # Shares of the duration at which states are compared, of each run the same.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
@@ -168,7 +169,7 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
 def _summary(final: Any) -> tuple[Any, Any, Any]:
     """Duration, run-out and peak velocity, dimensionless, of final cells."""
     duration = choose(_ends_in_time(final), final[ix.END_TIME], final[ix.REST_SINCE])
-    return duration, final[ix.END_ROTATION], abs(final[ix.PEAK_OMEGA])
+    return duration, final[ix.REACH_ROTATION], abs(final[ix.PEAK_OMEGA])
 
 
 def _ends_in_time(final: Final) -> Any:
