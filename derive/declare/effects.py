@@ -60,7 +60,8 @@ class Parameter:
     stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
     effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of
     numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section
-    gives), "text", "name" (a text or a number), "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
+    gives), "text", "name" (a text or a number), "flag" or one of several words, "this|that". What has no ``key``
+    cannot be written in a file.
     """
 
     name: str
