@@ -139,3 +139,29 @@ def _number(name: str, line: int, field: str) -> float:
     if not NUMBER.fullmatch(field):
         raise ValueError(f"{name}, line {line}: {field.strip()[:40]!r}: must be a number; mend or remove the line")
     return float(field.replace("d", "E").replace("D", "E"))
+
+
+def plain_numbers(cells: list[str]) -> Floats:
+    """The numbers of a column; none if a cell is not a plain number."""
+    try:
+        return np.array(cells, dtype=np.float64)
+    except ValueError:
+        return np.empty(0)
+
+
+def is_even(numbers: Floats, longest: float) -> bool:
+    """Whether numbers increase by equal steps below the longest one, but for their rounding."""
+    if numbers.size < 2:
+        return False
+    even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)
+    is_even = np.all(np.diff(numbers) > 0.0) and np.all(np.abs(numbers - even) < 0.25 * step)
+    return bool(is_even and step < longest)
+
+
+def check_count(name: str, count: int, stated: float) -> None:
+    """Reject a file with another number of values than its header states."""
+    if count != stated:
+        raise ValueError(
+            f"{name}: holds {count} values, but its header says {stated:.0f}; is the file cut short, or another's "
+            "header on it?"
+        )

@@ -7,7 +7,6 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from slipcircle.base.checks import INFINITY
-from slipcircle.workbench.common.units import ACCELERATION, unit_of
 from slipcircle.workbench.records.columns import is_direction
 
 
@@ -122,8 +121,6 @@ def header_of(name: str, text: str) -> Header | None:
             header = _header(re.match(known.header, head, re.IGNORECASE), known.units)
             if header is None:
                 raise ValueError(f"{name}: the header of {kind} must have {known.needs}")
-            if unit_of(header.units) is None:
-                raise ValueError(f"{name}: {unknown_unit(header.units)}")
             return header
     return None
 
@@ -149,11 +146,6 @@ def _header(found: re.Match[str] | None, units: str) -> Header | None:
     lines = found[0].count("\n") + max(round(numbers["comments"]), 0)
     scale = numbers["gal"] / (numbers["counts"] or INFINITY)
     return Header(lines, samples, step, fields.get("units") or units, component, scale, fields)
-
-
-def unknown_unit(unit: str) -> str:
-    """A sentence about a unit that is not one of acceleration."""
-    return f"its header says the unit {unit!r}: must be one of {ACCELERATION.choice}"
 
 
 def channels(text: str) -> Iterator[str]:

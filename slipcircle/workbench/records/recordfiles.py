@@ -9,10 +9,19 @@ import numpy as np
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Floats
-from slipcircle.workbench.common.textfiles import CLOCK, Lines, cells_of, numbers_of, text_of
+from slipcircle.workbench.common.textfiles import (
+    CLOCK,
+    Lines,
+    cells_of,
+    check_count,
+    is_even,
+    numbers_of,
+    plain_numbers,
+    text_of,
+)
 from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
 from slipcircle.workbench.records.columns import Column
-from slipcircle.workbench.records.headers import Header, channels, header_of, unknown_unit
+from slipcircle.workbench.records.headers import Header, channels, header_of
 from slipcircle.workbench.records.tables import table_of
 
 MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
@@ -113,14 +122,6 @@ def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Line
     return Samples(times, numbers_of(name, fields, lines), units, lines)
 
 
-def _check_count(name: str, count: int, stated: float) -> None:
-    if count != stated:
-        raise ValueError(
-            f"{name}: holds {count} values, but its header says {stated:.0f}; is the file cut short, or another's "
-            "header on it?"
-        )
-
-
 def _of_format(name: str, text: str, header: Header) -> Samples:
     """Values without times, however many are on a line."""
     below = text.split("\n")[header.lines :]
@@ -133,8 +134,8 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
         end = -(-header.samples // 10) if is_block else next(ends, len(below))
         below = [" ".join(row[k : k + width] for k in range(0, len(row), width)) for row in below[:end]]
     fields, lines = cells_of(name, below, header.lines, None)
-    _check_count(name, len(fields), header.samples)
-    samples = _samples(name, header.step, fields, lines, unit_of(header.units) or "")
+    check_count(name, len(fields), header.samples)
+    samples = _samples(name, header.step, fields, lines, _unit(ACCELERATION, name, header.units))
     if header.scale:
         with np.errstate(invalid="ignore", over="ignore"):  # numbers that are not finite are refused later
             return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
@@ -150,35 +151,43 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     roles = options.roles(quantity)
     is_wrapped = roles == (WRAPPED,) and (options.of_all or not any(column.name for column in table.columns))
     width = 1 if is_wrapped else table.width
-    if len(roles) != width and not is_wrapped:
+    if len(roles) != width:
         if roles and options.of_all:
             raise InputError("", [f"{name}: {{columns}} = {','.join(roles)!r}: the file has {width} columns"])
         roles = ()
     fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
     cells, lines = [fields[k::width] for k in range(width)], lines[::width]
     if table.stated:
-        _check_count(name, len(lines), float(table.stated))
-    columns = _with_roles(quantity, table.columns, cells, roles)
-    if options.column is not None:
-        others = {k: column.name for k, column in enumerate(columns, 1) if column.role != "time"}
-        (chosen,) = _chosen(name, others, options.column)
-        columns = [c if c.role == "time" else c._replace(role=SKIP) for c in columns]
-        columns[chosen - 1] = columns[chosen - 1]._replace(role=quantity.role)
+        check_count(name, len(lines), float(table.stated))
+    columns = _only(quantity, name, _with_roles(quantity, table.columns, cells, roles), options.column)
     time = _times(quantity, name, columns, cells, lines, table.step or options.step)
     found = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
-        label, role, stated = column.name, column.role, column.unit or table.unit
-        if role in (quantity.role, "vertical"):
-            unit = unit_of(stated, quantity) if stated else ""
-            if unit is None:
-                raise ValueError(f"{name}: {unknown_unit(stated)}")
-            samples = _samples(name, time, of_column, lines, unit)
-            if table.component and width == 1:
-                label = table.component
-            found.append(Channel(k, label, role if roles or role == "vertical" else "", "", samples))
-        elif role not in ("time", SKIP):
-            found.append(Channel(k, label, "", column.reason if any(of_column) else "is empty"))
+        if column.role in (quantity.role, "vertical"):
+            samples = _samples(name, time, of_column, lines, _unit(quantity, name, column.unit or table.unit))
+            label = table.component * (width == 1) or column.name
+            role = column.role if roles or column.role == "vertical" else ""
+            found.append(Channel(k, label, role, "", samples))
+        elif column.role not in ("time", SKIP):
+            found.append(Channel(k, column.name, "", column.reason if any(of_column) else "is empty"))
     return found
+
+
+def _only(quantity: Quantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
+    """The columns, of which the user may name the only one to read beside the times."""
+    if column is None:
+        return columns
+    (chosen,) = _chosen(name, {k: c.name for k, c in enumerate(columns, 1) if c.role != "time"}, column)
+    roles = [c.role if c.role == "time" else quantity.role if k == chosen else SKIP for k, c in enumerate(columns, 1)]
+    return [c._replace(role=role) for c, role in zip(columns, roles, strict=True)]
+
+
+def _unit(quantity: Quantity, name: str, stated: str) -> str:
+    """The unit that a column or header states; empty if it states none."""
+    unit = unit_of(stated, quantity) if stated else ""
+    if unit is None:
+        raise ValueError(f"{name}: its header says the unit {stated!r}: must be one of {quantity.choice}")
+    return unit
 
 
 def _with_roles(
@@ -191,40 +200,23 @@ def _with_roles(
         return [Column("", "", quantity.role)]
     if roles:
         return [column._replace(role=role) for column, role in zip(columns, roles, strict=True)]
-    first = _plain(cells[0])
-    is_even = _is_even(first)
+    first = plain_numbers(cells[0])
+    is_time = is_even(first, _LONGEST_STEP)
     columns = [
         c._replace(role="", reason=_CLOCK) if CLOCK.fullmatch(x[0]) else c for c, x in zip(columns, cells, strict=True)
     ]
     if not columns[0].name and first.size > 2 and np.all(np.diff(first) == 1.0):
         columns[0] = Column("", reason=_COUNTER)
-    elif not named and (quantity is not ACCELERATION or (width == 2 and is_even)):
+    elif not named and (quantity is not ACCELERATION or (width == 2 and is_time)):
         return [Column("", "", "time"), *[Column("", "", quantity.role)] * (width - 1)]
     elif (
         columns[0].name in ("", "T")
-        and not is_even
-        and all(np.all(x >= 0.0) or np.all(x <= 0.0) for x in map(_plain, cells))
+        and not is_time
+        and all(np.all(x >= 0.0) or np.all(x <= 0.0) for x in map(plain_numbers, cells))
     ):
         why = "resembles the abscissae of a spectrum: uneven, beside values of one sign"
         columns[0] = columns[0]._replace(role="spectrum", reason=columns[0].reason or why)
     return columns
-
-
-def _plain(cells: list[str]) -> Floats:
-    """The numbers of a column; none if a cell is not a plain number."""
-    try:
-        return np.array(cells, dtype=np.float64)
-    except ValueError:
-        return np.empty(0)
-
-
-def _is_even(numbers: Floats) -> bool:
-    """Whether numbers increase by equal steps, but for their rounding, as times of records do."""
-    if numbers.size < 2:
-        return False
-    even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)
-    is_even = np.all(np.diff(numbers) > 0.0) and np.all(np.abs(numbers - even) < 0.25 * step)
-    return bool(is_even and step < _LONGEST_STEP)
 
 
 def _times(
@@ -243,8 +235,6 @@ def _times(
         If there are none, or no column is a record; names the options that say which one is.
     """
     roles = [column.role for column in columns]
-    reasons = [str(Channel(k, c.name, "", c.reason)) for k, c in enumerate(columns, 1) if c.reason]
-    why = "; ".join(reasons or [f"its header does not name its {len(columns)} columns"])
     is_record = bool({quantity.role, "vertical"} & {*roles})
     if "time" in roles and is_record:
         clock = roles.index("time")
@@ -255,13 +245,20 @@ def _times(
     is_spectrum = "spectrum" in roles and "time" not in roles
     if step and is_record and not is_spectrum:
         return step
-    leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
-    example = [leader, *(role if role == "vertical" else quantity.role for role in roles[1:])]
-    each = f"one of time, {quantity.role}, vertical and {SKIP} for each of {len(columns)} columns"
-    series = f", or {WRAPPED} if each line has several values of one record" if len(columns) > 2 else ""
-    give = f"{{columns}} {','.join(example)}: {each}{series}"
+    reasons = [str(Channel(k, c.name, "", c.reason)) for k, c in enumerate(columns, 1) if c.reason]
+    why = "; ".join(reasons or [f"its header does not name its {len(columns)} columns"])
+    give = _roles_to_give(quantity, columns)
     if is_spectrum or not is_record:
-        raise InputError("", [f"{name}: {why}{'; not a record, or ' if is_spectrum else '; '}give {give}"])
+        raise InputError("", [f"{name}: {why}; {'not a record, or ' * is_spectrum}give {give}"])
     lacks = f"has no times; {why}" if reasons else f"has {'one column and ' * (len(columns) == 1)}no times"
     other = f", or {give}" * (len(columns) > 1 and not reasons)
     raise InputError("", [f"{name}: {lacks}; give {{step}}, the time between samples in s{other}"])
+
+
+def _roles_to_give(quantity: Quantity, columns: Sequence[Column]) -> str:
+    """The option that states the roles of columns, with an example."""
+    leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
+    example = [leader, *(c.role if c.role == "vertical" else quantity.role for c in columns[1:])]
+    series = f", or {WRAPPED} if each line has several values of one record" * (len(columns) > 2)
+    each = f"one of time, {quantity.role}, vertical and {SKIP} for each of {len(columns)} columns"
+    return f"{{columns}} {','.join(example)}: {each}{series}"

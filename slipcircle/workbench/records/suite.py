@@ -260,20 +260,7 @@ def read_suite(
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
     options = Options(columns, None, step, units, 0.0, gaps, of_all=False)
     options.roles(ACCELERATION)
-    entries, unread = list[Entry](), list[Unread]()
-    reading = {"options": options, "holds": holds, "gravity": gravity}
-    remaining = _KEPT
-    for file in track(_files(paths), "records read"):
-        try:
-            for entry in _entries(file, vertical, reading):
-                if isinstance(entry, Unread):
-                    unread.append(entry)
-                    continue
-                remaining -= entry.samples
-                entries.append(entry if remaining >= 0 else replace(entry, kept=None))
-        except ValueError as error:
-            said = error.worded(lambda name: f"--{name}") if isinstance(error, InputError) else str(error)
-            unread.append(Unread(str(file), said.removeprefix(str(file)).lstrip(":, ")))
+    entries, unread = _read_all(_files(paths), vertical, {"options": options, "holds": holds, "gravity": gravity})
     suite = Suite.without_repeated([entry for entry in entries if not entry.is_vertical])
     verticals = tuple(entry for entry in entries if entry.is_vertical)
     suite = replace(suite, verticals=verticals, unread=(*unread, *suite.unread))
@@ -284,6 +271,26 @@ def read_suite(
         raise ValueError(_nothing_read(paths, suite.reasons))
     _check_needed(entries, units and unit_of(units), step)
     return suite
+
+
+def _read_all(
+    files: Sequence[Path], vertical: str | None, reading: Mapping[str, Any]
+) -> tuple[list[Entry], list[Unread]]:
+    """The records of files, the first of which stay in memory, and what is not used."""
+    entries, unread = list[Entry](), list[Unread]()
+    remaining = _KEPT
+    for file in track(files, "records read"):
+        try:
+            for entry in _entries(file, vertical, reading):
+                if isinstance(entry, Unread):
+                    unread.append(entry)
+                    continue
+                remaining -= entry.samples
+                entries.append(entry if remaining >= 0 else replace(entry, kept=None))
+        except ValueError as error:
+            said = error.worded(lambda name: f"--{name}") if isinstance(error, InputError) else str(error)
+            unread.append(Unread(str(file), said.removeprefix(str(file)).lstrip(":, ")))
+    return entries, unread
 
 
 def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None) -> None:
