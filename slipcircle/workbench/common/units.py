@@ -78,6 +78,22 @@ def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:
     return None
 
 
+def seconds_of(unit: str, text: str, default: str = "s") -> float:
+    """Return a time in s from a text such as "0.02 sec", whose unit may be known apart; 0 if it is not a time."""
+    found = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", text, re.IGNORECASE)
+    if found is None or not 0.0 < float(found[1]) < 1e9:
+        return 0.0
+    word = unit or found[2] or default
+    if word.lower() in ("hz", "sps"):
+        return 1.0 / float(found[1])
+    return float(found[1]) * TIME.units.get(unit_of(word, TIME) or "", 0.0)
+
+
+def period_of(unit: str, text: str) -> float:
+    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not one."""
+    return seconds_of(unit, text, "Hz")
+
+
 def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
     """Accelerations as driving ones over gravity."""
     factor = GRAVITIES.get(units, UNITS[units] / gravity)

@@ -143,7 +143,8 @@ def _header(found: re.Match[str] | None, units: str) -> Header | None:
         return None
     components = (fields.get(key, "").upper().replace("-", "") for key in ("component", "seed"))
     component = next((_KIK_NET.get(text, text) for text in components if text and is_direction(text)), "")
-    lines = found[0].count("\n") + max(round(numbers["comments"]), 0)
+    comments = max(round(numbers["comments"]), 0)
+    lines = found[0].count("\n") + comments
     scale = numbers["gal"] / (numbers["counts"] or INFINITY)
     return Header(lines, samples, step, fields.get("units") or units, component, scale, fields)
 
@@ -155,4 +156,5 @@ def channels(text: str) -> Iterator[str]:
     starts = [k for last, k in pairwise([-1, *starts]) if last < 0 or text.count("\n", last, k) > 1]
     if not starts or text[: starts[0]].strip():
         starts = [0]
-    return (text[start:end] for start, end in pairwise([*starts, len(text)]))
+    ends = [*starts, len(text)]
+    return (text[start:end] for start, end in pairwise(ends))

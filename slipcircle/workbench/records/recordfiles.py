@@ -22,7 +22,7 @@ from slipcircle.workbench.common.textfiles import (
 from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
 from slipcircle.workbench.records.columns import Column
 from slipcircle.workbench.records.headers import Header, channels, header_of
-from slipcircle.workbench.records.tables import table_of
+from slipcircle.workbench.records.tables import Table, table_of
 
 MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
 _LONGEST_STEP = 0.5  # s, of two columns without names that are time and acceleration by convention
@@ -86,7 +86,7 @@ def contents(quantity: Quantity, name: str, path: Path, options: Options) -> lis
     text = text_of(path, name, MOST_BYTES, MOST_NUMBERS, quantity.kinds)
     parts = list(channels(text)) if quantity is ACCELERATION else [text]
     names = [f"{name}, channel {k}" if len(parts) > 1 else name for k in range(1, len(parts) + 1)]
-    headers = [header_of(*part) if quantity is ACCELERATION else None for part in zip(names, parts, strict=True)]
+    headers = list(map(header_of, names, parts)) if quantity is ACCELERATION else [None]
     if headers[0] is None:
         return _of_table(quantity, name, text, options)
     components = {k: header.component for k, header in enumerate(headers, 1) if header}
@@ -110,7 +110,8 @@ def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> li
 
 def choice(names: Iterable[tuple[int, str]]) -> str:
     """Places and names of columns, for a message."""
-    return ", ".join(f"{place} ({name})" if name else str(place) for place, name in names)
+    shown = [f"{place} ({name})" if name else str(place) for place, name in names]
+    return ", ".join(shown)
 
 
 def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> Samples:
@@ -148,13 +149,8 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
 def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> list[Channel]:
     """The columns of a table other than its times."""
     table = table_of(quantity, name, text)
-    roles = options.roles(quantity)
-    is_wrapped = roles == (WRAPPED,) and (options.of_all or not any(column.name for column in table.columns))
-    width = 1 if is_wrapped else table.width
-    if len(roles) != width:
-        if roles and options.of_all:
-            raise InputError("", [f"{name}: {{columns}} = {','.join(roles)!r}: the file has {width} columns"])
-        roles = ()
+    roles = _roles(quantity, name, table, options)
+    width = 1 if roles == (WRAPPED,) else table.width
     fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
     cells, lines = [fields[k::width] for k in range(width)], lines[::width]
     if table.stated:
@@ -164,7 +160,8 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     found = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
         if column.role in (quantity.role, "vertical"):
-            samples = _samples(name, time, of_column, lines, _unit(quantity, name, column.unit or table.unit))
+            unit = _unit(quantity, name, column.unit or table.unit)
+            samples = _samples(name, time, of_column, lines, unit)
             label = table.component * (width == 1) or column.name
             role = column.role if roles or column.role == "vertical" else ""
             found.append(Channel(k, label, role, "", samples))
@@ -173,13 +170,27 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     return found
 
 
+def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> tuple[str, ...]:
+    """The roles of the columns by option; none if the option is about other tables."""
+    roles = options.roles(quantity)
+    has_names = any(column.name for column in table.columns)
+    if roles == (WRAPPED,) and (options.of_all or not has_names):
+        return roles
+    if len(roles) == table.width:
+        return roles
+    if roles and options.of_all:
+        raise InputError("", [f"{name}: {{columns}} = {','.join(roles)!r}: the file has {table.width} columns"])
+    return ()
+
+
 def _only(quantity: Quantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
     """The columns, of which the user may name the only one to read beside the times."""
     if column is None:
         return columns
-    (chosen,) = _chosen(name, {k: c.name for k, c in enumerate(columns, 1) if c.role != "time"}, column)
-    roles = [c.role if c.role == "time" else quantity.role if k == chosen else SKIP for k, c in enumerate(columns, 1)]
-    return [c._replace(role=role) for c, role in zip(columns, roles, strict=True)]
+    others = {place: other.name for place, other in enumerate(columns, 1) if other.role != "time"}
+    (chosen,) = _chosen(name, others, column)
+    roles = dict.fromkeys(others, SKIP) | {chosen: quantity.role}
+    return [other._replace(role=roles.get(place, "time")) for place, other in enumerate(columns, 1)]
 
 
 def _unit(quantity: Quantity, name: str, stated: str) -> str:
@@ -195,16 +206,16 @@ def _with_roles(
 ) -> list[Column]:
     """The columns of a table with their roles by option, header or convention."""
     width = len(cells)
-    columns = named or [Column("")] * width
+    columns = list(named) or [Column("")] * width
     if roles == (WRAPPED,) or (width == 1 and not named):
         return [Column("", "", quantity.role)]
     if roles:
         return [column._replace(role=role) for column, role in zip(columns, roles, strict=True)]
     first = plain_numbers(cells[0])
     is_time = is_even(first, _LONGEST_STEP)
-    columns = [
-        c._replace(role="", reason=_CLOCK) if CLOCK.fullmatch(x[0]) else c for c, x in zip(columns, cells, strict=True)
-    ]
+    for k, (first_cell, *_) in enumerate(cells):
+        if CLOCK.fullmatch(first_cell):
+            columns[k] = columns[k]._replace(role="", reason=_CLOCK)
     if not columns[0].name and first.size > 2 and np.all(np.diff(first) == 1.0):
         columns[0] = Column("", reason=_COUNTER)
     elif not named and (quantity is not ACCELERATION or (width == 2 and is_time)):
@@ -258,7 +269,8 @@ def _times(
 def _roles_to_give(quantity: Quantity, columns: Sequence[Column]) -> str:
     """The option that states the roles of columns, with an example."""
     leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
-    example = [leader, *(c.role if c.role == "vertical" else quantity.role for c in columns[1:])]
+    others = [column.role if column.role == "vertical" else quantity.role for column in columns[1:]]
+    example = ",".join([leader, *others])
     series = f", or {WRAPPED} if each line has several values of one record" * (len(columns) > 2)
     each = f"one of time, {quantity.role}, vertical and {SKIP} for each of {len(columns)} columns"
-    return f"{{columns}} {','.join(example)}: {each}{series}"
+    return f"{{columns}} {example}: {each}{series}"

@@ -218,7 +218,8 @@ def read_samples(quantity: Quantity, path: str | PathLike[str], options: Options
         shown = choice((channel.place, channel.name) for channel in read)
         raise InputError("", [f"{name}: has several columns of {quantity.name}; give {{column}}, one of {shown}"])
     samples = checked_samples(quantity, name, read[0].samples, options)
-    step = float(np.mean(np.diff(samples.time)))
+    steps = np.diff(samples.time)
+    step = float(np.mean(steps))
     if options.step and abs(step - options.step) > 0.01 * step:
         rule = f"but the file has steps of {step:.6g} s; leave it out"
         raise InputError("", [f"{name}: {{step}} = {options.step!r}, {rule}"])

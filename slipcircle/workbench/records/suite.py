@@ -23,6 +23,7 @@ from typing import Any, Literal, NamedTuple
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.progress import track
 from slipcircle.tables import Series
+from slipcircle.workbench.common.files import files_in
 from slipcircle.workbench.common.units import ACCELERATION, unit_of
 from slipcircle.workbench.records.columns import is_direction, is_vertical
 from slipcircle.workbench.records.recordfiles import Channel, Options, contents
@@ -64,7 +65,8 @@ def place_of(name: str, component: str = "") -> Place:
     parts = {"level": "", "rest": ""} | named.groupdict(default="")
     found = next(parts[key] for key in ("azimuth", "axis", "letter", "channel") if parts.get(key))
     station = parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"]
-    return Place(station, component or found.upper())
+    component = component or found.upper()
+    return Place(station, component)
 
 
 @dataclass(frozen=True)
@@ -164,7 +166,8 @@ class Suite:
         for entry in self.entries:
             if entry.component:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
-        return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
+        pairs = [same for same in by_station.values() if len(same) == 2]
+        return [(one, other) for one, other in pairs]
 
     @property
     def reasons(self) -> list[str]:
@@ -180,7 +183,8 @@ class Suite:
     @property
     def warnings(self) -> list[str]:
         """Warnings about what is not used, and about each record with a drift."""
-        return [*self.not_used, *(f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift)]
+        drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
+        return self.not_used + drifts
 
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
@@ -202,7 +206,8 @@ class Suite:
         for k, first in same.items():
             name = str(Path(entries[k].file).parent / entries[k].name)
             unread.append(Unread(name, f"has the samples of {entries[first].name}, which counts once"))
-        return cls(tuple(entry for k, entry in enumerate(entries) if k not in same), unread=tuple(unread))
+        different = [entry for k, entry in enumerate(entries) if k not in same]
+        return cls(tuple(different), unread=tuple(unread))
 
     @classmethod
     def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
@@ -260,7 +265,8 @@ def read_suite(
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
     options = Options(columns, None, step, units, 0.0, gaps, of_all=False)
     options.roles(ACCELERATION)
-    entries, unread = _read_all(_files(paths), vertical, {"options": options, "holds": holds, "gravity": gravity})
+    reading = {"options": options, "holds": holds, "gravity": gravity}
+    entries, unread = _read_all(files_in(paths), vertical, reading)
     suite = Suite.without_repeated([entry for entry in entries if not entry.is_vertical])
     verticals = tuple(entry for entry in entries if entry.is_vertical)
     suite = replace(suite, verticals=verticals, unread=(*unread, *suite.unread))
@@ -295,11 +301,11 @@ def _read_all(
 
 def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None) -> None:
     """Reject a unit or a step that all files contradict, so that none needs it."""
-    for entry in entries[:1]:
-        if unit and all(other.unit != unit for other in entries):
-            raise ValueError(f"records: units = {unit!r}, but {entry.name} states {entry.unit}; leave units out")
-        if step and all(abs(other.step - step) > 0.01 * step for other in entries):
-            raise ValueError(f"records: step = {step!r}, but {entry.name} has {entry.step:g} s; leave step out")
+    units = [entry.unit for entry in entries]
+    steps = [f"{entry.step:.3g}" for entry in entries]
+    for name, given, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
+        if given and given not in stated:
+            raise ValueError(f"records: {name} = {given}, but {entries[0].name} states {stated[0]}; leave {name} out")
 
 
 def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
@@ -310,20 +316,11 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
     return f"records: {where}: holds no horizontal record{shown}{more}"
 
 
-def _files(paths: Iterable[str | PathLike[str]]) -> Sequence[Path]:
-    """The files, those of folders in the order of their names, each once."""
-    files: dict[Path, None] = {}
-    for path in map(Path, paths):
-        inside = sorted(path.rglob("*")) if path.is_dir() else [path]
-        hidden = [any(part.startswith(".") for part in file.relative_to(path).parts) for file in inside]
-        files |= dict.fromkeys(file for file, is_hidden in zip(inside, hidden, strict=True) if not is_hidden)
-    return [path for path in files if not path.is_dir()]
-
-
 def _entries(file: Path, vertical: str | None, reading: Mapping[str, Any]) -> Iterator[Entry | Unread]:
     """The records of a file, and its columns that are not used."""
     channels = contents(ACCELERATION, str(file), file, reading["options"])
-    several = len([channel for channel in channels if channel.samples]) > 1
+    read = [channel for channel in channels if channel.samples]
+    several = len(read) > 1
     for k, channel in enumerate(channels):
         if channel.samples is None:
             yield Unread(str(file), str(channel))
@@ -333,7 +330,9 @@ def _entries(file: Path, vertical: str | None, reading: Mapping[str, Any]) -> It
         place = place_of(file.name, label if several or is_direction(channel.name) else "")
         upright = channel.role == "vertical" or (not channel.role and place.is_vertical)
         if vertical is not None:
-            upright = any(fnmatch(text.lower(), vertical.lower()) for text in (name, file.name, place.component))
+            names = (name, file.name, place.component)
+            pattern = vertical.lower()
+            upright = any(fnmatch(text.lower(), pattern) for text in names)
         series, unit = _shaking(str(file), channel, **reading)
         yield _entry(name, str(file), place, series, unit, {**reading, "channel": k}, upright)
 
@@ -347,7 +346,8 @@ def _read(file: str, channel: int, **reading: Any) -> Series:
 def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity: float) -> tuple[Series, str]:
     """A record from 0 s, and the unit of its file, or the given one where the file says none."""
     stated = channel.samples.units if channel.samples else ""
-    samples = checked_samples(ACCELERATION, file, channel.samples, options._replace(units=stated or options.units))
+    with_unit = options._replace(units=stated or options.units)
+    samples = checked_samples(ACCELERATION, file, channel.samples, with_unit)
     return shaking_of(samples, file, holds, gravity), samples.units
 
 

@@ -4,7 +4,7 @@ import re
 from typing import NamedTuple
 
 from slipcircle.workbench.common.textfiles import NUMBER, SEPARATORS, first_row, split, without_comment
-from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
+from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, period_of, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
 
 _STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#SampleRate(Hz): 200", "UNITS: cm/s^2"
@@ -45,22 +45,15 @@ def table_of(quantity: Quantity, name: str, text: str) -> Table:
         key = next(key for key, value in found.groupdict().items() if value)
         said[key] = found["of"] or "", found["value"].strip()
     columns = _columns(quantity, above, separator, width)
-    count = "".join(re.findall(r"^\d{1,15}", said["count"][1]))
+    _, stated = said["count"]
+    count = "".join(re.findall(r"^\d{1,15}", stated))
     return Table(lines, separator, width, columns, _step(said), _unit(quantity, said), count, said["component"][1])
 
 
 def _step(said: dict[str, tuple[str, str]]) -> float:
     """The time between samples that a header states, s; 0 if it does not."""
-    for key, default in (("step", "s"), ("rate", "Hz")):
-        unit, value = said[key]
-        found = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", value, re.IGNORECASE)
-        if found and 0.0 < float(found[1]) < 1e9:
-            word = unit or found[2] or default
-            if seconds := TIME.units.get(unit_of(word, TIME) or ""):
-                return float(found[1]) * seconds
-            if key == "rate" and word.lower() in ("hz", "sps"):
-                return 1.0 / float(found[1])
-    return 0.0
+    step = seconds_of(*said["step"])
+    return step or period_of(*said["rate"])
 
 
 def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
