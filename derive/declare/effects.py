@@ -267,8 +267,7 @@ def _of_section(name: str, help: str, symbol: sp.Symbol, kind: str = "number") -
 
 _OF_A_RECORD = (
     _optional("column", "name or number of the record's column, where there is a choice", kind="name"),
-    _optional("columns", "roles of all columns of a table in place of its header: time,acceleration,skip",
-              kind="text"),
+    _optional("columns", "roles of all columns of a table in place of its header: time,acceleration,skip", kind="text"),
     _optional("step", "time between samples of a record without times", "s", "step_s"),
     _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
 )
