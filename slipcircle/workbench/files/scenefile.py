@@ -52,9 +52,10 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
-        if stability or of_records:
-            known = stability and stability.without_map()
-            scene: Scene[float] = SlopeScene(**parts, stability=known, remarks=(*remarks, *of_records))
+        remarks = (*remarks, *of_records)
+        scene: Scene[float]
+        if "start" in parts or of_records:
+            scene = SlopeScene(**parts, stability=stability and stability.without_map(), remarks=remarks)
         else:
             scene = Scene(**parts)
         return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
@@ -180,6 +181,7 @@ def _parts(
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
+        parts["start"] = slope.start
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
     document.arguments[""].pop("format", None)  # read by this version, as it is no mistake
