@@ -54,6 +54,8 @@ def load(name: str | PathLike[str]) -> Scene[float]:
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
         remarks = (*remarks, *of_records)
         scene: Scene[float]
+        if of_records and "start" not in parts:
+            parts["set_by_start"] = None  # an arc starts as it is
         if "start" in parts or of_records:
             scene = SlopeScene(**parts, stability=stability and stability.without_map(), remarks=remarks)
         else:
