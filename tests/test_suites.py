@@ -324,7 +324,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert float(point["share"]) == np.mean(study.displacement[:, :, 1] > 0.02)
     assert none["reason"] == study.fragility()[1].to_dict()["reason"] == "no motion exceeds it; give larger scales"
     assert none["reason"] in out
-    assert "no displacement (at most 1 cm) for" in " ".join(out.split())
+    assert "counts displacements above 1 cm only; at most 1 cm for" in " ".join(out.split())
 
 
 def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, said: Any) -> None:

@@ -98,7 +98,8 @@ class Key(NamedTuple):
             "list": False,
             "points": False,
         }
-        return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
+        is_word = isinstance(value, str) and value.lower() in self.kind.split("|")
+        return [] if right.get(self.kind, is_word) else [("", value)]
 
     def convert(self, value: Any) -> Any:
         """A valid value as an argument, in SI units."""
@@ -109,7 +110,7 @@ class Key(NamedTuple):
         if self.kind == "seen":
             return Interval(*map(float, value)) if isinstance(value, list) else float(value)
         if self.kind not in ("number", "fixed", "list", "series", "line", "load"):
-            return value
+            return value.lower() if "|" in self.kind else value
         return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
 
     def _number(self, value: Any) -> bool:
