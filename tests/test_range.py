@@ -154,7 +154,8 @@ def test_it_is_printed_and_counted_and_no_number_is_left_out(said: Any, records:
     words = f"after {end.time:.3g} s, {end.displacement:.3g} m"
     file = tmp_path / "cut.toml"
     file.write_text(
-        f'[ground]\npoints_m = {CUT.tolist()}\nunit_weight_kN_m3 = 20\n[circle]\nstart = "paper"\ncentre_m = [24, 36]\nradius_m = 45\n'
+        f"[ground]\npoints_m = {CUT.tolist()}\nunit_weight_kN_m3 = 20\n[circle]\n"
+        'start = "paper"\ncentre_m = [24, 36]\nradius_m = 45\n'
         "[friction]\ncoefficient = 0.12\n[rotation]\n[centripetal]\n",
         "utf-8",
     )
