@@ -151,6 +151,9 @@ class Section(SectionGeometry, Mass):
             own["standing"] = self.standing_moment
         return {**effects, "pore_pressure": own} if own else effects
 
+    # Rotations between which the method applies, rad: the toe must not rise far above the original ground.
+    rotation_range = cached_property(lambda self: room("toe").rotation_range(self))
+
     @property
     def lanes_shape(self) -> tuple[int, ...]:
         return self.shape

@@ -127,10 +127,12 @@ class _Integrals:
         ground = np.interp(x, *surface.T)
         top = np.minimum(ground, level.at(x))
         height = np.maximum(top + arc, 0.0)
-        self.rows = dict(over_height(arc, height))
+        rows = over_height(arc, height)
+        self.rows = dict(rows)
         self.x = x
         self.weight = half * arc * _WEIGHTS
-        self.middle = first + half
+        middle = first + half
+        self.middle = middle
         self.level = level
 
     def normal(self, directions: Floats) -> Floats:
@@ -159,7 +161,9 @@ class _Integrals:
 def vertex_kinks(section: Any) -> Floats:
     """Rotations at which a vertex of the ground or an end of the mass passes the level, (circles, kinks)."""
     heights = section.standing_level[:, None]
-    surfaces = [_surface(section, circle) for circle in range(len(heights))]
+    surfaces = []
+    for circle in range(len(heights)):
+        surfaces.append(_surface(section, circle))
     every = np.stack(surfaces)
     x = every[..., 0]
     y = every[..., 1]
