@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7f7a62eea760fc1fc1c1d5dcb1cb9ce833a6e409d4060e4c0010ffa337ff370e"
+#define DIGEST "ef8546c4f5e365022eeea7e63a97252bf3fc1466b41439263c7080fa706baab1"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2445,7 +2445,7 @@ static void make_step(Batch *b, M here)
     M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
     c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, c[STEPS] + pick(at_limit, broadcast(0.0), pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
     keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
     EACH(lane, bits(here)) {
@@ -2525,7 +2525,8 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     if (job->samples > 0) {
         read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
     }
-    c[STEPS][lane] = c[STEPS][lane] + (breaks ? 0.0 : 1.0);
+    int rested = starts && (stretch > (TOGETHER * until));
+    c[STEPS][lane] = (breaks || rested) ? 0.0 : (c[STEPS][lane] + 1.0);
     c[PASSED][lane] = NOTHING;
     if (for_ever || (until >= c[END_TIME][lane])) {
         c[TIME][lane] = for_ever ? c[TIME][lane] : c[END_TIME][lane];
@@ -2593,7 +2594,7 @@ static void rest_on(Batch *b, M here)
     }
 }
 
-/* Stop lanes that take too many steps or reversals, or overflow. */
+/* Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow. */
 INLINE void stop_endless(Batch *b, M here)
 {
     const Job *const job = b->job;

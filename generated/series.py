@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1d5e53197f135b2e78b6fb254f2d2c902f173bc58919d54f7b15c820f7472bd8
+# sha256 of the text below: 7275f66e2b8bd05139095087e17285f63e61152767d81a5a941a57d2392027bf
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "7f7a62eea760fc1fc1c1d5dcb1cb9ce833a6e409d4060e4c0010ffa337ff370e"  # of the compiled integrator's source
+DIGEST = "ef8546c4f5e365022eeea7e63a97252bf3fc1466b41439263c7080fa706baab1"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -279,7 +279,7 @@ def make_step(s: Lanes, here: M) -> None:
     steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
     advance_states(s, here, top)
     s.time = until
-    s.steps = s.steps + where(at_limit, 0.0, where(steady, number(Limit.STIFF_STEP), 1.0))
+    s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
     s.passed = number(Passed.NOTHING)
     keep_faster(s, here, s.omega, s.time, s.x, rate)
     if here:
