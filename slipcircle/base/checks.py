@@ -4,11 +4,12 @@ import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import nullcontext
+from operator import is_
 from os import PathLike
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
@@ -88,6 +89,10 @@ class InputError(ValueError):
         return "; ".join(sentences)
 
 
+class UnusualInput(UserWarning):
+    """A number that was probably meant in another unit."""
+
+
 def plain(value: Any) -> Any:
     """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
     if type(value) is float:
@@ -105,6 +110,80 @@ def may_overflow(shape: tuple[int, ...]) -> Any:
     if not shape:
         return _WITHOUT_WARNING
     return np.errstate(over="ignore")
+
+
+def loses_something(value: Any) -> bool:
+    """Return whether `numpy.asarray` would drop a mask or a unit of a value, or of one within a list."""
+    if isinstance(value, list | tuple):
+        return not _NUMBERS.issuperset(map(type, value)) and any(map(loses_something, value))
+    if isinstance(value, np.ndarray):  # subclasses have units, or a mask
+        return type(value) not in (np.ndarray, np.memmap)
+    kind = type(value)
+    if hasattr(kind, "dims"):  # of xarray
+        return loses_something(value.data)
+    return any(hasattr(kind, unit) for unit in ("dimensionality", "unit", "units"))
+
+
+_NUMBERS = frozenset((bool, int, float, np.float64))
+
+
+def array_of(value: Any) -> NDArray[Any]:
+    """Return an input as an array; one of objects, which no check accepts, if a mask or a unit would be lost."""
+    try:
+        if not loses_something(value):
+            return np.asarray(value)
+    except (ValueError, RuntimeError):  # ragged, or nested too deep
+        pass
+    return np.asarray(None)
+
+
+class Frozen(dict[Any, Any]):
+    """A mapping that its owner has checked and that stays as it is."""
+
+    def _refuse(self, *_: Any, **__: Any) -> Any:
+        raise TypeError("a scene's mappings are read-only: use dataclasses.replace(scene, ...) to change a copy")
+
+    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Frozen, (dict(self),)
+
+
+EMPTY = Frozen()
+_FIXED = frozenset((bool, int, float, str, Frozen))
+
+
+def frozen(value: Any) -> Any:
+    """Return an input as its owner keeps it: arrays, lists and mappings as read-only copies, others as they are."""
+    kind = type(value)
+    if kind is float or kind is Frozen:
+        return value
+    if kind is dict or isinstance(value, Mapping):
+        if _FIXED.issuperset(map(type, value.values())):
+            return Frozen(value) if value else EMPTY
+        return Frozen([(key, frozen(one)) for key, one in value.items()])
+    if isinstance(value, np.ndarray):
+        if value.flags.writeable or getattr(getattr(value.base, "flags", None), "writeable", False):
+            value = value.copy()
+            value.flags.writeable = False
+        return value
+    if isinstance(value, list | tuple) and not hasattr(value, "_fields"):
+        items = value if _NUMBERS.issuperset(map(type, value)) else [*map(frozen, value)]
+        same = isinstance(value, tuple) and all(map(is_, items, value))
+        return value if same else tuple(items)
+    if hasattr(kind, "dims") and not loses_something(value):  # xarray's stay labelled
+        return value.copy(data=frozen(np.asarray(value)))
+    if hasattr(kind, "__array__") and not loses_something(value) and not isinstance(value, np.generic):
+        return frozen(np.asarray(value))
+    return value
+
+
+def freeze(owner: Any, fields: Iterable[str]) -> None:
+    """Replace the fields of a frozen dataclass by read-only copies of what it was given."""
+    for name in fields:
+        value = getattr(owner, name)
+        if type(value) is not float and value is not None:
+            object.__setattr__(owner, name, frozen(value))
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
@@ -149,10 +228,7 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
 def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> list[str]:
     """A sentence if a field is not what its bounds allow."""
     lower, upper, allowed = bounds
-    try:
-        array = np.asarray(value)
-    except ValueError:  # a ragged list
-        array = np.asarray(None)
+    array = array_of(value)
     if one and array.ndim > 0:
         return [f"{{{name}}} = {shown(value)}: must be one number"]
     if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value

@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
+from slipcircle.base.checks import Fault, complaint, freeze, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -78,6 +78,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
+        freeze(self, ("layers", "surcharge", "rate", "crack"))
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
             for soil, _ in self.layers:  # whose numbers may have been replaced

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.checks import array_of, freeze, mistakes, raise_all
 from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
 from slipcircle.layers.at_rest import friction_at_rest, least_friction
@@ -53,6 +53,7 @@ class Soil:
     name: str = ""
 
     def __post_init__(self) -> None:
+        freeze(self, (*SOIL_NUMBERS, "friction", "datum"))
         raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
 
     @property
@@ -168,7 +169,7 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
     words = f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
-    numbers = [np.asarray(number) for number in load]
+    numbers = [array_of(number) for number in load]
     for number in numbers:
         if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
             return [words]
