@@ -80,7 +80,7 @@ class Command(NamedTuple):
 _JSON = {"json": "a list of objects on stdout"}
 COMMANDS = {
     "verify": Command(
-        "judge every numbered equation, table entry and appendix of the paper",
+        "judge the paper: a table of its wrong claims and misprints, or selected claims in full",
         _JSON | {"markdown": "a page for a colleague"},
     ),
     "hard": Command("the hard cases: error of the printed form beside ours", {}),
@@ -121,6 +121,10 @@ def _parser() -> argparse.ArgumentParser:
         choice = command.add_mutually_exclusive_group()
         for form, shown in forms.items():
             choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
+        if name == "verify":
+            command.add_argument("claims", nargs="*", metavar="CLAIM", help='place of a claim: 3.15, "Table 4-1", ...')
+            command.add_argument("--verdict", metavar="VERDICT", help="report the claims with this verdict: wrong, ...")
+            choice.add_argument("--all", action="store_true", help="report all claims in full")
         if name == "theorem":
             _add_quantities(command)
     return parser
@@ -167,7 +171,12 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "verify":
         from derive.judge import report
 
-        print(report.report(options.form, 100 if sys.stdout.isatty() else sys.maxsize))
+        width = 100 if sys.stdout.isatty() or not options.all else sys.maxsize
+        try:
+            print(report.report(options.form, width, options.claims, options.verdict, options.all))
+        except ValueError as fault:
+            say(f"python -m derive verify: {fault}")
+            return 2
         return 0
     if options.command == "hard":
         from derive.judge import hard

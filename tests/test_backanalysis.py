@@ -47,13 +47,13 @@ def test_an_effect_that_the_scene_lacks_is_fitted() -> None:
 PER_TAN = float(VAIONT.arc.dimensionless.limit_friction) / math.tan(DIP)
 
 
-def pendulum(run_out: float) -> list[float]:
-    """Frictions with a run-out, the fewest swings first.
+def pendulum(rest: float) -> list[float]:
+    """Return the frictions with a place of rest, the fewest swings first.
 
     It swings about delta = arctan(mu C_r/C_theta), down-slope and back in turn, so that the dip falls by 2 delta each
     time, and rests where it is at most delta: after n swings psi_0 - s/R = (-1)**n (psi_0 - 2 n delta).
     """
-    turn, found = run_out / RADIUS, []
+    turn, found = rest / RADIUS, []
     for n in range(1, 14):
         tilt = (2 * DIP - turn if n % 2 else turn) / (2 * n)
         if 0.0 < tilt < DIP and abs(DIP - turn) <= tilt:
@@ -63,31 +63,32 @@ def pendulum(run_out: float) -> list[float]:
 
 @pytest.mark.parametrize(("share", "count"), [(0.3, 1), (1.1, 4), (0.93, 7), (1.3, 2)])
 def test_several_solutions_and_none_is_missed(share: float, count: int) -> None:
-    """Weak friction lets the mass swing: the search finds what the closed form does, and every one moves so.
+    """Weak friction lets the mass swing back: the search finds every friction of the closed form, of a run-out one.
 
-    Standard errors are linear: sigma over |d run-out/d friction|.
+    The run-out is 2 R (psi_0 - delta). Standard errors are linear: sigma over |d run-out/d friction|.
     """
-    run_out = share * DIP * RADIUS
-    closed = pendulum(run_out)
+    displacement = share * DIP * RADIUS
+    closed = pendulum(displacement)
     assert len(closed) == count
     for bounds in (None, (1e-3, 0.42)):
-        found = backanalyse(PENDULUM, run_out=(run_out, 5.0), field="friction", bounds=bounds)
+        found = backanalyse(PENDULUM, end_displacement=(displacement, 5.0), field="friction", bounds=bounds)
         np.testing.assert_allclose([s.value for s in found.solutions], closed, rtol=1e-11)
         swings = [len(s.motion.phases) for s in found.solutions]
         assert swings == sorted(swings)
-        if count == 1:
-            slope = 2 * RADIUS / (1 + (found.value / PER_TAN) ** 2) / PER_TAN
-            assert found.standard_error == pytest.approx(5.0 / slope, rel=1e-12)
+        found = backanalyse(PENDULUM, run_out=(displacement, 5.0), field="friction", bounds=bounds)
+        tangent = math.tan(DIP - displacement / (2 * RADIUS))
+        assert [s.value for s in found.solutions] == pytest.approx([PER_TAN * tangent], rel=1e-11)
+        assert found.standard_error == pytest.approx(5.0 * PER_TAN * (1 + tangent**2) / (2 * RADIUS), rel=1e-9)
 
 
 @pytest.mark.parametrize("scene", [VAIONT, PENDULUM], ids=["vaiont", "pendulum"])
 def test_none(scene: Scene) -> None:
     """The farthest rest is after the first swing, where the mass just stays; the pendulum's is 4/3 psi_0."""
     with pytest.raises(Unattainable, match=r"no friction gives it; attainable: .* to .*at friction = ") as caught:
-        backanalyse(scene, run_out=3000.0, field="friction")
-    (least, _), (most, at) = caught.value.attainable["run_out"]
+        backanalyse(scene, end_displacement=3000.0, field="friction")
+    (least, _), (most, at) = caught.value.attainable["end_displacement"]
     assert 0.0 < least < 1e-3
-    assert solve(replace(scene, friction=at)).run_out == most
+    assert solve(replace(scene, friction=at)).end.displacement == most
     assert scene is VAIONT or most == pytest.approx(4 / 3 * DIP * RADIUS, rel=1e-6)
     with pytest.raises(Unattainable, match="whatever it is"):
         backanalyse(scene, run_out=400.0, field="unit_weight")
@@ -128,12 +129,12 @@ def test_covariance_of_several_fields() -> None:
 
 
 def test_all_minima() -> None:
-    """Friction and dip that give run-out and peak velocity: with one swing and with two, each as observed."""
-    observed: dict[str, Any] = {"run_out": (400.0, 20.0), "peak_velocity": (17.0, 1.0)}
+    """Friction and dip that give place of rest and peak velocity: with one swing and with two, each as observed."""
+    observed: dict[str, Any] = {"end_displacement": (400.0, 20.0), "peak_velocity": (17.0, 1.0)}
     found = backanalyse(VAIONT, **observed, field=("friction", "dip"))
     assert [len(s.motion.phases) for s in found.solutions] == [1, 2]
     for s in found.solutions:
-        moved = s.motion.run_out, s.motion.peak.velocity, s.motion.plan.scene.arc.dip
+        moved = s.motion.end.displacement, s.motion.peak.velocity, s.motion.plan.scene.arc.dip
         assert moved == pytest.approx((400.0, 17.0, s.values["dip"]), rel=1e-7)
     assert "poorly determined" in found.warnings[0]
     assert found.solutions[0].covariance is not None
@@ -156,10 +157,10 @@ def test_a_misfit_is_told() -> None:
 def test_what_scipy_integrates() -> None:
     """All four solutions, the weakest friction with five swings back; creeping frictions in the range take no time."""
     scene = load("vaiont-rate")
-    found = backanalyse(scene, run_out=400.0, field="friction.residual")
+    found = backanalyse(scene, end_displacement=400.0, field="friction.residual")
     assert [len(s.motion.phases) for s in found.solutions] == [1, 2, 4, 6]
     for s in found.solutions:
-        assert s.motion.run_out == pytest.approx(400.0, rel=1e-9)
+        assert s.motion.end.displacement == pytest.approx(400.0, rel=1e-9)
 
 
 def observed_of_vaiont(motion: Any) -> dict[str, float]:
@@ -241,8 +242,9 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
 @pytest.mark.parametrize(
     ("asked", "words"),
     [
-        ({"observed": {}}, "nothing observed: give one of reach, run_out, peak_velocity, duration"),
-        ({"observed": {"climb": 140.0}}, "observed.climb: is no outcome; known are reach, run_out"),
+        ({"observed": {}}, "nothing observed: give one of run_out, end_displacement, peak_velocity"),
+        ({"observed": {"climb": 140.0}}, "observed.climb: is no outcome; known are run_out, end_displacement"),
+        ({"observed": {"reach": 400.0}}, "observed.reach: is no outcome; use run_out, which is the greatest displ"),
         ({"run_out": 0.0}, "other than 0"),
         ({"run_out": (400.0, 0.0)}, "standard error"),
         ({"run_out": Interval(450.0, 300.0)}, r"run_out = Interval\(low=450.0, .* in m, the lower end first"),

@@ -209,7 +209,7 @@ def test_the_slow_run_out_is_reported(capsys: pytest.CaptureFixture[str]) -> Non
     assert main(["run", "vaiont"]) == 0
     text = capsys.readouterr().out
     assert "run-out if moved slowly                 348.2 m" in text
-    assert "moved slowly it would rest at 348.2 m; free, at 677.3 m" in " ".join(text.split())
+    assert "quasi-static run-out 348.2 m, dynamic run-out 677.3 m" in " ".join(text.split())
     assert main(["run", "vaiont-rate", "--verbose"]) == 0
     assert "not given: forces depend on a friction law of speed" in capsys.readouterr().out
     assert main(["run", "vaiont-rate", "vaiont", "--json"]) == 0

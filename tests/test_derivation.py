@@ -34,6 +34,27 @@ def test_a_wrong_stable_form_is_not_proved(name: str) -> None:
             rules.prove_equal(wrong, closed, name)
 
 
+def test_an_antiderivative_that_jumps_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its derivative is right on both sides of the jump; see issue 24004 of SymPy."""
+    x = sp.Symbol("x", real=True)
+    jumps = sp.atan(sp.sqrt(2) * sp.tan(x)) / sp.sqrt(2)  # of 1/(1 + sin(x)**2), at pi/2
+    monkeypatch.setattr(integrate, "integrate", lambda _integrand, _x: jumps)
+    integrand = 1 / (1 + sp.sin(x) ** 2)
+    assert integrate.antiderivative(integrand, x, "1.5") == jumps
+    with pytest.raises(ProofError, match=r"found a jump of 2\.2.* for -1\.75 < x < -1\.5"):
+        integrate.antiderivative(integrand, x, "4")
+
+
+@pytest.mark.parametrize("error", [TypeError("no"), sp.PolynomialError("no")])
+def test_an_integrand_that_sympy_cannot_integrate_is_named(monkeypatch: pytest.MonkeyPatch, error: Exception) -> None:
+    def fails(*_: Any) -> None:
+        raise error
+
+    monkeypatch.setattr(integrate, "integrate", fails)
+    with pytest.raises(ProofError, match=rf"antiderivative of r\*\*2: found {type(error).__name__}: no"):
+        integrate.antiderivative(r**2, r, "1")
+
+
 def test_a_wrong_antiderivative_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     right: Callable[..., Any] = sp.integrate
     monkeypatch.setattr(integrate, "integrate", lambda e, x: right(e, x) + x)

@@ -9,10 +9,11 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, CancelledError, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import nullcontext
 from dataclasses import replace
+from functools import lru_cache, partial
 from multiprocessing import get_context
 from pathlib import Path
 from types import SimpleNamespace
@@ -20,17 +21,21 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy import interpolate, stats
 
-from slipcircle import ensemble, load
+from slipcircle import Arc, ensemble, load
 from slipcircle.base import progress as progress_module
 from slipcircle.base.progress import Progress
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import write
+from slipcircle.workbench.common.identity import digest
+from slipcircle.workbench.files.loaded import SlopeScene, stability_of
 from slipcircle.workbench.studies import engines, export
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.engines import engine, stored
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.study import Study
+from tests.campaigns.flipped_bits import BLOCK, flip
 from tests.support.blocks import quake
 
 ROOT = Path(__file__).parents[1]
@@ -192,8 +197,141 @@ def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
         scene = replace(VAIONT, effects={"rotation": {}, "shaking": {"horizontal": record}}, friction=0.6)
         with same:
             grid(scene, {"friction": [0.4]}, folder=tmp_path)
-    with pytest.raises(ValueError, match="needs a name"):
-        grid(replace(VAIONT, friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
+
+
+MU = 0.2  # which `law` reads
+
+
+def law(slip: Any) -> Any:
+    return MU + 0.0 * slip
+
+
+class Law:
+    """A law whose numbers are those of an instance."""
+
+    def __init__(self, mu: float) -> None:
+        self.mu = mu
+
+    def __call__(self, slip: Any) -> Any:
+        return self.mu + 0.0 * slip
+
+    def coefficient(self, slip: Any) -> Any:
+        return self(slip)
+
+
+def drawn_from(mean: float) -> Any:
+    return stats.rv_histogram(np.histogram([8.0, 9.0, 9.0, mean, mean + 2.0], bins=5))
+
+
+KNOWN: dict[str, Callable[[float], Any]] = {
+    "closure": lambda mu: lambda slip: mu + 0.0 * slip,
+    "default": lambda mu: lambda slip, mu=mu: mu + 0.0 * slip,
+    "constant": lambda mu: eval(f"lambda slip: {mu!r} + 0.0 * slip"),
+    "nested": lambda mu: lambda slip: (lambda: np.sin(mu))() + 0.0 * slip,
+    "partial": lambda mu: partial(np.interp, xp=[0.0, 1.0], fp=[mu, 0.1]),
+    "interpolator": lambda mu: interpolate.PchipInterpolator([0.0, 1.0], [mu, 0.1]),
+    "vectorized": lambda mu: np.vectorize(lambda slip: mu),
+    "frozen": lambda mu: stats.norm(mu, 1.0),
+    "histogram": lambda mu: drawn_from(10.0 + mu),
+    "frozen histogram": lambda mu: drawn_from(10.0 + mu)(),
+    "random variable": lambda mu: stats.truncate(stats.Normal(mu=mu, sigma=1.0), lb=0.0),
+    "record": lambda mu: Series(np.arange(3.0), np.array([0.0, mu, 0.0]), held=False),
+    "circle": lambda mu: Arc(1e3 + mu, 3.8, 4.8, 20e3),
+}
+UNKNOWN: dict[str, Callable[[float], Any]] = {
+    "bound method": lambda mu: Law(mu).coefficient,
+    "instance": Law,
+    "closure over an instance": lambda mu: partial(lambda law, slip: law(slip), Law(mu)),
+    "stored results": lambda mu: lru_cache(law),
+    "ufunc": lambda mu: np.frompyfunc(Law(mu), 1, 1),
+    "generator": lambda mu: (mu for _ in range(3)),
+    "bound method of a list": lambda mu: [mu].index,
+    "imported": lambda mu: exec_import,
+}
+
+
+def exec_import(slip: Any) -> Any:
+    import tests.support.blocks as own
+
+    return own.quake(1) + slip
+
+
+@pytest.mark.parametrize("kind", KNOWN)
+def test_objects_are_recognised_by_their_content(kind: str) -> None:
+    """Also after they have been used."""
+    same = KNOWN[kind](0.2)
+    first = digest(same)
+    for use in ("mean", "std", "standard_deviation", "median", "support"):
+        getattr(same, use, lambda: None)()
+    assert digest(same) == first == digest(KNOWN[kind](0.2)) != digest(KNOWN[kind](0.3))
+
+
+@pytest.mark.parametrize("kind", UNKNOWN)
+def test_objects_without_accessible_content_are_refused(kind: str) -> None:
+    with pytest.raises(
+        ValueError, match=r"a later run could not recognise its content .*; give numbers, a table, or a"
+    ):
+        digest(UNKNOWN[kind](0.2))
+
+
+def test_folders_of_other_objects_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A law whose global changes, a law with another state, another histogram, another kind of mass."""
+
+    def study(folder: str, **changed: Any) -> Any:
+        return ensemble(replace(SCENE, **changed), 8, 1, folder=tmp_path / folder, sensitivity=0)
+
+    inputs = {"arc.radius_m": RADIUS}
+    first = study("law", friction=law, uncertain=inputs)
+    assert study("law", friction=law, uncertain=inputs).mean("run_out") == first.mean("run_out")
+    monkeypatch.setitem(globals(), "MU", 0.3)
+    with pytest.raises(ValueError, match="another study: friction differ"):
+        study("law", friction=law, uncertain=inputs)
+    with pytest.raises(ValueError, match=r"folder: Law.coefficient: a later run could not recognise"):
+        study("method", friction=Law(0.2).coefficient, uncertain=inputs)
+    study("histogram", uncertain={"friction.angle_deg": drawn_from(10.0)()})
+    with pytest.raises(ValueError, match=r"another study: .*distributions"):
+        study("histogram", uncertain={"friction.angle_deg": drawn_from(10.3)()})
+
+    class OtherArc(Arc):
+        pass
+
+    with pytest.raises(ValueError, match="OtherArc is not part of an installed package"):
+        study("mass", arc=OtherArc(1492.6, 3.756, 4.833, 20e3))
+
+
+@pytest.mark.parametrize("changed", ["entry", "depth"])
+def test_a_folder_of_searches_is_that_of_their_limits(changed: str, tmp_path: Path) -> None:
+    """Also if the circle of the means is the same."""
+    slope = load("real-slope")
+    stability = stability_of(slope)
+    assert isinstance(slope, SlopeScene)
+    assert stability is not None
+    angle = float(np.degrees(np.arctan(slope.numbers["friction.peak"])))
+    spread = {"distribution": "uniform", "low": angle - 0.5, "high": angle + 0.5}
+    scene = replace(slope, uncertain={"friction.peak_deg": spread})
+    ensemble(scene, 2, 1, folder=tmp_path, search_each=True, sensitivity=0)
+    limits = {**stability.limits, changed: {"entry": (-500.0, 500.0), "depth": 0.01}[changed]}
+    other = replace(scene, stability=replace(stability, limits=limits))
+    with pytest.raises(ValueError, match="another study: search differ"):
+        ensemble(other, 2, 1, folder=tmp_path, search_each=True, sensitivity=0)
+
+
+def test_flipped_bits_never_end_a_study(tmp_path: Path) -> None:
+    """Every seventh one; the campaign flips all of them."""
+    whole, again = flip(tmp_path, range(0, 10**4, 7))
+    assert min(whole, again) > 200
+
+
+@pytest.mark.parametrize("change", ["missing", "renamed", "shape"])
+def test_a_block_with_other_arrays_is_computed_again(change: str, tmp_path: Path) -> None:
+    blocks = engines.Folder(tmp_path, {})
+    blocks.save(0, BLOCK)
+    (path,) = tmp_path.glob("block-*")
+    arrays = dict(np.load(path))
+    x = arrays.pop("x")
+    arrays |= {"missing": {}, "renamed": {"y": x}, "shape": {"x": x[:2]}}[change]
+    np.savez(path, **arrays)
+    assert blocks.load(0) is None
 
 
 @pytest.mark.parametrize("content", ["not json", "[1, 2]"])

@@ -144,7 +144,7 @@ def test_pairs_are_correlated() -> None:
     x, y = (study.samples[k] for k in pair)
     assert np.corrcoef(x, np.log(y))[0, 1] == pytest.approx(-0.6, abs=0.01)
     assert (np.mean(x), np.std(x), np.mean(y)) == pytest.approx((22.0, 1.0, 5.0), rel=1e-2)
-    assert study.linear["reach"].std == pytest.approx(study.std("reach").value, rel=0.1)
+    assert study.linear["run_out"].std == pytest.approx(study.std("run_out").value, rel=0.1)
     assert not study.sensitivity
     said = f"correlation of {pair[0]} with {pair[1]} -0.6"
     assert said in study_report(study, b"", "slipcircle sweep")
@@ -346,12 +346,12 @@ def test_what_slides_without_a_result_moves(method: str, keep: bool, tmp_path: P
     if keep:
         factors = factors_of_samples(study)
         assert {m: study.failure[m].value for m in METHODS} == {m: np.mean(factors[m] < 1.0) for m in METHODS}
-    reach = json.loads(json.dumps(study.to_dict(), allow_nan=False))["outputs"]["reach"]
-    assert [q["value"] for q in reach["quantiles"]] == [0.0] * 4 + ["beyond"] * 4
-    assert (reach["mean"]["value"], reach["linear"]) == (None, None)
-    assert math.isnan(study.sensitivity["reach"].first[0].value)
+    run_out = json.loads(json.dumps(study.to_dict(), allow_nan=False))["outputs"]["run_out"]
+    assert [q["value"] for q in run_out["quantiles"]] == [0.0] * 4 + ["beyond"] * 4
+    assert (run_out["mean"]["value"], run_out["linear"]) == (None, None)
+    assert math.isnan(study.sensitivity["run_out"].first[0].value)
     assert 0.0 < study.sensitivity["moves"].first[0].value < 1.0
-    assert ["quantile", "reach", "", 0.99, "beyond", "beyond", "beyond"] in export.rows(study)
+    assert ["quantile", "run_out", "", 0.99, "beyond", "beyond", "beyond"] in export.rows(study)
     assert any("count as moving and as exceeding every threshold" in w for w in study.warnings)
 
 
@@ -361,9 +361,9 @@ def test_a_part_without_a_result_ends_the_curve() -> None:
     study = ensemble(fast, 2000, 1)
     share = study.without_result / 2000
     assert 0 < share < 0.5
-    assert study.exceedance("reach").probability[-1] >= share
-    assert study.quantile("reach", 1 - share).value == np.nanmax(study.samples["reach"])
-    assert study.quantile("reach", 1 - share + 5e-4).value == math.inf
+    assert study.exceedance("run_out").probability[-1] >= share
+    assert study.quantile("run_out", 1 - share).value == np.nanmax(study.samples["run_out"])
+    assert study.quantile("run_out", 1 - share + 5e-4).value == math.inf
 
 
 def test_samples_and_base_points_of_indices_are_drawn_apart() -> None:
@@ -412,7 +412,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
         assert "82 scenes; comes to rest: 82" in said(line, "--csv", table, "--resume", tmp_path / "blocks")
     assert [*(tmp_path / "blocks").glob("block-*")]
     head, *rows = table.read_text("utf-8").splitlines()
-    outcomes = "reach (m),run_out (m),peak_velocity (m/s),duration (s)"
+    outcomes = "run_out (m),peak_velocity (m/s),duration (s)"
     assert head == f'friction.angle_deg,arc.radius_m,{outcomes},"factor of safety, paper",status,reason'
     assert len(rows) == 82
     # The paper's factor is proportional to the friction; each of three combinations counts alike.

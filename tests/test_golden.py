@@ -71,7 +71,7 @@ def test_nothing_changes_in_a_rest(name: str) -> None:
     if motion.arrested:
         later = motion.at(np.array([1.0, 1.1, 30.0]) * motion.duration)
         assert not np.any([later.velocity, later.acceleration])
-        assert np.all(later.displacement == motion.run_out)
+        assert np.all(later.displacement == motion.end.displacement)
 
 
 @SOME

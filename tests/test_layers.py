@@ -295,7 +295,7 @@ def test_a_state_has_one_normal_stress_whoever_asks() -> None:
     values = np.multiply(one.numbers["soils.clay.cohesion"], [1.0, 0.9])
     motion, many = solve(one), solve(with_parameter_arrays(one, {"soils.clay.cohesion": values})[0])
     arc = AlongTheArc(motion.plan.scene.arc, motion.plan.scene.arc)
-    for role in ("end", "peak", "reach"):
+    for role in ("end", "peak", "farthest"):
         state = getattr(motion, role)
         stress, _ = arc.means(state)
         assert state.normal_stress == pytest.approx(stress, rel=1e-12)

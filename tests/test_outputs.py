@@ -28,7 +28,7 @@ COEFFICIENTS = {"Theta*": "moment_of_inertia", "J_theta": "weight_moment", "J_r"
 def test_a_record_holds_every_number_in_si_units_and_radians(name: str) -> None:
     m = golden.solved(name)
     found = json.loads(json.dumps(record(m), allow_nan=False))
-    wanted: dict[str, Any] = {part: asdict(getattr(m, part)) for part in ("reach", "peak", "end")}
+    wanted: dict[str, Any] = {part: asdict(getattr(m, part)) for part in ("farthest", "peak", "end")}
     wanted["energy"] = asdict(m.energy) | {"residual": m.energy.residual}
     wanted["dimensionless"] = asdict(m.plan.scene.arc.dimensionless)
     for key in ("moves", "arrested", "run_out", "duration", "error_estimate", "factor_of_safety", "friction"):

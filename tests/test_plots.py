@@ -63,7 +63,7 @@ def test_history_draws_the_motion(name: str) -> None:
         assert (time[0], time[-1]) == (0.0, m.duration)
         assert np.allclose(value, wanted, rtol=1e-12, atol=1e-12 * np.max(np.abs(wanted)))
         marks = [float(x.get_xdata()[0]) for x in ax.lines if x.get_marker() not in ("None", "")]
-        farthest = [float(m.reach.time)] if what == "displacement" and swings_back(m) else []
+        farthest = [float(m.farthest.time)] if what == "displacement" and swings_back(m) else []
         assert marks == pytest.approx([float(m.peak.time), *farthest, m.duration])
         assert any(x.startswith(plotstyle.ending(m)) for x in legend(ax))
 
@@ -118,12 +118,12 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     assert isinstance(arc, Arc)
     radius = float(np.asarray(arc.radius))
     outlines = {str(p.get_label()): p.get_xy()[:-1] for p in ax.patches if isinstance(p, Polygon)}
-    share = abs(m.reach.displacement) / (2 * radius * np.sin(float(arc.half_angle)))
+    share = abs(m.farthest.displacement) / (2 * radius * np.sin(float(arc.half_angle)))
     large = re.search(r"drawn (\d+) times as large", words)
     larger = float(large[1]) if large else 1.0
     assert bool(large) == (0.0 < share < 0.02)
     assert not large or (0.04 <= larger * share <= 0.1 and large[1].rstrip("0") in ("1", "2", "5"))
-    turns = {"start": 0.0} | ({"end": larger * float(m.end.rotation)} if m.moves else {})
+    turns = {"start": 0.0} | ({"end": larger * float(m.farthest.rotation)} if m.moves else {})
     for label, turn in turns.items():
         outline, ends = outlines[label], np.array([arc.theta_1, arc.theta_2]) + arc.facing * turn
         assert np.allclose(np.hypot(*outline.T), radius)
@@ -257,9 +257,9 @@ def test_the_section_names_times_and_ways_and_that_the_circle_goes_on() -> None:
     assert "peak velocity 2.955 m/s after 3.803 s and 5.393 m" in words
     assert "at rest after 6.477 s and 10.41 m" in words
     hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(getattr(m.plan.scene.arc, "ground")))  # noqa: B009
-    assert f"ends {hangs:.4g} m above the ground" in words
-    assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the end"]
-    assert "toe at the end" not in motion_column(motion("vaiont"))
+    assert f"comes {hangs:.4g} m above the ground" in words
+    assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the run-out"]
+    assert "toe at the run-out" not in motion_column(motion("vaiont"))
     assert "still moving after 30 s and 1020 m" in legend(plots.section(motion("vaiont-frozen"), drawn((9.0, 6.0))))
 
 
@@ -309,7 +309,7 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     m, study = motion("wet-slope"), grid(load("wet-slope"), {"friction.angle_deg": [20.0, 24.0]})
     ax = drawn()
     assert m.plot("velocity", ax) is ax
-    for result, what in ((m, "section"), (study, "overview"), (study, "reach")):
+    for result, what in ((m, "section"), (study, "overview"), (study, "duration")):
         figure = result.plot(what).figure
         assert figure.axes
         matplotlib.pyplot.close(figure)

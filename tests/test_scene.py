@@ -130,7 +130,7 @@ def test_accuracy_of_the_call_wins() -> None:
 
 RUN_OUTS = {  # in m, of those that come to rest
     "layered-slope": 6, "newmark-pulse": 0, "real-slope": 10, "shaken-slope": 1, "vaiont": 677,
-    "vaiont-as-printed": None, "vaiont-frozen": None, "vaiont-heated": None, "vaiont-rate": 574, "vaiont-shaken": 675,
+    "vaiont-as-printed": None, "vaiont-frozen": None, "vaiont-heated": None, "vaiont-rate": 953, "vaiont-shaken": 675,
     "vaiont-softening": 676, "valley-side": 21, "weak-toe": 9, "wet-slope": 8,
 }  # fmt: skip
 

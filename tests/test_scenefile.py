@@ -199,6 +199,7 @@ MISTAKES = [
      "arc.theta_1_deg = 15.2 deg, theta_2_deg = 76.9 deg: there is no normal load"),
     (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
     (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
+    (ARC + FRICTION + "[observed]\nreach_m = 450\n", "observed.reach_m = 450: is unknown; use run_out_m, which is the"),
     (ARC + FRICTION + "[observed]\nrun_out_m = [450, 300]\n", "observed.run_out_m = [450, 300]: must be a number, or"),
     (ARC + FRICTION + "[observed]\nduration_s = -3\n", "observed.duration_s = -3: must be a number, or an"),
     (ARC + FRICTION + "[observed]\npeak_velocity_km_h = 90\n",

@@ -34,7 +34,7 @@ def test_a_mirror_changes_no_number(one: Any, other: Any, asked: str) -> None:
     effects, friction, velocity = ASKED[asked]
     a, b = (solve(Scene(arc, friction, effects, velocity)) for arc in (one, other))
     assert (a.plan.scene.arc.facing, b.plan.scene.arc.facing) == (1, -1)
-    assert a.reach.displacement > 0.0 or asked == "pushed up"
+    assert a.farthest.displacement > 0.0 or asked == "pushed up"
     times = np.linspace(0.0, a.duration * 0.999, 23)
     for q in RESULTS:
         assert q.read(b) == pytest.approx(q.read(a), rel=1e-9, abs=1e-9), q.name

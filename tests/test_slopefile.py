@@ -236,7 +236,7 @@ def test_every_sample_slides_along_the_circle_of_the_means(
     assert any("the critical circle of the means, of the least factor by bishop" in w for w in study.warnings)
     values = {n: float(u.to_si(study.samples[u.key][3])) for n, u in study.design.inputs.items()}
     alone = slipcircle.solve(with_parameters(replace(study.scene, uncertain={}), values))
-    assert alone.reach.displacement == pytest.approx(study.samples["reach"][3], rel=1e-9)
+    assert alone.run_out == pytest.approx(study.samples["run_out"][3], rel=1e-9)
 
 
 def test_a_circle_that_is_given_stays(write: Write, asked: Any) -> None:

@@ -1,13 +1,15 @@
 """What ensembles are drawn and judged by: distributions, points and estimates, against SciPy and closed answers."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy import stats
 
-from slipcircle.workbench.common.distributions import DISTRIBUTIONS, distribution_of
+from slipcircle import ensemble, load
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS, described, distribution_of
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.statistics import (
     BIN_ERROR,
@@ -43,6 +45,26 @@ def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -
     np.testing.assert_allclose(found.ppf(p), wanted.ppf(p), rtol=1e-9)
     assert found.stats("mv") == pytest.approx(wanted.stats("mv"), rel=1e-9, abs=1e-12)
     assert {n for n, _, _ in SCIPY} == set(DISTRIBUTIONS)
+
+
+def test_distributions_are_described() -> None:
+    """By SciPy's expression; a histogram of equal counts from 1 to 3 by its moments and quantiles."""
+    assert described(stats.gamma(a=2, scale=3)) == {"distribution": "scipy.stats.gamma(a=2.0, scale=3.0)"}
+    histogram = stats.rv_histogram((np.array([5, 5]), np.array([1.0, 2.0, 3.0])))
+    for given in (histogram, histogram()):
+        found = described(given)
+        assert found.pop("distribution") == "rv_histogram"
+        assert (found["mean"], found["std"]) == pytest.approx((2.0, math.sqrt(4.0 / 12.0)))
+        assert {p: found[f"quantile_{p}"] for p in (0.05, 0.5, 0.99)} == pytest.approx(
+            {0.05: 1.1, 0.5: 2.0, 0.99: 2.98}
+        )
+
+
+@pytest.mark.parametrize("given", [stats.norm([10.0, 11.0], 1.0), stats.norm(math.nan, 1.0)])
+def test_a_distribution_of_several_numbers_or_of_none_is_refused(given: Any) -> None:
+    scene = replace(load("vaiont"), uncertain={"friction.angle_deg": given})
+    with pytest.raises(ValueError, match=r"has the median .*: must be the distribution of one number"):
+        ensemble(scene, 2, 1)
 
 
 def test_sobol_points_are_scipys() -> None:

@@ -148,7 +148,7 @@ def test_what_cannot_be_drawn_is_refused() -> None:
     table, curves = motion("wet-slope").sensitivity(), grid(load("vaiont"), {DEGREES: [10.0, 12.0]})
     with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
         tornado.tornado(table, "run_out", {"friction": 0.1})
-    with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration, reach"):
+    with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration"):
         tornado.tornado(table, "speed")
     with pytest.raises(ValueError, match="values on a grid have no probability"):
         studyplots.exceedance(curves)
@@ -174,8 +174,8 @@ def test_a_grid_is_drawn_as_curves() -> None:
     drawing = studyplots.overview(e)
     figure = drawing.draw(canvas(drawing.size, 60))
     assert clashes(figure) == []
-    assert [ax.get_ylabel() for ax in figure.axes] == ["greatest displacement (m)", "peak velocity (m/s)"]
-    for ax, output in zip(figure.axes, ("reach", "peak_velocity"), strict=True):
+    assert [ax.get_ylabel() for ax in figure.axes] == ["run-out along the arc (m)", "peak velocity (m/s)"]
+    for ax, output in zip(figure.axes, ("run_out", "peak_velocity"), strict=True):
         curves = [np.asarray(line.get_ydata()) for line in ax.lines]
         np.testing.assert_array_equal(np.transpose(curves), e.samples[output].reshape(3, 2))
         assert set(legend(ax)) == {f"radius {r:.4g} m" for r in radii}

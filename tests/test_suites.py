@@ -215,7 +215,7 @@ def test_frozen_slopes_slide_as_single_scenes_do() -> None:
     for r, p, s in np.ndindex(2, 2, 3):
         scaled = [*records.values()][r].scaled(float(study.polarities[p] * study.scales[s]) / 0.35)
         single = solve(replace(FROZEN, effects={"shaking": {"horizontal": scaled}}))
-        assert study.displacement[r, p, s, 0] == pytest.approx(single.run_out, rel=1e-11)
+        assert study.displacement[r, p, s, 0] == pytest.approx(single.end.displacement, rel=1e-11)
         assert study.values["slips"][r, p, s, 0] == (len(single.phases) if s else 0)
 
 
@@ -245,8 +245,8 @@ def test_every_record_sees_the_same_samples_and_a_study_continues(tmp_path: Path
     friction = SOFTENING.friction | {"peak": float(whole.samples["friction.peak"][31])}
     effects = {"rotation": {}, "centripetal": {}, "shaking": {"horizontal": records[2].scaled(-2.0)}}
     lane = solve(replace(SOFTENING, friction=friction, effects=effects, uncertain={}))
-    values = [whole.values[name][2, 1, 1, 31] for name in ("run_out", "rotation")]
-    assert values == pytest.approx([lane.run_out, lane.end.rotation], rel=1e-8)
+    values = [whole.values[name][2, 1, 1, 31] for name in ("run_out", "end_displacement", "rotation")]
+    assert values == pytest.approx([lane.run_out, lane.end.displacement, lane.end.rotation], rel=1e-8)
 
 
 def test_tables_have_the_record_as_a_dimension() -> None:

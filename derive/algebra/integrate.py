@@ -15,6 +15,7 @@ from sympy import (
     Add,
     Expr,
     Integer,
+    PolynomialError,
     Symbol,
     atanh,
     cos,
@@ -49,15 +50,52 @@ def logs_to_artanh(expression: Expr) -> Expr:
     return expression
 
 
-def antiderivative(integrand: Expr, x: Symbol) -> Expr:
-    """SymPy's antiderivative, real, zero at x = 0, and proved by differentiating it back."""
+def antiderivative(integrand: Expr, x: Symbol, half_width: str = "1") -> Expr:
+    """Return SymPy's antiderivative, real and zero at x = 0, after proving it.
+
+    Its derivative is proved to be the integrand, and it is shown to be continuous for |x| up to a half-width: SymPy
+    may return antiderivatives that jump inside the interval of integration.
+    """
     result = Integer(0)
     for term in Add.make_args(expand(integrand)):
         factor, rest = term.as_independent(x)
-        primitive = logs_to_artanh(integrate(rest, x))
+        try:
+            primitive = logs_to_artanh(integrate(rest, x))
+        except (TypeError, PolynomialError, NotImplementedError) as error:
+            failure = f"{type(error).__name__}: {error}"
+            raise ProofError(f"antiderivative of {rest}", failure, "a closed form") from error
+        if primitive.has(sp.Integral):
+            raise ProofError(f"antiderivative of {rest}", "an unevaluated integral", "a closed form")
         result += factor * (primitive - primitive.subs(x, 0))
     prove_zero(diff(result, x) - integrand, f"derivative of the antiderivative of {integrand}")
+    _check_continuity(result, integrand, x, half_width)
     return result
+
+
+def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: str) -> None:
+    """Compare each increment of an antiderivative over a grid with the quadrature of its integrand."""
+    others = sorted((primitive.free_symbols | integrand.free_symbols) - {x}, key=default_sort_key)
+    variables = (x, *others)
+    above = lambdify(variables, primitive, "mpmath")
+    below = lambdify(variables, integrand, "mpmath")
+    intervals = 32
+    with workdps(20):
+        values = [mpf(12 + k) / 10 for k in range(len(others))]  # angles, away from special values
+        step = 2 * mpf(half_width) / intervals
+        low = -mpf(half_width)
+        start = above(low, *values)
+        for _ in range(intervals):
+            high = low + step
+            end = above(high, *values)
+            area = quad(lambda y: below(y, *values), [low, high])
+            jump = abs(end - start - area)
+            allowed = mpf(10) ** -12 * (1 + abs(end))
+            if not jump < allowed:
+                place = f"{nstr(low, 4)} < {x} < {nstr(high, 4)}"
+                found = f"a jump of {nstr(jump, 3)} for {place}"
+                raise ProofError(f"antiderivative of {integrand}", found, "a continuous function")
+            low = high
+            start = end
 
 
 @dataclass(frozen=True)
@@ -87,7 +125,7 @@ def derive(moment: Moment) -> Derivation:
     even = expand((centred + centred.subs(u, -u)) / 2)
     odd = expand(centred - even)
     prove_zero(odd + odd.subs(u, -u), f"{name}: the dropped part is odd in u")
-    outer = 2 * antiderivative(even, u).subs(u, alpha)
+    outer = 2 * antiderivative(even, u, "1.55").subs(u, alpha)
     closed = expand(expand_trig(outer.subs(theta_m, 3 * pi / 2 - PSI)))
     directions = [f for f in (cos(PSI), sin(PSI)) if closed.has(f)]
     direction = directions[0] if directions else Integer(1)

@@ -311,7 +311,7 @@ def _of_one_chord() -> dict[str, Expr]:
 
     def over_arc(name: str) -> Expr:
         integrand = forms[name].subs(chord).subs(BETA, middle + u)
-        primitive = antiderivative(expand_trig(integrand), u)
+        primitive = antiderivative(expand_trig(integrand), u, "1.55")
         return primitive.subs(u, alpha) - primitive.subs(u, -alpha)
 
     # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.

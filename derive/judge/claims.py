@@ -10,14 +10,14 @@ from sympy import Expr, oo, pi
 from derive.algebra.appendices import Appendix
 
 VERDICTS = {
-    "holds": "the form is proved equal to what precedes it, or every value lies where the paper places it",
-    "holds to the printed digits": "the value, rounded at the last printed place or cut off there, is the printed one",
-    "definition": "names what nothing before it names; its dimension is right, and what follows uses it so",
-    "imprecise": "true, but not sharp, or in a notation that contradicts itself",
-    "misprint": "one edit of the text makes it hold; if print or scan slipped, the text cannot tell",
-    "wrong": "differs from what precedes it",
-    "assumption": "does not follow: a state is exhibited that keeps all postulates before it and breaks this one",
-    "not machine-checkable": "needs what is not in the text",
+    "holds": "the form equals the form derived from what precedes it, or every value lies in the claimed range",
+    "holds to the printed digits": "the value agrees with the printed number after rounding or truncation",
+    "definition": "introduces a quantity; its dimension is consistent and it is used consistently",
+    "imprecise": "true, but not sharp, for another reason, without its range, or in contradictory notation",
+    "misprint": "a single edit of the text makes it hold; print and scan cannot be told apart",
+    "wrong": "contradicts what precedes it",
+    "assumption": "does not follow from what precedes it; a counterexample is given",
+    "not machine-checkable": "depends on information that the text does not contain",
 }
 
 DIMENSIONS = {
@@ -57,7 +57,7 @@ class Claim:
     printed: str
     expression: str = ""
     definition: Callable[[], Any] = lambda: ()
-    kind: Literal["form", "definition", "number", "range", "appendix"] = "form"
+    kind: Literal["form", "definition", "number", "range", "small", "appendix"] = "form"
     causes: tuple[Cause, ...] = ()
     shows: str = "{}"  # how the derived value is written
     note: str | Callable[[], str] = ""  # remark if it holds, or how it is computed

@@ -60,6 +60,13 @@ def rate(order: int) -> Pair:
     return basis(x, y)
 
 
+def planar() -> Expr:
+    """Return the component normal to a plane of the acceleration of a point that moves along the plane."""
+    travel = Function("s")(t)
+    x, y = ((travel * f(theta)).diff(t, 2) for f in (cos, sin))
+    return basis(x, y)[1]
+
+
 GRAVITY: Pair = basis(Integer(0), -g)
 
 

@@ -10,7 +10,7 @@ from functools import cache, cached_property
 from itertools import takewhile
 from typing import Any
 
-from mpmath import cos, hypot, mpf, nstr, pi, quad, radians, sin, tan, workdps
+from mpmath import cos, mpf, quad, sin, workdps
 from sympy import Expr, Integer
 
 from derive.algebra.dynamics import mu, omega_star, sigma_mean
@@ -169,37 +169,6 @@ POSTULATES = (
         lambda: 1 - s.RESIDUAL / s.limit_friction(),
     ),
 )
-
-
-def strips(u: Any) -> mpf:
-    """The stress at rest if each point of the arc carries the radial part (2.23) of the weight vertically above it."""
-    below_centre = u - s.DIP  # from straight below the centre; the chord is at the distance cos(alpha) from there
-    middle = 3 * pi / 2 - s.DIP
-    x = sin(below_centre)
-    y = (cos(s.HALF) - x * cos(middle)) / sin(middle)
-    return cos(below_centre) * (1 - hypot(x, y))
-
-
-def sand_above(u: Any) -> mpf:
-    """Friction of a sand of 35 deg along the uppermost third of the arc, and the residual friction below."""
-    return tan(radians(mpf(35))) if u < -s.HALF / 3 else s.RESIDUAL
-
-
-def layers(friction: Along = sand_above) -> mpf:
-    """By how much the friction force of the uniform stress exceeds that of strips, of a friction along the arc."""
-    ends = [-s.HALF, -s.HALF / 3, s.HALF]
-    of_strips = quad(lambda u: friction(u) * strips(u), ends)
-    of_uniform = quad(lambda u: friction(u) * State().normal(u), ends)
-    return of_uniform / of_strips - 1
-
-
-def of_layers() -> str:
-    """What the uniform stress does to several soils, in words and numbers."""
-    with workdps(30):
-        excess = 100 * layers()
-        if abs(layers(lambda _: s.RESIDUAL)) > mpf(10) ** -20:
-            raise ProofError("friction force of strips with one friction, over that of the uniform stress", 1, 1)
-    return f"of sand, 35 deg, along the uppermost third it gives {nstr(excess, 4)} % more than strips: unsafe"
 
 
 def same_force() -> mpf:

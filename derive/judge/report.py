@@ -1,83 +1,185 @@
-"""The verdicts on the paper as text, as a page in Markdown, or as JSON."""
+"""Reports of the verdicts on the paper: a table of its errors, claims in full, Markdown, or JSON."""
 
 import json
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from derive.judge.claims import VERDICTS
-from derive.judge.verify import Row, rows
+from derive.judge.claims import VERDICTS, Claim
+from derive.judge.paper import CLAIMS
+from derive.judge.verify import Row, judged
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
+ERRORS = ("wrong", "misprint")
 
 
-def counts(judged: Iterable[Row]) -> str:
-    """One line: how many of each verdict."""
-    number = Counter(row.verdict for row in judged)
-    return f"{sum(number.values())} claims: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
+def selected(names: Sequence[str]) -> list[Claim]:
+    """Return the claims whose place begins with one of the names, such as 3.15, "Table 4-1" or "Appendix I".
 
-
-def report(form: str = "text", width: int = 100) -> str:
-    """Judge the paper: as "text" of some columns, as "json", or as "markdown" for a colleague.
-
-    Wider than any claim, the text has each on a line, so that what is quoted is whole.
+    Raises
+    ------
+    ValueError
+        If a name selects no claim; the message lists the places.
     """
+
+    chosen = []
+    for name in names:
+        sought = _plain(name)
+        found = [x for x in CLAIMS if sought and f"{_plain(x.id)} ".startswith(f"{sought} ")]
+        if not found:
+            others = ", ".join(x.id for x in CLAIMS if not x.id.startswith("("))
+            raise ValueError(f"{name!r} is not a claim of the paper; choose 1.1 to 4.5, or one of {others}")
+        chosen += found
+    if not names:
+        return list(CLAIMS)
+    return [x for x in CLAIMS if x in chosen]
+
+
+def _plain(place: str) -> str:
+    """Return a place in lower case, without brackets and with single spaces."""
+    words = place.replace("(", "").replace(")", "")
+    return " ".join(words.casefold().split())
+
+
+def counts(rows: Iterable[Row]) -> str:
+    """Return one line with the number of claims of each verdict."""
+    number = Counter(row.verdict for row in rows)
+    total = sum(number.values())
+    return f"{total} claim{'s' * (total != 1)}: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
+
+
+def report(
+    form: str = "text", width: int = 100, names: Sequence[str] = (), verdict: str | None = None, every: bool = False
+) -> str:
+    """Judge the paper and return the report.
+
+    Parameters
+    ----------
+    form : {"text", "json", "markdown"}
+        Format of the report.
+    width : int
+        Columns of the text. In a text wider than every claim, each claim is one line.
+    names : sequence of str
+        Places of the claims to judge, see `selected`; all claims by default.
+    verdict : str, optional
+        Report only the claims with this verdict.
+    every : bool
+        Report all claims in full. By default the text is a table of the wrong claims and misprints, unless claims
+        are selected by place or verdict.
+
+    Returns
+    -------
+    str
+        The report.
+
+    Raises
+    ------
+    ValueError
+        If a place or the verdict does not exist.
+    """
+    if verdict not in (None, *VERDICTS):
+        raise ValueError(f"{verdict!r} is not a verdict; choose one of {', '.join(VERDICTS)}")
+    rows = judged(selected(names))
+    if verdict:
+        rows = [row for row in rows if row.verdict == verdict]
     if form == "json":
-        return json.dumps([row._asdict() for row in rows()], indent=2)
-    return _text(rows(), width) if form == "text" else _markdown(rows())
+        return json.dumps([row._asdict() for row in rows], indent=2)
+    if form == "markdown":
+        return _markdown(rows)
+    if names or verdict:
+        return "\n\n".join([*(_in_full(x, width) for x in rows), f"{counts(rows)}."])
+    return _text(rows, width) if every else errors(rows, width)
 
 
-def failing(judged: Iterable[Row]) -> list[Row]:
-    """The claims that neither hold nor define something."""
-    return [row for row in judged if row.verdict not in SIMPLY]
+def failing(rows: Iterable[Row]) -> list[Row]:
+    """Return the claims that neither hold nor define a quantity."""
+    return [row for row in rows if row.verdict not in SIMPLY]
 
 
-def _text(judged: Sequence[Row], width: int) -> str:
-    def paragraph(text: str) -> str:
-        return textwrap.fill(text, width, subsequent_indent="    ")
+def errors(rows: Sequence[Row], width: int) -> str:
+    """Return a table of the wrong claims and misprints, and the number of claims of each verdict."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
 
-    def described(x: Row) -> str:
-        compared = f"printed {x.printed}; from the definitions {x.computed}"
-        return paragraph(f"{x.id}: {x.verdict}: {x.cause or x.claim} [{compared}]")
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1), expand=True)
+    table.add_column("place", no_wrap=True)
+    table.add_column("printed", ratio=3)
+    table.add_column("correct", ratio=4)
+    table.add_column("cause", ratio=6)
+    for row in rows:
+        if row.verdict in ERRORS:
+            table.add_row(row.id, row.printed, row.computed, row.cause)
+    console = Console(width=min(width, 120), color_system=None, highlight=False, markup=False)
+    with console.capture() as captured:
+        console.print(table)
+    lines = [line.rstrip() for line in captured.get().splitlines()]
+    lines.append(f"{counts(rows)}.")
+    lines.append("All claims: --all; one claim: its number, such as 3.15.")
+    return "\n".join(lines)
 
+
+def _paragraph(text: str, width: int) -> str:
+    return textwrap.fill(text, width, subsequent_indent="    ")
+
+
+def _described(x: Row, width: int) -> str:
+    compared = f"printed {x.printed}; from the definitions {x.computed}"
+    return _paragraph(f"{x.id}: {x.verdict}: {x.cause or x.claim} [{compared}]", width)
+
+
+def _in_full(x: Row, width: int) -> str:
+    lines = {"printed": x.printed, "correct": x.computed, "cause": x.cause, "assumes": x.assumes}
+    if x.verdict in SIMPLY:
+        lines = {"printed": x.printed, "derived": x.computed, "remark": x.cause, "assumes": x.assumes}
+    indent = " " * 12
+    wrapped = [
+        textwrap.fill(text, width, initial_indent=f"    {name:<8}", subsequent_indent=indent)
+        for name, text in lines.items()
+        if text
+    ]
+    return "\n".join([f"{x.id}, {x.claim}: {x.verdict}", *wrapped])
+
+
+def _text(rows: Sequence[Row], width: int) -> str:
     return "\n".join(
         [
-            *(described(x) for x in judged if x.verdict in SIMPLY),
+            *(_described(x, width) for x in rows if x.verdict in SIMPLY),
             "",
             "Errors, assumptions, and claims that cannot be checked:",
-            *map(described, failing(judged)),
+            *(_described(x, width) for x in failing(rows)),
             "",
             "Verdicts:",
-            *(paragraph(f"{verdict}: {rule}") for verdict, rule in VERDICTS.items()),
+            *(_paragraph(f"{verdict}: {rule}.", width) for verdict, rule in VERDICTS.items()),
             "",
-            textwrap.fill(f"{counts(judged)}.", width),
+            textwrap.fill(f"{counts(rows)}.", width),
         ]
     )
 
 
-def _markdown(judged: Sequence[Row]) -> str:
+def _markdown(rows: Sequence[Row]) -> str:
     def table(chosen: Iterable[Row]) -> list[str]:
         head = ("where", "claim", "printed", "from the definitions", "verdict", "cause", "assumptions")
-        rows = [head, ("---",) * len(head)]
-        rows += [tuple(x.replace("|", "\\|").replace("*", "\\*") for x in row) for row in chosen]
-        return [f"| {' | '.join(row)} |" for row in rows]
+        cells = [head, ("---",) * len(head)]
+        cells += [tuple(x.replace("|", "\\|").replace("*", "\\*") for x in row) for row in chosen]
+        return [f"| {' | '.join(row)} |" for row in cells]
 
     return "\n".join(
         [
             "# The slip-circle paper, judged against its own definitions",
             "",
-            "Every verdict is computed, by these rules:",
+            "Every verdict is computed by these rules:",
             "",
             *(f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()),
             "",
-            f"{counts(judged)}.",
+            f"{counts(rows)}.",
             "",
             "## Errors, assumptions, and claims that cannot be checked",
             "",
-            *table(failing(judged)),
+            *table(failing(rows)),
             "",
             "## All claims",
             "",
-            *table(judged),
+            *table(rows),
         ]
     )

@@ -149,6 +149,7 @@ def both(name: str) -> list[mpf]:
     return [reached(name, as_printed=True), reached(name)]
 
 
-def turned(name: str) -> mpf:
-    """Change of a moment over the rotation that the paper's own numbers reach in its time span."""
-    return moment(name, psi=DIP - reached("phi", as_printed=True)) / moment(name) - 1
+def turned(name: str, rotation: mpf | None = None) -> mpf:
+    """Return the relative change of a moment by a rotation, in rad; by default the paper's own rotation after 30 s."""
+    phi = reached("phi", as_printed=True) if rotation is None else rotation
+    return moment(name, psi=DIP - phi) / moment(name) - 1

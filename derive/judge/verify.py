@@ -173,7 +173,7 @@ UNEXPLAINED = ("wrong", "cause not found")
 
 def judge(claim: Claim) -> Row:
     """Judge one claim, a function of the claim alone."""
-    kinds = {"number": _number, "range": _range, "appendix": _appendix}
+    kinds = {"number": _number, "range": _range, "small": _small, "appendix": _appendix}
     with mp.workdps(_DIGITS):
         computed, verdict, cause = kinds.get(claim.kind, _form)(claim)
         assert verdict in VERDICTS, verdict
@@ -215,10 +215,38 @@ def _number(claim: Claim) -> Judgement:
     return computed, *_explained(claim, lambda value: low <= value < high)
 
 
+def _bounds(claim: Claim) -> Iterator[mp.mpf]:
+    return (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
+
+
+def _small(claim: Claim) -> Judgement:
+    """Return the verdict on a statement "for small rotations", for which the paper gives no limit.
+
+    It holds if the change stays within the bounds up to the rotation that the paper itself reaches.
+    """
+    change = claim.definition()
+    low, high = _bounds(claim)
+    largest = s.reached("phi", as_printed=True)
+    rotations = [mp.radians(x) for x in (1, 2, 5)]
+    rotations.append(largest)
+    changes = [change(x) for x in rotations]
+    computed = claim.shows.format(*(mp.nstr(x, 4) for x in changes))
+    last = changes[-1]
+    if low <= last <= high:
+        return computed, "holds", claim.remark
+    limit = low if last < low else high
+    interval = (0, largest)
+    threshold = mp.findroot(lambda phi: change(phi) - limit, interval, solver="anderson")
+    holds_to = mp.nstr(mp.degrees(threshold), 3)
+    reaches = mp.nstr(mp.degrees(largest), 3)
+    cause = f"no range is stated; true up to {holds_to} degrees, but the paper reaches {reaches}"
+    return computed, "imprecise", cause
+
+
 def _range(claim: Claim) -> Judgement:
-    """Verdict on a statement of size: every value between two bounds."""
+    """Return the verdict on a statement of size: every value lies between two bounds."""
     values = claim.definition()
-    low, high = (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
+    low, high = _bounds(claim)
     computed = claim.shows.format(*map(_digits, values))
     if all(low <= x <= high for x in values):
         return computed, "holds", claim.remark
@@ -342,7 +370,9 @@ def _integral(f: Expr, *limits: Tuple) -> Symbol:
     return Symbol(f"~{signs}{f} {differentials}")
 
 
-@cache
-def rows() -> tuple[Row, ...]:
-    """Every claim judged, in the paper's order."""
-    return tuple(judge(claim) for claim in track(CLAIMS, "claims judged", len(CLAIMS)))
+_judge_once = cache(judge)
+
+
+def judged(claims: Sequence[Claim] = CLAIMS) -> list[Row]:
+    """Judge claims, by default the whole paper, and return their rows in the same order."""
+    return [_judge_once(claim) for claim in track(claims, "claims judged", len(claims))]

@@ -24,7 +24,7 @@ class Pictured:
         what : str
             ``"overview"``, which is several panels. Of a motion also ``"section"``, ``"energy"``, ``"shaking"``, of one
             through layers ``"stress_along_arc"``, and over time ``"velocity"``, ``"displacement"``, ``"rotation"``,
-            ``"friction"``, ``"normal_stress"``; of a study also ``"reach"``, ``"run_out"``, ``"peak_velocity"``,
+            ``"friction"``, ``"normal_stress"``; of a study also ``"run_out"``, ``"peak_velocity"``,
             ``"duration"``; of a suite of records ``"displacements"``, ``"incremental"``, ``"fragility"``, and of its
             median record ``"velocity"``, ``"displacement"``.
         ax : matplotlib axis, optional

@@ -61,14 +61,6 @@ class Sensitivity:
         elasticities = changes.T / outputs
         return np.asarray(elasticities.T)
 
-    @property
-    def distinct(self) -> dict[str, str]:
-        """The outputs, without the reach where that is the run-out."""
-        distinct = dict(self.outputs)
-        if self.at["reach"] == self.at["run_out"]:
-            distinct.pop("reach")
-        return distinct
-
     def derivative(self, output: str, parameter: str) -> float:
         """One of the values."""
         return float(self.values[self._place(output, parameter)])
@@ -88,7 +80,7 @@ class Sensitivity:
 
     def __str__(self) -> str:
         head = ["by", "value"]
-        for name, unit in self.distinct.items():
+        for name, unit in self.outputs.items():
             head.append(f"d {name} [{unit}] (elasticity)")
         rows = [head]
         for name, unit in self.parameters.items():
@@ -107,14 +99,13 @@ class Sensitivity:
         return "\n".join(lines)
 
     def _row(self, parameter: str) -> list[str]:
-        """The derivatives of the distinct outputs by a parameter, with elasticities."""
+        """The derivatives of the outputs by a parameter, with elasticities."""
         column = list(self.parameters).index(parameter)
         elasticities = self.elasticities[:, column]
         cells = []
         for output, elasticity in zip(self.outputs, elasticities, strict=True):
-            if output in self.distinct:
-                value = self.derivative(output, parameter)
-                kind = self.kind(output, parameter)
-                note = "" if kind == "smooth" else f" {kind}"
-                cells.append(f"{value:.6g} ({elasticity:+.3g}){note}")
+            value = self.derivative(output, parameter)
+            kind = self.kind(output, parameter)
+            note = "" if kind == "smooth" else f" {kind}"
+            cells.append(f"{value:.6g} ({elasticity:+.3g}){note}")
         return cells

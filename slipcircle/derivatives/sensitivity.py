@@ -10,7 +10,7 @@ from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import JUMP, SMOOTH, UNRESOLVED, Derivatives, neighbour_derivatives
 from slipcircle.derivatives.parameters import Free, parameters
 
-OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s", "reach": "m"}
+OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
 SIDES = ("below", "above")
 
 

@@ -40,7 +40,7 @@ UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 CLOSER = 1e-3
 CLOSEST = 1e-13
 # What single motions are compared by.
-COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.END_ROTATION, ix.PEAK_OMEGA])
+COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.REACH_ROTATION, ix.PEAK_OMEGA])
 # Shares of the duration at which states are compared, of each run the same.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
@@ -168,7 +168,7 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
 def _summary(final: Any) -> tuple[Any, Any, Any]:
     """Duration, run-out and peak velocity, dimensionless, of final cells."""
     duration = choose(_ends_in_time(final), final[ix.END_TIME], final[ix.REST_SINCE])
-    return duration, final[ix.END_ROTATION], abs(final[ix.PEAK_OMEGA])
+    return duration, final[ix.REACH_ROTATION], abs(final[ix.PEAK_OMEGA])
 
 
 def _ends_in_time(final: Final) -> Any:

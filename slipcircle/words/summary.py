@@ -7,7 +7,7 @@ import numpy as np
 from slipcircle.base.text import digits_left, shown
 from slipcircle.core.motion.states import Status
 
-SWING = 1e-6  # of the run-out, beyond which a mass that was farther has swung back
+SWING = 1e-6  # of the run-out: a mass that ends farther from it has swung back
 
 
 def standing(motion: Any) -> str:
@@ -27,6 +27,8 @@ def summary(motion: Any) -> str:
         return f"{velocity} m/s at most; creeps to a run-out of {run_out} m, 99 % of it in {arrival} s"
     duration = shown(motion.duration, digits)
     end = "comes to rest after" if motion.arrested else "still moving at"
+    if swings_back(motion):
+        end = f"swings back to {shown(motion.end.displacement, digits)} m; {end}"
     if not motion.arrested and motion.plan.scene.end_time is None:
         end = "followed to its first standstill at"
     return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
@@ -46,7 +48,5 @@ def ensemble_summary(motion: Any) -> str:
 
 
 def swings_back(motion: Any) -> Any:
-    """Whether a mass has been farther from its start than at the end."""
-    farthest = np.abs(motion.reach.displacement)
-    end = np.abs(motion.run_out)
-    return farthest > end * (1 + SWING)
+    """Return whether a mass ends elsewhere than at its run-out."""
+    return np.abs(motion.run_out - motion.end.displacement) > SWING * np.abs(motion.run_out)

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from slipcircle.words.plausible import questions
-from slipcircle.words.summary import swings_back
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
 ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
@@ -16,11 +15,12 @@ LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many tim
 
 
 def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
-    """Sentences about odd input as it was written, lift-off, conditioning, water and swinging back; empty where all is
-    well. ``written`` words a number by its name and its value in SI units.
+    """Sentences about odd input as it was written, lift-off, conditioning and water; empty where all is well.
+
+    ``written`` words a number by its name and its value in SI units.
     """
     odd_input = questions(motion.plan.scene, written)
-    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
+    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion))
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:
@@ -57,18 +57,9 @@ def _conditioning(motion: Any) -> Iterator[str]:
 def _submergence(motion: Any) -> Iterator[str]:
     """Turning may bring ground below a water level, whose weight on it the method does not count."""
     section = motion.plan.scene.arc
-    depth = section.drowned(motion.reach.rotation, motion.end.rotation)
+    depth = section.drowned(motion.farthest.rotation, motion.end.rotation)
     if depth > SUBMERGED * np.asarray(section.radius):
         yield (
             f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water above it is "
             "not included"
-        )
-
-
-def _swing(motion: Any) -> Iterator[str]:
-    if swings_back(motion):
-        farthest, end = abs(motion.reach.displacement), abs(motion.run_out)
-        yield (
-            f"the mass swings back: it reaches {farthest:.4g} m after {motion.reach.time:.4g} s, farther than its "
-            f"run-out of {end:.4g} m at the end"
         )

@@ -63,7 +63,9 @@ def true_error(motion: Motion, reference: dict[str, Any]) -> Error:
         speeds = [off(v, r, peak) for v, r in zip(state.velocity, reference["velocity"], strict=True)]
     return Error(
         off(float(motion.peak.velocity), peak, peak),
-        off(motion.run_out, run_out, run_out),
+        max(
+            off(motion.run_out, run_out, run_out), off(motion.end.displacement, reference["end_displacement"], run_out)
+        ),
         off(motion.duration, duration, duration),
         max(places),
         max(speeds),

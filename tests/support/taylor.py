@@ -182,7 +182,7 @@ class Solution:
     def _solve(self) -> None:
         p = self.p
         time, phi, slip, excess, omega, side = arb(0), arb(0), arb(0), arb(0), abs(p.omega), 1 if p.omega >= 0 else -1
-        self.episodes = 0
+        self.episodes, self.run_out = 0, arb(0)
         while p.end is None or time < p.end:
             if omega == 0:
                 if p.free and p.end is None and self.steps:
@@ -197,8 +197,9 @@ class Solution:
                 raise Unfit
             time, x, omega, excess = self._episode(time, phi, slip, excess, omega, side)
             phi, slip = (phi + side * x).mid(), (slip + x).mid()
+            self.run_out = max(self.run_out, phi, key=abs)
         self.duration = time if self.arrested or p.end is None else p.end
-        self.run_out = phi
+        self.rotation = phi
 
     def _drive(self, time: arb, phi: arb, slip: arb, excess: arb, side: int) -> arb:
         """The drive less the resistance at rest."""
@@ -394,6 +395,7 @@ class Solution:
             "lifted": bool(self.lifts),
             "duration": text(self.duration * p.scale),
             "run_out": text(self.run_out * p.radius),
+            "end_displacement": text(self.rotation * p.radius),
             "peak_velocity": text(fastest * p.unit),
             "peak_time": text(top * p.scale),
             "times": list(times),

@@ -46,18 +46,17 @@ class Motion(Forms, Generic[Numbers]):
     settling_time : float
         Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
     run_out : float
-        Displacement along the arc at the end, m.
+        Greatest displacement along the arc, m, with its sign: negative up-slope.
+        Where the mass swings back it rests elsewhere, at `end.displacement`.
     slow_run_out : float
         Displacement along the arc at which a mass that is moved slowly from its start rests, m.
         NaN with `no_slow_run_out`.
     no_slow_run_out : str
         Why there is no slow run-out; empty unless forces depend on time, speed or heat, or nothing holds the mass.
     outcomes : mapping
-        Greatest displacement (`reach`), `run_out`, `peak_velocity` and `duration`.
-    reach : State
-        State at the greatest displacement.
-    peak, end : State
-        States at the greatest speed and at the end.
+        `run_out`, `peak_velocity` and `duration` by name.
+    farthest, peak, end : State
+        States at the greatest displacement, at the greatest speed and at the end.
     limit_friction : float
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
@@ -164,8 +163,7 @@ class Motion(Forms, Generic[Numbers]):
         with may_overflow(self.shape):
             angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
             values = {
-                "reach": self._radius * final[ix.REACH_ROTATION],
-                "run_out": self._radius * final[ix.END_ROTATION],
+                "run_out": self._radius * final[ix.REACH_ROTATION],
                 "peak_velocity": self._radius * angular_velocity,
             }
         known = {name: self._known(value) for name, value in values.items()}
@@ -207,7 +205,7 @@ class Motion(Forms, Generic[Numbers]):
         return self._final_state(self.duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
 
     @cached_property
-    def reach(self) -> State:
+    def farthest(self) -> State:
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
         reach_time = final[ix.REACH_TIME] * self._time_scale
@@ -241,8 +239,8 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def journey(self) -> Any:
-        """Where it ends: rise and horizontal travel of toe and centroid, travel angle."""
-        return self.plan.scene.arc.journey(self.end.rotation)
+        """Return how far toe and centroid move to the farthest position: rise, horizontal travel, travel angle."""
+        return self.plan.scene.arc.journey(self.farthest.rotation)
 
     # --- along the way -----------------------------------------------------------------------------------------------
 

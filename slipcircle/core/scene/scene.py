@@ -70,9 +70,9 @@ class Scene(Generic[Numbers]):
         ``"friction"``; values are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10,
         "std": 1}``, in the key's unit.
     observed : mapping, optional
-        What was observed of the motion, for `backanalyse`, by ``"run_out"``, ``"reach"``, ``"peak_velocity"``,
-        ``"duration"`` or ``"toe_rise"``: a number, one with its standard error, or an `Interval`; m, m/s, s. No motion
-        depends on it.
+        What was observed of the motion, for `backanalyse`, by ``"run_out"``, ``"end_displacement"`` (where
+        it rests), ``"peak_velocity"``, ``"duration"`` or ``"toe_rise"``: a number, one with its standard error, or an
+        `Interval`; m, m/s, s. No motion depends on it.
 
     Notes
     -----

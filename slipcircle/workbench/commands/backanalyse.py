@@ -30,6 +30,7 @@ def options(parser: argparse.ArgumentParser) -> None:
             metavar="X[+-S]|LOW:HIGH",
             help=f"observed {OBSERVABLE[name].label}, and its standard error: 400+-20; or an interval: 300:450",
         )
+    parser.add_argument("--reach-m", type=values.removed, help=argparse.SUPPRESS)
     parser.add_argument(
         "--field",
         action="append",
@@ -83,6 +84,8 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
             cells[f"correlation of {one} and {other}"] = f"{solution.correlation[i, j]:+z.3f}"
     motion = solution.motion
     for name, quantity in OBSERVABLE.items():
+        if not (name in fit.observed or quantity.where(motion)):
+            continue
         value = float(quantity.read(motion))
         cells[quantity.heading] = shown(value, digits_left(motion.error_estimate)) + _observation(fit, name, value)
     if fit.method == FITTED:

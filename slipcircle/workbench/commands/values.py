@@ -46,6 +46,11 @@ def observed(text: str) -> Observed:
         raise argparse.ArgumentTypeError(f"{text}: must be {forms}") from None
 
 
+def removed(text: str) -> None:
+    """Reject ``--reach-m``."""
+    raise argparse.ArgumentTypeError("was removed; use --run-out-m, which is the greatest displacement")
+
+
 def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
     """Values of KEY=VALUE by key; each key once."""
     values: dict[str, Any] = {}

@@ -72,6 +72,21 @@ def distribution_of(given: Mapping[str, Any]) -> Any:
     return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
 
 
+def described(frozen: Any) -> dict[str, Any]:
+    """Return SciPy's expression for a distribution; for one without a name, its class, moments and quantiles."""
+    name = str(getattr(getattr(frozen, "dist", None), "name", ""))
+    standard = getattr(statistics(), name, None)
+    if name and type(standard) is type(frozen.dist):
+        named = [f"{key}={float(value)!r}" for key, value in sorted(frozen.kwds.items())]
+        parameters = ", ".join([*map(repr, map(float, frozen.args)), *named])
+        return {"distribution": f"scipy.stats.{name}({parameters})"}
+    if hasattr(frozen, "icdf"):
+        return {"distribution": repr(frozen)}
+    quantiles = {f"quantile_{p}": float(frozen.ppf(p)) for p in (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)}
+    moments = {"mean": float(frozen.mean()), "std": float(frozen.std())}
+    return {"distribution": type(getattr(frozen, "dist", frozen)).__name__} | moments | quantiles
+
+
 def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float]) -> list[str]:
     """A sentence for each mistake in a distribution whose numbers should stay within limits."""
     name = given.get("distribution")

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
-from slipcircle.words import VelocityTimes
+from slipcircle.words import VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
@@ -39,7 +39,7 @@ class Quantity:
     solved: bool = False  # a result to which `Motion.error_estimate` applies
     key: bool = False  # in every summary
     point: bool = False  # a point, x and y
-    sparse: bool = False  # printed where it is not zero
+    where: Callable[[Any], Any] = lambda motion: True  # whether it is printed
     instead: Callable[[Any], str] = lambda motion: ""  # printed in its place where a motion has none
 
     def read(self, motion: Any) -> Any:
@@ -59,11 +59,13 @@ class Quantity:
 
     def text(self, motion: Any) -> str:
         """The printed value of a single motion, with as many digits as its error justifies."""
+        if not self.where(motion):
+            return ""
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
-        if isinstance(value, str) or (self.sparse and not value):
-            return value or ""
+        if isinstance(value, str):
+            return value
         if missing := self.instead(motion):
             return missing
         if self.point:
@@ -104,9 +106,11 @@ def factor_label(method: str) -> str:
 RESULTS: tuple[Quantity, ...] = (
     Quantity("moves", "", "moves", "moves"),
     Quantity("arrested", "", "comes to rest", "arrested", key=True),
-    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True),
-    Quantity("reach_time", "s", "time of the greatest displacement", "reach.time", solved=True),
     Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True, key=True),
+    Quantity("run_out_time", "s", "time of the run-out", "farthest.time", solved=True),
+    Quantity(
+        "end_displacement", "m", "displacement at the end", "end.displacement", False, True, True, where=swings_back
+    ),
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
@@ -126,8 +130,9 @@ SINGLE: tuple[Quantity, ...] = (
     Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True, instead=_not_slow),
     Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
     *(
-        Quantity(f"time_{name}", "s", f"time {words(name)}", f"velocity_times.{name}", sparse=True)
+        Quantity(f"time_{name}", "s", f"time {words(name)}", path, where=attrgetter(path))
         for name in VelocityTimes._fields
+        for path in [f"velocity_times.{name}"]
     ),
 )
 JOURNEY: tuple[Quantity, ...] = (
@@ -154,8 +159,8 @@ POSITION: tuple[Quantity, ...] = (
     Quantity("entry", "m", "upper end of the slip surface, x and y", "plan.scene.arc.entry", point=True),
     Quantity("exit", "m", "lower end of the slip surface, x and y", "plan.scene.arc.exit", point=True),
     Quantity("centroid", "m", "centroid at the start, x and y", "plan.scene.arc.centroid", point=True),
-    Quantity("toe_x", "m", "x of the toe at the end", "journey.toe_x", solved=True),
-    Quantity("toe_y", "m", "y of the toe at the end", "journey.toe_y", solved=True),
+    Quantity("toe_x", "m", "x of the toe at the run-out", "journey.toe_x", solved=True),
+    Quantity("toe_y", "m", "y of the toe at the run-out", "journey.toe_y", solved=True),
 )
 
 
@@ -192,7 +197,7 @@ def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
 
 def summary(motion: Any) -> dict[str, str]:
     """Key results of a single motion by label, with the factors of safety by every method that is possible."""
-    column = {q.label: q.text(motion) for q in RESULTS if q.key} | end_words(motion)
+    column = {q.label: text for q in RESULTS if q.key and (text := q.text(motion))} | end_words(motion)
     if motion.moves and not motion.no_slow_run_out:
         column |= {q.label: q.text(motion) for q in SINGLE if q.key}
     known = factors(motion.plan.scene, motion.factor_of_safety)
@@ -213,11 +218,9 @@ def observed_text(motion: Any, name: str, seen: Any) -> str:
 
 
 def slow_words(motion: Any) -> str:
-    """The two ends between which a slide may come to rest, in a sentence; empty where there is no slow one."""
+    """Return the quasi-static and the dynamic run-out in words; empty without a quasi-static one."""
     slow, free = motion.slow_run_out, motion.run_out
-    return (
-        f"moved slowly it would rest at {slow:.4g} m; free, at {free:.4g} m" if slow > 0.0 and motion.arrested else ""
-    )
+    return f"quasi-static run-out {slow:.4g} m, dynamic run-out {free:.4g} m" if slow > 0.0 and motion.arrested else ""
 
 
 def factor_text(factor: float | None) -> str:
@@ -226,11 +229,15 @@ def factor_text(factor: float | None) -> str:
 
 
 # What an ensemble is drawn for and a derivative taken of: `Motion` has them of every scene.
-OUTCOMES: Mapping[str, Quantity] = {
-    q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
-}
+OUTCOMES: Mapping[str, Quantity] = {q.name: q for q in RESULTS if q.name in ("run_out", "peak_velocity", "duration")}
 # What may be observed: a back-analysis is given it.
-OBSERVABLE: Mapping[str, Quantity] = {**OUTCOMES, **{q.name: q for q in JOURNEY if q.name == "toe_rise"}}
+OBSERVABLE: Mapping[str, Quantity] = {
+    q.name: q
+    for q in (*RESULTS, *JOURNEY)
+    if q.name in ("run_out", "end_displacement", "peak_velocity", "duration", "toe_rise")
+}
+_GREATEST = "which is the greatest displacement"
+REMOVED = {"observed.reach": f"use run_out, {_GREATEST}", "observed.reach_m": f"use run_out_m, {_GREATEST}"}
 
 
 def observable(motion: Any, name: str) -> Any:

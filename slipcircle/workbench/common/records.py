@@ -13,7 +13,7 @@ def record(motion: Any) -> dict[str, Any]:
     """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
     scene, law = motion.plan.scene, motion.plan.scene.friction
     stability = stability_of(scene)
-    states = {name: asdict(getattr(motion, name)) for name in ("reach", "peak", "end")}
+    states = {name: asdict(getattr(motion, name)) for name in ("farthest", "peak", "end")}
     return plain(
         {
             "scene": scene.name,

@@ -28,7 +28,7 @@ PASS = 0.15  # s that an ensemble may take
 def of_scene(scene: Scene) -> list[Row]:
     """Errors and times of a scene, alone and in an ensemble; a scene of arrays is the ensemble itself.
 
-    Errors are the largest relative ones of run-out, peak velocity, duration and greatest displacement, against a
+    Errors are the largest relative ones of run-out, peak velocity and duration, against a
     solution with more terms. The strength of the cases of an ensemble differs by up to `SPREAD` from the scene's.
     """
     if scene.shape:

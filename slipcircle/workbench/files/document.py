@@ -11,6 +11,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
+from slipcircle.workbench.common.quantities import REMOVED
 from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
 from slipcircle.workbench.files.numbers import numbers
 
@@ -89,7 +90,7 @@ class Document:
                 self.typed[joined(path, key.name)] = full
                 arguments[key.name] = self._argument(full, key, value, content, table)
             else:
-                meant, advice = _advice(path, name, self._tables)
+                meant, advice = ("", REMOVED[full]) if full in REMOVED else _advice(path, name, self._tables)
                 self._meant.add(meant)
                 self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
         self._note_missing(path, content)

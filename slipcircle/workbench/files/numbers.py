@@ -18,7 +18,7 @@ from slipcircle.base.checks import raise_all
 from slipcircle.core import Scene, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
+from slipcircle.workbench.common.distributions import described, distribution_mistakes, distribution_of
 from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
 from slipcircle.workbench.files.keys import Number as Number
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS
@@ -149,13 +149,8 @@ class Uncertain:
     @property
     def record(self) -> dict[str, Any]:
         """For JSON."""
-        if isinstance(self.given, Mapping):
-            return {"key": self.key} | dict(self.given)
-        d = self.given
-        if not hasattr(d, "kwds"):
-            return {"key": self.key, "distribution": repr(d)}
-        said = [*map(repr, map(float, d.args)), *(f"{k}={float(v)!r}" for k, v in sorted(d.kwds.items()))]
-        return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
+        given = dict(self.given) if isinstance(self.given, Mapping) else described(self.given)
+        return {"key": self.key} | given
 
 
 def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
@@ -184,6 +179,8 @@ def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
                 f"uncertain.{path} = {value!r}: must be a distribution: of scipy.stats, or a mapping such as "
                 "{'distribution': 'normal', 'mean': 10, 'std': 1}"
             )
+        elif np.shape(median := Uncertain(number, value).drawn(0.5)) or not np.isfinite(median):
+            said.append(f"uncertain.{path} has the median {median}: must be the distribution of one number")
         if number.name in found:
             said.append(f"uncertain.{path}: {found[number.name].key} says the same; remove one")
         found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)

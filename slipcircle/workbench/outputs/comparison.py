@@ -1,4 +1,4 @@
-"""Several motions in one picture: final positions, velocities and displacements over time, run-outs.
+"""Several motions in one picture: farthest positions, velocities and displacements over time, run-outs.
 
 So too the run-outs of one scene with more and more of its effects.
 """
@@ -65,7 +65,7 @@ def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
 
 
 def _sections(motions: Sequence[Motion], ax: Any) -> Any:
-    """The mass at the start, and where each comes to rest."""
+    """The mass at the start, and at the run-out of each motion."""
     soil = motions[0].plan.scene.arc
     facing = float(soil.facing)
     mass = mass_of(soil, soil)
@@ -74,7 +74,7 @@ def _sections(motions: Sequence[Motion], ax: Any) -> Any:
     ends = {}
     for k, motion in enumerate(motions):
         if motion.moves:
-            turn = facing * float(motion.end.rotation)
+            turn = facing * float(motion.farthest.rotation)
             ends[k] = mass.outline(turn)
     view = surroundings(ax, mass, soil, [start, *ends.values()])
     area(ax, start, "start")

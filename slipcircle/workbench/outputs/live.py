@@ -20,7 +20,7 @@ from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
-from slipcircle.workbench.common.quantities import OUTCOMES, Interval, end_words, summary
+from slipcircle.workbench.common.quantities import Interval, end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.outputs.livemodel import (
     MOST_COEFFICIENTS,
@@ -32,7 +32,7 @@ from slipcircle.workbench.outputs.livemodel import (
 )
 from slipcircle.workbench.outputs.livesection import Section as Drawn
 from slipcircle.workbench.outputs.livesection import axes, frame_around, section
-from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, pace
+from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
 from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
@@ -169,8 +169,7 @@ def headline(motion: Motion) -> str:
         return f"no result: {motion.reason}"
     if not motion.moves:
         return standing(motion)
-    run_out, duration = (OUTCOMES[name].text(motion) for name in ("run_out", "duration"))
-    return f"{run_out} in {duration}, {ending(motion)}"
+    return outcome(motion, 4)
 
 
 def _is_motion(motion: Motion) -> bool:

@@ -67,10 +67,10 @@ class Frame(NamedTuple):
 
 
 def frame_around(motion: Motion, magnification: float) -> Frame:
-    """The frame around the mass at the start and at the greatest displacement."""
+    """The frame around the mass at the start and at its run-out."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
-    rotation = float(motion.reach.rotation) if motion.moves else 0.0
+    rotation = float(motion.farthest.rotation) if motion.moves else 0.0
     turned = magnification * rotation * float(soil.facing)
     view = View.around(mass.outline(), mass.outline(turned))
     margin = _MARGIN * view.size

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import shown
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.tables import in_time
@@ -30,6 +29,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     label,
     mark,
     number,
+    outcome,
     points_of,
     still,
     width,
@@ -71,7 +71,7 @@ OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
 def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool = False) -> Any:
-    """One of `HISTORIES` over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
+    """Draw one of `HISTORIES` over time, with the peak velocity, the run-out of a mass that swings back, and the end.
 
     The friction is drawn with the friction required for equilibrium at the same position. In a ``brief`` panel the
     marks have no names, as the panel beside it names them.
@@ -116,13 +116,13 @@ def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
 
 
 def _mark_times(
-    ax: Any, motion: Motion, curve: tuple[Floats, Floats], unit: str, with_reach: bool, brief: bool
+    ax: Any, motion: Motion, curve: tuple[Floats, Floats], unit: str, with_run_out: bool, brief: bool
 ) -> None:
     """Marks on a curve over time with their values, and unless ``brief`` with their names and times."""
-    for role, time, name in _marks(motion, with_reach):
+    for role, time, name in _marks(motion, with_run_out):
         value = _read(time, *curve)
         words = f"{number(value)} {unit}".rstrip()
-        if not brief or role == "reach":
+        if not brief or role == "farthest":
             words = f"{name}: {words}\nat {number(time)} s" if value else f"{name}\nafter {number(time)} s"
         ax.axvline(time, **LINES["help"])
         mark(ax, time, value, role, words)
@@ -158,11 +158,11 @@ def _rotation_axis(ax: Any, motion: Motion) -> None:
     side.set_ylabel("rotation $\\phi$ (deg)")
 
 
-def _marks(motion: Motion, with_reach: bool = False) -> list[tuple[str, float, str]]:
+def _marks(motion: Motion, with_run_out: bool = False) -> list[tuple[str, float, str]]:
     """Mark, time and label of the peak velocity, the greatest displacement if the mass swings back, and the end."""
     marks = [("peak", float(motion.peak.time), "peak velocity")]
-    if with_reach and swings_back(motion):
-        marks.append(("reach", float(motion.reach.time), "farthest"))
+    if with_run_out and swings_back(motion):
+        marks.append(("farthest", float(motion.farthest.time), "farthest"))
     return [*marks, ("end", motion.settling_time, ending(motion))]
 
 
@@ -303,10 +303,7 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
 
 def title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
-    outcome = standing(motion)
-    if motion.moves:
-        outcome = f"{shown(motion.run_out, 3)} m in {shown(motion.settling_time, 3)} s, {ending(motion)}"
-    return heading(motion.plan.scene.name, outcome)
+    return heading(motion.plan.scene.name, outcome(motion) if motion.moves else standing(motion))
 
 
 # Single panels of `Motion.plot`.

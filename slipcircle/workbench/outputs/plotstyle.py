@@ -9,7 +9,7 @@ import numpy as np
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
-from slipcircle.words import standing
+from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
@@ -25,7 +25,7 @@ LINES: Mapping[str, Mapping[str, Any]] = {
 MARKS: Mapping[str, Mapping[str, Any]] = {
     "start": {"marker": "o", "color": "black", "mfc": "white", "ms": 6},
     "peak": {"marker": "^", "color": "#D55E00", "mec": "black", "ms": 8},
-    "reach": {"marker": "D", "color": "#E69F00", "mec": "black", "ms": 6},
+    "farthest": {"marker": "D", "color": "#E69F00", "mec": "black", "ms": 6},
     "end": {"marker": "s", "color": "#0072B2", "mec": "black", "ms": 7},
 }
 AREAS: Mapping[str, Mapping[str, Any]] = {
@@ -234,6 +234,14 @@ def ending(motion: Motion) -> str:
     if motion.status is Status.CREEPS:
         return "creeping, 99 % covered"
     return "first standstill" if motion.plan.scene.end_time is None else "still moving"
+
+
+def outcome(motion: Motion, digits: int = 3) -> str:
+    """Return run-out, time and end of a motion in words."""
+    time, end = motion.settling_time, ending(motion)
+    if swings_back(motion):
+        time, end = motion.farthest.time, f"swings back to {shown(motion.end.displacement, digits)} m"
+    return f"{shown(motion.run_out, digits)} m in {shown(time, digits)} s, {end}"
 
 
 def pace(duration: float, seconds: float) -> str:

@@ -195,7 +195,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
 
 def _captions(motion: Motion) -> dict[str, str]:
     """Captions of the pictures of a motion."""
-    captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
+    captions = {"section": "The section: the mass at the start, at its peak velocity and at the run-out."}
     if height := toe_words(motion):
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {height}."
     if motion.moves:
@@ -253,7 +253,7 @@ def parts(study: Study) -> Iterator[Part]:
     if study.sensitivity:
         yield _indices(study)
     yield Part(
-        ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
+        ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"],
         [[c.n, c.moving, c.median, c.upper] for c in study.convergence],
         "Convergence",
     )
@@ -331,7 +331,7 @@ def study_report(study: Study, file: bytes, command: str) -> str:
 def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
     """The chapter of a study: the picture, its parts, inputs and their distributions, method and accuracy."""
     design = study.design
-    caption = "Exceedance probability of greatest displacement and peak velocity"
+    caption = "Exceedance probability of run-out and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."
     yield figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
     numbers = {"probability of moving": study.moving}

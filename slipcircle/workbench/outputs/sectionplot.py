@@ -10,6 +10,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc, Motion
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
+from slipcircle.words import swings_back
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.layerplot import draw_stretches
 from slipcircle.workbench.outputs.plotstyle import (
@@ -50,7 +51,7 @@ class Pose(NamedTuple):
 
 
 def section(motion: Motion, ax: Any = None) -> Any:
-    """The section to scale: the mass at the start, at the peak velocity and at the end.
+    """The section to scale: the mass at the start, at the peak velocity and at the run-out.
 
     The mass is drawn turned by s/R (1.2), also where the geometry is frozen; that of an arc by more if the displacement
     would be invisible. A note says so. Axes are in metres, for an arc from the centre K; x to the right, y up.
@@ -112,13 +113,14 @@ def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> 
 
 
 def _poses(motion: Motion) -> list[Pose]:
-    """The mass at the start, at the end, and at its peak velocity if that is in between."""
+    """Return the mass at the start, at the run-out, and at its peak velocity if that is in between."""
     poses = [Pose("start", 0.0, "start")]
     if motion.moves:
-        peak, end = motion.peak, motion.end
+        peak, farthest = motion.peak, motion.farthest
+        words, time = ("farthest", farthest.time) if swings_back(motion) else (ending(motion), motion.settling_time)
         toe = f",\ntoe {number(motion.journey.run_out)} m further" if isinstance(motion.plan.scene.arc, Section) else ""
-        poses.append(Pose("end", float(end.rotation), f"{ending(motion)} {_after(end, motion.settling_time)}{toe}"))
-        if peak.rotation not in (0.0, end.rotation):
+        poses.append(Pose("end", float(farthest.rotation), f"{words} {_after(farthest, time)}{toe}"))
+        if peak.rotation not in (0.0, farthest.rotation):
             poses.append(
                 Pose(
                     "peak",
@@ -137,7 +139,7 @@ def _after(state: Any, time: float) -> str:
 def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool) -> None:
     """The outline of the mass in each pose.
 
-    Labels are at the rear of the mass at the start and at its front at the end.
+    Labels are at the rear of the mass at the start and at its front at the run-out.
     """
     for pose, outline in zip(poses, outlines, strict=True):
         area(ax, outline, pose.role, label=pose.role)
@@ -154,7 +156,7 @@ def _continuation(ax: Any, motion: Motion, mass: Mass, turn: float) -> None:
     points = mass.on_circle(beyond)
     height = toe_words(motion)
     ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
-    outcome = f"\nand ends {height}" if height else ""
+    outcome = f"\nand comes {height}" if height else ""
     words = f"toe assumed to follow the circle{outcome}"
     label(ax, words, points[20:50:5], LINES["help"]["color"])
 
@@ -176,7 +178,7 @@ def magnified(motion: Motion) -> float:
     if not isinstance(arc, Arc) or not motion.moves:
         return 1.0
     chord = 2 * math.sin(float(arc.half_angle))  # over the radius
-    moved = abs(float(motion.reach.rotation)) / chord
+    moved = abs(float(motion.farthest.rotation)) / chord
     if moved >= _SEEN or moved == 0.0:
         return 1.0
     most = _WIDE / moved

@@ -37,14 +37,14 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.backanalysis import BackAnalysis
     from slipcircle.workbench.studies.study import Study
 
-DRAWN = ("reach", "peak_velocity")  # the hazard is given by the greatest displacement, not by the final position
+DRAWN = ("run_out", "peak_velocity")
 _POINTS = 801  # of a curve, from 0 to the largest value
 
 
 # --- samples ---------------------------------------------------------------------------------------------------------
 
 
-def exceedance(study: "Study", output: str = "reach", ax: Any = None, rare: bool = False) -> Any:
+def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bool = False) -> Any:
     """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
 
     The curve ends at the share of samples without a result, which count as exceeding every value. With ``rare`` the
@@ -115,7 +115,7 @@ def _nothing_to_draw(study: "Study") -> str:
     return "nothing moves"
 
 
-def indices(study: "Study", output: str = "reach", ax: Any = None, named: bool = True) -> Any:
+def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool = True) -> Any:
     """Sensitivity indices of an output: the share of its variance that each input explains, with intervals."""
     _check(study, output, (*OUTCOMES, "moves"))
     if output not in study.sensitivity:
@@ -165,7 +165,7 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
 # --- grids and back-analyses -----------------------------------------------------------------------------------------
 
 
-def response(study: "Study", output: str = "reach", ax: Any = None) -> Any:
+def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
     """An output over the first number of a grid; for a second number a curve for each value, or a map for many."""
     known("response: output", output, OUTCOMES)
     levels = study.design.levels
@@ -305,9 +305,9 @@ def check_grid(counts: Sequence[int]) -> None:
 
 
 def overview(study: "Study") -> Drawing:
-    """Exceedance of reach and of peak velocity, linear and logarithmic, and below the sensitivity indices.
+    """Exceedance of run-out and peak velocity, linear and logarithmic, and below the sensitivity indices.
 
-    Of a grid, reach and peak velocity over its numbers.
+    Of a grid, run-out and peak velocity over its numbers.
     """
     if study.design.method == "grid":
         rows: list[Row] = [(3.8, [partial(response, study, output) for output in DRAWN])]

@@ -116,7 +116,7 @@ def motion_column(motion: Motion) -> dict[str, str]:
     printed = {q.label: q.text(motion) for q in results(motion) if q.label not in column}
     column |= {label: text for label, text in printed.items() if text}
     if height := toe_words(motion):
-        column["toe at the end"] = f"{height}: the method continues the circle there"
+        column["toe at the run-out"] = f"{height}: the method continues the circle there"
     if critical is not None:
         column |= _circle(critical)
     if plan.law != "constant":
@@ -237,13 +237,13 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key of each parameter."""
-    rows: list[list[Any]] = [["", "", *(sensitivity.at[output] for output in sensitivity.distinct)]]
+    rows: list[list[Any]] = [["", "", *(sensitivity.at[output] for output in sensitivity.outputs)]]
     keys = by_name(sensitivity.scene)
     for parameter in sensitivity.parameters:
         key = keys[parameter]
         value = key.from_si(sensitivity.at[parameter])
         cells = []
-        for output in sensitivity.distinct:
+        for output in sensitivity.outputs:
             at = sensitivity.at[output]
             per_unit = float(sensitivity.derivative(output, parameter) * key.slope(value))
             if abs(sensitivity.derivative(output, parameter)) <= sensitivity.error(output, parameter):
@@ -254,7 +254,7 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
             note = "" if kind == "smooth" else f" {kind}"
             cells.append(shown(per_unit) + in_brackets + note)
         rows.append([key.key, shown(value, 6), *cells])
-    head = ["by", "value", *(words(n, unit) for n, unit in sensitivity.distinct.items())]
+    head = ["by", "value", *(words(n, unit) for n, unit in sensitivity.outputs.items())]
     return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")
 
 

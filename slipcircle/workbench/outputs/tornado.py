@@ -127,5 +127,5 @@ def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
 def panels(table: "Sensitivity") -> Drawing:
     """A tornado of each output, one above the other."""
     height = 1.5 + 0.3 * min(_MOST_BARS, len(table.parameters))
-    outputs = [*table.distinct]
+    outputs = [*table.outputs]
     return sheet([(height, [partial(tornado, table, output, named=output == outputs[0])]) for output in outputs])

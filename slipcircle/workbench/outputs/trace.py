@@ -47,7 +47,7 @@ def telling_times(motion: Motion) -> Floats:
     if not motion.moves:
         return np.zeros(1)
     scene = motion.plan.scene
-    extremes = [float(motion.peak.time), float(motion.reach.time)]
+    extremes = [float(motion.peak.time), float(motion.farthest.time)]
     times: list[Any] = [even_times(motion), extremes]
     each = max(4, SAMPLES // len(motion.phases))
     angle = np.linspace(0.0, np.pi, each + 1)
@@ -76,7 +76,7 @@ def _kinks_and_crests(function: Any) -> list[Any]:
 
 
 def toe_height(motion: Motion) -> float:
-    """Height of the toe of a section above the ground at the end, m; NaN beyond the ends of the ground.
+    """Height of the toe of a section above the ground at the run-out, m; NaN beyond the ends of the ground.
 
     Beyond the toe the mass is assumed to follow its circle, which rises above the ground or cuts into it.
     """
@@ -90,7 +90,7 @@ def toe_height(motion: Motion) -> float:
 
 
 def toe_words(motion: Motion) -> str:
-    """Height of the toe above or below the ground at the end, in words; empty if below a thousandth of the run-out."""
+    """Return the height of the toe above the ground at the run-out, in words; empty below a thousandth of it."""
     height = toe_height(motion)
     distance = abs(height)
     if not motion.moves or not distance > 1e-3 * abs(motion.run_out):

@@ -149,8 +149,8 @@ class BackAnalysis:
 def backanalyse(
     scene: Scene,
     *,
-    reach: Observed | None = None,
     run_out: Observed | None = None,
+    end_displacement: Observed | None = None,
     peak_velocity: Observed | None = None,
     duration: Observed | None = None,
     toe_rise: Observed | None = None,
@@ -163,9 +163,9 @@ def backanalyse(
     ----------
     scene : Scene
         Its values of the fields are ignored.
-    reach, run_out, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
-        Observed value, value and standard error, or `Interval`; m, m, m/s, s, m; signs as in `Motion`. By default
-        what the scene has as ``observed``. A single one is met exactly by one field, several by least squares.
+    run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
+        Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
+        By default ``scene.observed``. A single one is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
@@ -184,9 +184,9 @@ def backanalyse(
 
     Notes
     -----
-    Run-out and peak velocity decrease with friction as long as the mass does not turn back. With low friction it
-    swings, and a run-out has several solutions; motions that turn back more than 12 times are not considered. Of
-    several fields, all minima that were reached and fit about as well as the best are given.
+    The run-out and the peak velocity decrease with friction. With low friction the mass swings, so that a place of rest
+    has several solutions; motions that turn back more than 12 times are not considered. With several fields, all minima
+    that fit about as well as the best one are returned.
 
     Examples
     --------
@@ -195,7 +195,7 @@ def backanalyse(
     15.2147
     """
     checked(scene, "backanalyse")
-    every = (reach, run_out, peak_velocity, duration, toe_rise)
+    every = (run_out, end_displacement, peak_velocity, duration, toe_rise)
     asked = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
     observed, intervals = observations(asked or scene.observed)
     if scene.shape:

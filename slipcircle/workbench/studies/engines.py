@@ -16,7 +16,6 @@ import json
 import logging
 import os
 import signal
-import zipfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
@@ -173,22 +172,26 @@ class Folder:
     def _file(self, index: int) -> Path:
         return self.path / f"block-{index:08d}.npz"
 
-    def _label(self, index: int) -> str:
-        return f"block {index} of study {self._study}"
+    def _label(self, index: int, result: Result) -> str:
+        """Return the name of a block with those of its arrays, their types and shapes."""
+        arrays = ", ".join(f"{name} {array.dtype.str} {array.shape}" for name, array in result.items())
+        return f"block {index} of study {self._study}: {arrays}"
 
     def load(self, index: int) -> Result | None:
-        """A finished block; none if it is not there, was damaged since, or is another one under this name."""
+        """Return a finished block, or None if it is missing, damaged or another block under this name."""
         try:
             with open(self._file(index), "rb") as whole, np.load(whole, allow_pickle=False) as file:
-                result = {k: file[k] for k in file.files}
-        except (OSError, ValueError, EOFError, zipfile.BadZipFile):
+                result = {name: file[name] for name in file.files}
+            label = result.pop("label").tobytes().decode()
+        except Exception:  # whatever a damaged file leads to, the block is computed again
             return None
-        return result if str(result.pop("label", "")) == self._label(index) else None
+        return result if label == self._label(index, result) else None
 
     def save(self, index: int, result: Result) -> None:
-        """Keep a finished block."""
+        """Store a finished block."""
+        label = np.frombuffer(self._label(index, result).encode(), np.uint8)
         with replacing(self._file(index)) as file:
-            np.savez(file, label=np.array(self._label(index)), **result)  # type: ignore[arg-type]
+            np.savez(file, label=label, **result)  # type: ignore[arg-type]
 
 
 def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:

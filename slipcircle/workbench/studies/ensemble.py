@@ -1,12 +1,11 @@
 """Studies are conducted: samples of uncertain numbers, or a grid, cut into blocks, computed and added up."""
 
-import hashlib
 import json
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import nullcontext
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import IO, Any, TypeVar
 
 import numpy as np
@@ -17,10 +16,10 @@ from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
-from slipcircle.ground import Section
-from slipcircle.tables import Series
 from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.identity import digest
 from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design, Result
@@ -37,20 +36,15 @@ _MOST_GRID = 2**26
 
 
 def _known(given: Any) -> Any:
-    """What JSON cannot hold, as a folder remembers it."""
+    """Return what a folder stores of a value that JSON cannot hold."""
     if isinstance(given, Mapping):
         return dict(given)
-    if isinstance(given, Series):
-        samples = hashlib.sha256(given.time.tobytes() + given.values.tobytes()).hexdigest()
-        return {"samples": samples, "held": given.held}
     if isinstance(given, np.ndarray | np.generic):
         return given.tolist()
-    if "<" in getattr(given, "__qualname__", ""):  # another one has the same name
-        raise ValueError(
-            "folder: a friction function that a later run is to know again needs a name of its own: define it with def "
-            "in a module, or give a table"
-        )
-    return f"{given.__module__}.{given.__qualname__}" if hasattr(given, "__qualname__") else repr(given)
+    try:
+        return {"object": getattr(given, "__qualname__", type(given).__qualname__), "content": digest(given)}
+    except ValueError as error:
+        raise ValueError(f"folder: {error}") from error
 
 
 def _seed(rng: Any, folder: Any) -> int:
@@ -288,21 +282,21 @@ def computed(
 
 def _described(design: Design) -> dict[str, Any]:
     """What identifies a study in the folder of its blocks."""
-    scene, arc = design.scene, design.scene.arc
-    section = {f.name: getattr(arc, f.name) for f in fields(arc)} if isinstance(arc, Section) else {}
-    of_section = arc.numbers_by_name()
+    scene = design.scene
+    searched = stability_of(scene) if design.with_factors else None
     described = {
         "slipcircle": VERSION,
         "outcomes": [*OUTCOMES],
         "factors": "each" if design.search_each else "means",
         "accuracy": design.accuracy,
-        "section": section,
-        "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in of_section},
-        "given": arc.given or {},
+        "search": [searched.slope, searched.method, searched.limits] if searched else [],
+        "mass": scene.arc,
+        "numbers": scene.numbers,
         "friction": scene.friction,
         "effects": scene.called,
         "inputs": [u.key for u in design.inputs.values()],
         "drawn": [u.record for u in design.drawn.values()],
+        "distributions": [u.given for u in design.drawn.values()],
         "levels": design.levels,
         "method": design.method,
         "samples": design.n,

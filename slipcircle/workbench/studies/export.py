@@ -48,8 +48,8 @@ def estimates(study: Any) -> Iterator[Row]:
             yield Row("total index", output, key, math.nan, total)
     for c in study.convergence:
         yield Row("moving after n", "moves", "", c.n, c.moving)
-        yield Row("median after n", "reach", "", c.n, c.median)
-        yield Row("quantile 0.95 after n", "reach", "", c.n, c.upper)
+        yield Row("median after n", "run_out", "", c.n, c.median)
+        yield Row("quantile 0.95 after n", "run_out", "", c.n, c.upper)
 
 
 def _of_output(study: Any, name: str) -> Iterator[Row]:
@@ -109,7 +109,7 @@ def record(study: Any) -> dict[str, Any]:
             for first, total in zip(groups["first-order index", output], groups["total index", output], strict=True)
         ],
         "convergence": [
-            {"n": c.n, "moving": _record(c.moving), "reach_median": _record(c.median), "reach_95": _record(c.upper)}
+            {"n": c.n, "moving": _record(c.moving), "run_out_median": _record(c.median), "run_out_95": _record(c.upper)}
             for c in study.convergence
         ],
         "warnings": study.warnings,

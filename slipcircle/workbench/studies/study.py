@@ -71,7 +71,7 @@ class Study(Pictured):
     sensitivity : mapping
         `Indices` of each output, and of whether the mass moves, if there is more than one input.
     convergence : list of Convergence
-        Convergence of the median and of the 95 % quantile of the reach.
+        Convergence of the median and of the 95 % quantile of the run-out.
     samples : mapping
         Inputs by key, in the unit of the key, outputs and status, if they were kept.
     """
@@ -103,8 +103,8 @@ class Study(Pictured):
                 if name.startswith("sample."):
                     samples.setdefault(name.removeprefix("sample."), []).append(values)
             if self._is_checkpoint(index + 1):
-                median = self.quantile("reach", 0.5)
-                upper = self.quantile("reach", 0.95)
+                median = self.quantile("run_out", 0.5)
+                upper = self.quantile("run_out", 0.95)
                 self.convergence.append(Convergence(self.n, self.moving, median, upper))
         self.samples = {name: np.concatenate(values) for name, values in samples.items()}
         self._indices_from(np.stack(sums) if sums else None)

@@ -24,7 +24,12 @@ from slipcircle.workbench.studies.suitestatistics import THRESHOLDS
 
 LANES = 256  # motions of a block, where a record alone has less
 # Of each lane, with its unit: signed, NaN without a result, 0 of what does not move.
-LANE_RESULTS: Mapping[str, str] = {name: q.unit for name, q in OUTCOMES.items()} | {"rotation": "rad", "slips": ""}
+LANE_RESULTS: Mapping[str, str] = {
+    **{name: q.unit for name, q in OUTCOMES.items()},
+    "end_displacement": "m",
+    "rotation": "rad",
+    "slips": "",
+}
 
 
 @dataclass(frozen=True)
@@ -94,7 +99,9 @@ class SuiteDesign:
         for (name, number), value in zip(inputs.items(), values, strict=True):
             lanes[name] = np.broadcast_to(number.to_si(value), shape).ravel()
         motion = motions(self.shaken(records), lanes, self.sampling.accuracy)
-        solved = {**motion.outcomes, "rotation": motion.end.rotation, "slips": motion.slips, "status": motion.status}
+        end = motion.end
+        further = {"end_displacement": end.displacement, "rotation": end.rotation, "slips": motion.slips}
+        solved = {**motion.outcomes, **further, "status": motion.status}
         result = {name: np.reshape(lane_values, shape) for name, lane_values in solved.items()}
         samples = {f"sample.{number.key}": value for number, value in zip(inputs.values(), values, strict=True)}
         return result | samples

@@ -37,9 +37,9 @@ class SuiteStudy(Pictured):
     polarities, scales : ndarray
         1 as recorded and -1 reversed; factors, or peak accelerations over gravity (`design.to_pga`).
     values : mapping of str to ndarray
-        ``reach``, ``run_out``, ``peak_velocity``, ``duration``, ``rotation`` (of the end, rad), ``slips`` (how often it
-        begins to slide) and ``status`` (`Status`), each (record, polarity, scale, sample), SI; signed, 0 of what does
-        not move, NaN without a result.
+        ``run_out``, ``peak_velocity``, ``duration``, ``end_displacement`` (permanent), ``rotation`` (at the end, rad),
+        ``slips`` (how often it begins to slide) and ``status`` (`Status`), each (record, polarity, scale, sample), SI;
+        signed, 0 of what does not move, NaN without a result.
     samples : mapping of str to ndarray
         Values of the uncertain numbers by key, in its unit; the same for every record.
     """
@@ -67,8 +67,8 @@ class SuiteStudy(Pictured):
     def displacement(self) -> Floats:
         """Permanent displacement along the arc, m, (record, polarity, scale, sample); infinite without a result."""
         without_result = np.isin(self.values["status"], NO_RESULT)
-        run_out = np.abs(self.values["run_out"])
-        return np.where(without_result, np.inf, run_out)
+        permanent = np.abs(self.values["end_displacement"])
+        return np.where(without_result, np.inf, permanent)
 
     @property
     def factors(self) -> Floats:
@@ -224,7 +224,7 @@ class SuiteStudy(Pictured):
             "pga_g": self.pga[:, scale].tolist(),
         }
         medians = {n: np.median(np.abs(self.values[n][:, :, scale]), axis=-1) for n in LANE_RESULTS}
-        both = medians["run_out"]
+        both = medians["end_displacement"]
         for place, polarity in enumerate(self.design.polarities):
             columns["displacement_m" if polarity > 0.0 else "reversed_m"] = both[:, place].tolist()
         if len(self.design.polarities) > 1:

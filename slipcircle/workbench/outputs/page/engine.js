@@ -121,7 +121,7 @@ function solverOf(model, x) {
   function outcomes(final, lane = 0, lanes = 1) {
     const of = (name) => entry(final, name, lane, lanes), ended = of('STATUS') === model.codes.ENDED;
     const timed = ended && of('TIME') < Infinity;
-    return [timed ? of('END_TIME') : of('REST_SINCE'), of('END_ROTATION'), Math.abs(of('PEAK_OMEGA'))];
+    return [timed ? of('END_TIME') : of('REST_SINCE'), of('REACH_ROTATION'), Math.abs(of('PEAK_OMEGA'))];
   }
 
   function status(final) {
@@ -175,6 +175,8 @@ function solverOf(model, x) {
       duration: units.s * last,
       lift: units.s * entry(final, 'LIFT_TIME'),
       run_out: units.m * rotation,
+      run_out_time: units.s * entry(final, 'REACH_TIME'),
+      end_displacement: units.m * entry(final, 'END_ROTATION'),
       peak_velocity: units['m/s'] * omega,
       error: Math.min(Math.max(model.rounded * spread, 9e-16), 1),
       t: Array.from(times, (time) => units.s * time),

@@ -87,16 +87,19 @@ function start(figure, addressed) {
     if (!end.answered) return stopped(end.reason || end.words);
     const still = { t: [0], s: [0], v: [0], duration: 0 };
     const text = (value, unit) => `${Number(value.toPrecision(4))} ${unit}`;
+    const swingsBack = found.moves && Math.abs(found.run_out - found.end_displacement) > 1e-6 * Math.abs(found.run_out);
     const facts = found.moves
       ? [['run-out along the arc', text(found.run_out, 'm') + verdict('run_out', found.run_out)],
         ['peak velocity', text(found.peak_velocity, 'm/s') + verdict('peak_velocity', found.peak_velocity)],
         ['duration', text(found.duration, 's') + verdict('duration', found.duration)]]
       : [];
+    if (swingsBack) facts.push(['displacement at the end', text(found.end_displacement, 'm') + verdict('end_displacement', found.end_displacement)]);
     facts.push(['factor of safety by the paper\u2019s method', String(Number(found.factor.toPrecision(4)))]);
     if (found.moves) facts.push(['estimated error', found.error.toExponential(1)]);
     if (data.input_error > 1e-14) facts.push(['inputs interpolated within', data.input_error.toExponential(0)]);
     const warnings = found.moves && Number.isFinite(found.lift) ? [`contact lost from ${text(found.lift, 's')} (lift-off)`] : [];
-    const headline = found.moves ? `${text(found.run_out, 'm')} in ${text(found.duration, 's')}, ${end.words}` : end.words;
+    const [time, last] = swingsBack ? [found.run_out_time, `swings back to ${text(found.end_displacement, 'm')}`] : [found.duration, end.words];
+    const headline = found.moves ? `${text(found.run_out, 'm')} in ${text(time, 's')}, ${last}` : end.words;
     return {
       ...(found.moves ? found : still),
       ...(asGiven ? { headline: given.headline, end: given.end, warnings: given.warnings } : { headline, end: end.words, warnings }),
