@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5639847129c8af2eeaf6edc6f3c2461fd40d429386d0fda0f3d9e7941abc73e2
+# sha256 of the text below: e8b8a82140b6a41168c6e844da280564e4d3e26751abe2acbcd74dbb880c2a8d
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -291,7 +291,7 @@ def _elsewhere(
     if library in ("xarray", "pandas", "dask"):  # as if this were a ufunc
         call.__dict__.update(__name__="kernel", nin=len(args), nout=1, signature=None)
         result: Any = NotImplemented
-        if hasattr(first, "__array_ufunc__"):
+        if hasattr(first, "__len__") and hasattr(first, "__array_ufunc__"):  # not the missing number of pandas
             with suppress(NotImplementedError):
                 result = first.__array_ufunc__(call, "__call__", *args)
         if result is NotImplemented:

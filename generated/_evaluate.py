@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 77ffee6452703a6f284d9b480ce76a44e9bc26e7a67c51335aa034bddcf05308
+# sha256 of the text below: a7b1b326ed19664e2305598661f91b6741e1bc18c84667eea92df412ce979022
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 import warnings
@@ -39,7 +39,7 @@ def check_items(name: str, items: Sequence[Any]) -> None:
     if _NUMBERS.issuperset(map(type, items)):
         return
     for x in items:
-        if isinstance(x, list | tuple):
+        if type(x) in (list, tuple):
             check_items(name, x)
         elif isinstance(x, np.ma.MaskedArray):
             how = "give x.filled(np.nan), or x.data with where=~x.mask"

@@ -131,10 +131,17 @@ def array_of(value: Any) -> NDArray[Any]:
     """Return an input as an array; one of objects, which no check accepts, if a mask or a unit would be lost."""
     try:
         if not loses_something(value):
-            return np.asarray(value)
+            array = np.asarray(value)
+            return array.astype(np.float64, copy=False) if array.dtype.kind == "f" else array
     except (ValueError, RuntimeError):  # ragged, or nested too deep
         pass
     return np.asarray(None)
+
+
+def real_number(value: Any) -> float:
+    """Return one real number as a float; NaN for anything else."""
+    array = array_of(value)
+    return float(array) if array.ndim == 0 and array.dtype.kind in "iuf" else math.nan
 
 
 class Frozen(dict[Any, Any]):
@@ -163,6 +170,8 @@ def frozen(value: Any) -> Any:
             return Frozen(value) if value else EMPTY
         return Frozen([(key, frozen(one)) for key, one in value.items()])
     if isinstance(value, np.ndarray):
+        if value.dtype.kind == "f":
+            value = value.astype(np.float64, copy=False)
         if value.flags.writeable or getattr(getattr(value.base, "flags", None), "writeable", False):
             value = value.copy()
             value.flags.writeable = False
@@ -173,7 +182,9 @@ def frozen(value: Any) -> Any:
         return value if same else tuple(items)
     if hasattr(kind, "dims") and not loses_something(value):  # xarray's stay labelled
         return value.copy(data=frozen(np.asarray(value)))
-    if hasattr(kind, "__array__") and not loses_something(value) and not isinstance(value, np.generic):
+    if isinstance(value, np.generic):
+        return float(value) if isinstance(value, np.floating) else value
+    if hasattr(kind, "__array__") and not loses_something(value):
         return frozen(np.asarray(value))
     return value
 
@@ -204,6 +215,8 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 def shown(value: Any) -> str:
     """A value in one line; for a long one its type and beginning."""
+    if isinstance(value, int) and abs(value) >= 10**100:
+        return f"an integer of {value.bit_length()} bits"
     words = repr(value).split()
     text = " ".join(words)
     if len(text) <= 80:

@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, complaint, freeze, mistakes, raise_all
+from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -86,7 +86,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         if self.rate is not None:
             errors += rate_mistakes(self.rate)
         raise_all("LayeredSection", errors)
-        least = 0.0 if np.ndim(self.crack) else -5e-324  # of arrays none is without a crack
+        least = 0.0 if array_of(self.crack).ndim else -5e-324  # of arrays none is without a crack
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()

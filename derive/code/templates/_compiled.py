@@ -289,7 +289,7 @@ def _elsewhere(
     if library in ("xarray", "pandas", "dask"):  # as if this were a ufunc
         call.__dict__.update(__name__="kernel", nin=len(args), nout=1, signature=None)
         result: Any = NotImplemented
-        if hasattr(first, "__array_ufunc__"):
+        if hasattr(first, "__len__") and hasattr(first, "__array_ufunc__"):  # not the missing number of pandas
             with suppress(NotImplementedError):
                 result = first.__array_ufunc__(call, "__call__", *args)
         if result is NotImplemented:

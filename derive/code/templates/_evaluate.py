@@ -37,7 +37,7 @@ def check_items(name: str, items: Sequence[Any]) -> None:
     if _NUMBERS.issuperset(map(type, items)):
         return
     for x in items:
-        if isinstance(x, list | tuple):
+        if type(x) in (list, tuple):
             check_items(name, x)
         elif isinstance(x, np.ma.MaskedArray):
             how = "give x.filled(np.nan), or x.data with where=~x.mask"

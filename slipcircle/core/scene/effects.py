@@ -5,7 +5,7 @@ from functools import lru_cache
 from typing import Any
 
 from generated.effects import ALL_EFFECTS, EFFECTS
-from slipcircle.base.checks import EMPTY, Frozen, parameter_mistakes, raise_all
+from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
@@ -60,7 +60,7 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
     faults = []
     for name, parameters in given.items():
         if isinstance(parameters, MAPPING):
-            named[str(name)] = Frozen(parameters) if parameters else EMPTY
+            named[str(name)] = frozen(parameters) if parameters else EMPTY
         else:
             what = f"effects.{name} = {parameters!r}"
             faults.append(f"{what}: must be a mapping of parameters, {{}} where there are none")

@@ -159,7 +159,7 @@ class Scene(Generic[Numbers]):
                 faults += error.messages
         object.__setattr__(self, "effects", Frozen(effects))
         if not (faults or self._has_plain_numbers):
-            freeze(self, ("effects", *START, *END))
+            freeze(self, (*START, *END))
             faults += shape_mistakes(self.numbers)
         if faults:
             raise_all(f"Scene {self.name}".rstrip(), faults)
@@ -293,8 +293,7 @@ def accuracy_mistakes(accuracy: Any) -> list[str]:
     """A sentence if it is given, and no relative error."""
     if accuracy is None:
         return []
-    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
-    return mistakes({"accuracy": one}, {"accuracy": ACCURACY})
+    return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
 
 
 def checked(scene: Any, what: str) -> Scene:
