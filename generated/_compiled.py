@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e8b8a82140b6a41168c6e844da280564e4d3e26751abe2acbcd74dbb880c2a8d
+# sha256 of the text below: f4865212f0c37f8036a468beae09f8933807ae773a543aad1431e4e567aae4b7
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -111,7 +111,8 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
         return general((alpha,), out, where, accuracy)
 
     def of_ends(one: Any, two: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-        simple = best is not None and where is True and out is None and accuracy is None
+        simple = best is not None and where is True and out is None
+        simple = simple and accuracy is None
         if simple and type(one) is type(two) is float:
             return best(one, two)
         return general((one, two), out, where, accuracy)
@@ -264,8 +265,12 @@ class _Space:
 
 def _library(x: Any) -> int:
     """Return the rank of an array's library, or the number of libraries if it belongs to none of them."""
-    roots = {base.__module__.partition(".")[0] for base in type(x).__mro__}
-    return next((k for k, library in enumerate(LIBRARIES) if library in roots), len(LIBRARIES))
+    modules = [base.__module__ for base in type(x).__mro__]
+    roots = {module.partition(".")[0] for module in modules}
+    for rank, library in enumerate(LIBRARIES):
+        if library in roots:
+            return rank
+    return len(LIBRARIES)
 
 
 def _elsewhere(
@@ -286,16 +291,21 @@ def _elsewhere(
     # The public function travels to other processes by its name.
     call = partial(getattr(import_module("generated.kernels"), name), accuracy=accuracy)
     if library == "pint":  # radians and degrees are dimensionless, a length is an error
-        numbers = [x.to("dimensionless").magnitude if hasattr(x, "dimensionality") else x for x in args]
+        numbers = []
+        for x in args:
+            has_unit = hasattr(x, "dimensionality")
+            numbers.append(x.to("dimensionless").magnitude if has_unit else x)
         return type(first)(call(*numbers))
     if library in ("xarray", "pandas", "dask"):  # as if this were a ufunc
-        call.__dict__.update(__name__="kernel", nin=len(args), nout=1, signature=None)
+        count = len(args)
+        call.__dict__.update(__name__="kernel", nin=count, nout=1, signature=None)
         result: Any = NotImplemented
         if hasattr(first, "__len__") and hasattr(first, "__array_ufunc__"):  # not the missing number of pandas
             with suppress(NotImplementedError):
                 result = first.__array_ufunc__(call, "__call__", *args)
         if result is NotImplemented:
-            kinds = " and ".join(type(x).__name__ for x in args)
+            names = [type(x).__name__ for x in args]
+            kinds = " and ".join(names)
             raise TypeError(f"{name}: {library} does not support arguments of type {kinds} here")
         return result
     if accuracy is not None:
@@ -305,14 +315,19 @@ def _elsewhere(
 
 def _traced(name: str, texts: Mapping[str, Text], inside: Callable[..., Any], args: tuple[Any, ...]) -> Any:
     """Compute a function in the arithmetic of an array library that traces."""
-    library = next(x for x in args if hasattr(x, "__array_namespace__")).__array_namespace__()
+    (traced, *_) = [x for x in args if hasattr(x, "__array_namespace__")]
+    library = traced.__array_namespace__()
     values = [library.asarray(x) * 1.0 for x in args]  # of integers, the library's own float
     kind = library.result_type(*values)
     if not library.isdtype(kind, "real floating"):
         raise TypeError(f"{name}: arguments of type {kind} are not supported: give real numbers")
     limits = library.finfo(kind)
     eps = float(limits.eps)
-    xp = _Space(library, float(limits.tiny))
+    tiny = float(limits.tiny)
+    xp = _Space(library, tiny)
     text = texts["best"]  # that of float32 needs the range of float64
-    value = _clipped(text, values[0], xp) if len(values) == 1 else text(*values, xp)
+    if len(values) == 1:
+        value = _clipped(text, *values, xp)
+    else:
+        value = text(*values, xp)
     return xp.where(inside(eps, *values), value, np.nan)

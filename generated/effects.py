@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 47012bd2a4aa8bcdd93c941b973b14977c17795ed19dffa9c1456ee737ca49d7
+# sha256 of the text below: 0c6d29c97e6704b7c8d289336c7deb20e0823b57ef16b383cbe0d872b4d68be1
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -62,7 +62,8 @@ LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-13, 1e+20), 's': (1e-12, 1e+18)
 LEAST = {'N/m^3': 1000.0, 'Pa': 50.0}  # less is questioned, but for 0
 USUAL = {'N/m^3': (5000.0, 100000.0), 'Pa': (50.0, 100000000.0)}  # ranges that soils have
 OTHER_UNITS = {'N/m^3': {'kN/m^3': 1000.0, 'kg/m^3': 9.81}, 'Pa': {'kPa': 1000.0, 'MPa': 1000000.0}}
-USUAL_FRICTION = (0.0174550649282176, 2.0)
+USUAL_FRICTION = (0.0174550649282176, 10.0)
+QUESTIONED_FRICTION = 2.0
 
 LAWS = {
     'constant': Law('constant', '1.14', (

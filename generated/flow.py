@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d556b04cef04b607eb938584f1ae6e49782cd347d960b48d979232ee88802b93
+# sha256 of the text below: 2e48c83a0c868330e68c368f567b4fce90fbbe3f77beba3dd13f274356eb9318
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -970,6 +970,7 @@ FRAGMENTS: dict[str, Fragment] = {
 }
 
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')  # what fragments add to
+RESULTS = {'powers': 6, 'turn': 2, 'exp': 2, 'rec': 2, 'pow': 2}  # of operations on series; the others have one
 
 # The equation of motion: quantity, formula and LaTeX.
 BALANCE = ('Theta domega/dt', 'M - s (T + lambda mu max(0, sigma - u))',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f10abf3af91ba21e0e9fb2a9c9894468b69acd74f435fe50f6977d3b8f137d71
+# sha256 of the text below: 3bfe9410232cf795654f929d8dc086e691fb2ac885312fb887cd2c15b4490ccc
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1723,7 +1723,7 @@ def integrate(
 
     Parameters
     ----------
-    program : slipcircle.core.program.program.Program
+    program : generated.program.Program
     tables : sequence of slipcircle.tables.tables.Data
         For each table of the program.
     cells : ndarray

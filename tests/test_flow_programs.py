@@ -3,6 +3,7 @@
 import random
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -11,8 +12,10 @@ import sympy as sp
 
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
-from derive.declare.effects import EFFECTS, SLIP, THETA, Effect, Parameter
+from derive.declare.effects import EFFECTS, LAWS, SLIP, THETA, Effect, Parameter
 from derive.flow import fragments, linked, recurrences
+from derive.flow.link import definitions, linker, program
+from derive.flow.link.definitions import ONE, ZERO
 from generated import series
 from tests.campaigns import flow_oracle
 from tests.support.lanes import Program, Recipe, build_program
@@ -54,13 +57,56 @@ def test_increments_keep_their_digits(name: str, wanted: float) -> None:
     assert r[1, 0, 0] == pytest.approx(wanted, rel=1e-15)
 
 
-def test_a_wrong_sign_is_not_the_equation_of_motion(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What is linked is proved to be (3.11), which is derived elsewhere from the balance laws."""
-    assert len(linked.prove()) == 4
-    centripetal = next(e for e in EFFECTS if e.name == "centripetal")
-    monkeypatch.setattr(linked, "EFFECTS", (replace(centripetal, stress=-centripetal.stress),))
-    with pytest.raises(ProofError, match=r"\(3.11\), direction 1, at the start"):
-        linked.prove()
+CENTRIPETAL = next(e for e in EFFECTS if e.name == "centripetal")
+SOME = tuple(e for e in EFFECTS if e.name in ("rotation", "centripetal", "cohesion", "pore_pressure", "shaking"))
+
+
+def test_a_wrong_sign_is_not_the_equation_of_motion() -> None:
+    """Linked programs are proved to be (3.11), which is derived elsewhere from the balance laws."""
+    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], *(law for law in LAWS if law.name == "linear")))) == 24
+    wrong = replace(CENTRIPETAL, stress=-CENTRIPETAL.stress)
+    with pytest.raises(ProofError, match=r"\(3.11\), centripetal, constant, direction 1, at the start"):
+        linked.prove((wrong,), LAWS[:1])
+
+
+def flat_without_factors(self: Any, operation: Any, factor: str) -> Iterator[tuple[str, str]]:
+    """Terms of inner sums, without the factors of these sums."""
+    yield from ((cell, register) for cell, register in FLAT(self, operation, ONE) if factor)
+
+
+def placed_without_pairs(operation: Any, results: Any, places: Any) -> tuple[Any, ...]:
+    """Sums whose registers are sorted without their factors."""
+    kind, *rest = PLACED(operation, results, places)
+    if kind == "lin" and rest[2]:
+        cells, registers = zip(*rest[2], strict=True)
+        rest[2] = tuple(zip(cells[::-1], registers, strict=True))
+    return kind, *rest
+
+
+FLAT, PLACED, SIMPLIFIED = linker.Linker._flat, program._placed, linker._simplified
+# Faults of the linker, each in the place of one of its functions.
+FAULTS = {
+    "factors of inner sums are lost": (linker.Linker, "_flat", flat_without_factors),
+    "factors change places": (program, "_placed", placed_without_pairs),
+    "a product with one is one": (
+        linker,
+        "_simplified",
+        lambda kind, operands: ONE if kind == "mul" and ONE in operands else SIMPLIFIED(kind, operands),
+    ),
+    "the limit friction of the start is used later": (definitions, "_departed", lambda _: ("set", ZERO)),
+    "a quantity has the first addend alone": (
+        definitions,
+        "_define_sum",
+        lambda made, name, addends: made.cells.update({name: ("set", (*addends, ZERO)[0])}),
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_of_the_linker_is_not_the_equation_of_motion(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(*FAULTS[fault])
+    with pytest.raises(ProofError, match=r"\(3.11\)"):
+        linked.prove(SOME, LAWS[:1])
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

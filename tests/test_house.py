@@ -24,7 +24,7 @@ import pytest
 from derive import build
 from slipcircle import Motion, load, solve
 from slipcircle.core import doors
-from slipcircle.core.program.program import build_program
+from slipcircle.core.program import build_program
 from tests.support.layered import of_each_soil
 
 ROOT = Path(__file__).parents[1]
@@ -141,7 +141,7 @@ LAYERS = {
         *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
-        *("definitions", "effects", "flow", "layout", "series", "walk", "tiers", "_evaluate", "_compiled"),
+        *("definitions", "effects", "flow", "layout", "program", "series", "walk", "tiers", "_evaluate", "_compiled"),
         *("kernels", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
@@ -207,6 +207,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "refusal": ("vaiont-frozen", {"end_time": None}, bool),
     "parameters": ("vaiont", {"friction": [0.1, 0.2]}, lambda motion: motion[0]),
     "sensitivity": ("vaiont", {}, lambda motion: motion.sensitivity()),
+    "plausible": ("vaiont", {"friction": 15.0}, lambda motion: motion),
 }
 
 
@@ -312,9 +313,9 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 # aims are 10.5 for the core and 12 for the rest.
 WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
-    "derive": 11.1,
+    "derive": 11.2,  # since the linker, 12.0, came from the core, which was 10.3
     "slipcircle/base": 10.1,
-    "slipcircle/core": 10.3,
+    "slipcircle/core": 9.6,
     **{f"slipcircle/{room}": 10.9 for room in ROOMS},
     "slipcircle/stiff": 11.4,
     "slipcircle/history": 11.5,  # from the core, of which it is the arithmetic

@@ -1,10 +1,13 @@
 """Proofs that two forms are equal: numerical refutation, and a normal form of sines and cosines."""
 
 from sympy import (
+    QQ,
     Dummy,
     Expr,
+    Function,
     N,
     Rational,
+    Symbol,
     atanh,
     cancel,
     cos,
@@ -19,6 +22,7 @@ from sympy import (
     together,
     zoo,
 )
+from sympy.polys.fields import field
 
 from derive.check.proof import ProofError
 
@@ -40,6 +44,13 @@ def prove_zero(expression: Expr, claim: str) -> None:
         if expression == 0:
             return
     raise ProofError(claim, expression)
+
+
+def prove_rational(expression: Expr, claim: str) -> None:
+    """Raise `ProofError` unless an expression is zero as a rational function of its symbols and functions."""
+    unknowns = sorted(expression.atoms(Symbol, Function), key=default_sort_key)
+    if (unknowns and field(unknowns, QQ)[0].from_expr(expression) != 0) or (not unknowns and expression != 0):
+        prove_zero(expression, claim)
 
 
 def trig_normal(expression: Expr) -> Expr:

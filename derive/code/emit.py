@@ -206,8 +206,10 @@ def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
     """Return types of arguments, `out`, `where` and result: of numbers, of arrays and numbers, of anything else."""
     yield ["float"] * count, "None", "bool", "np.float64"
     for k in range(count):
-        either = ["NDArray[F] | float"] * (count - k - 1)
-        yield ["float"] * k + ["NDArray[F]"] + either, "None", "ArrayLike", "NDArray[F]"
+        before = ["float"] * k
+        after = ["NDArray[F] | float"] * (count - k - 1)
+        kinds = [*before, "NDArray[F]", *after]
+        yield kinds, "None", "ArrayLike", "NDArray[F]"
     yield ["ArrayLike"] * count, "Out", "ArrayLike", "Any"
 
 

@@ -104,7 +104,8 @@ class _Text:
             call = self.calls[i]
             return f"{call.function}({self._arguments(call)})", 9
         if i in self.integers:
-            return self.language.integer.format(self.text[self.integers[i]][0], space=self.language.space), 9
+            x, _ = self.text[self.integers[i]]
+            return self.language.integer.format(x, space=self.language.space), 9
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
@@ -234,10 +235,14 @@ def _integers(program: Program) -> dict[int, int]:
     ops = program.ops
     rounded = {}
     for i, op in enumerate(ops):
-        if op.kind == "sub" and ops[op.args[0]].kind == "add":
-            x, constant = ops[op.args[0]].args
-            if constant == op.args[1] and ops[constant].value == ROUND:
-                rounded[i] = x
+        if op.kind != "sub":
+            continue
+        raised, subtracted = op.args
+        if ops[raised].kind != "add":
+            continue
+        x, added = ops[raised].args
+        if added == subtracted and ops[added].value == ROUND:
+            rounded[i] = x
     return rounded
 
 

@@ -50,7 +50,8 @@ USUAL = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
 LEAST = {"N/m^3": 1e3, "Pa": 50.0}  # less is questioned whatever the other units, but for 0
 PREFIXES = {"": 1.0, "k": 1e3, "M": 1e6}  # of the units in which scene files write numbers
 OTHER_UNITS = {"N/m^3": {"kN/m^3": 1e3, "kg/m^3": 9.81}, "Pa": {"kPa": 1e3, "MPa": 1e6}}
-USUAL_FRICTION = (0.0174550649282176, 2.0)  # tan(1 deg): less was an angle in rad; more was one in deg
+QUESTIONED_FRICTION = 2.0  # more is questioned: was that an angle?
+USUAL_FRICTION = (0.0174550649282176, 10.0)  # tan(1 deg): less was an angle in rad; more was one in deg
 
 
 @dataclass(frozen=True)
@@ -231,7 +232,7 @@ LAWS = (
 )  # fmt: skip
 
 
-_COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
+_COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
 K_H, K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
@@ -283,7 +284,7 @@ EFFECTS = (
         Parameter("pressure", "Pa", "mean pore pressure on the slip surface, constant or a function of time",
                   "pressure_kPa", _PRESSURE, VALUE / REFERENCE, optional=True, kind="series"),
         Parameter("level", "Pa", "mean pressure on the arc of a real section below its water level, which stays "
-                  "while the mass turns through it", "", _WATER, VALUE / REFERENCE, optional=True, kind="rotation"),
+                  "while the mass turns through it", "", WATER, VALUE / REFERENCE, optional=True, kind="rotation"),
         Parameter("time", "s", "times of a ratio or pressure given as a list, with linear interpolation", "time_s",
                   optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
@@ -292,7 +293,7 @@ EFFECTS = (
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
         *_OF_A_RECORD),
-           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
+           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + WATER,
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "the slip surface has strength without normal stress", (
         Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",

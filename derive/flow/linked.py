@@ -1,58 +1,272 @@
-"""What scenes link from the fragments, compared with the equation of motion that is derived from the balance laws."""
+"""Proofs that linked programs are the equation of motion (3.11), which is derived from the balance laws.
 
-from collections.abc import Mapping, Sequence
-from itertools import product
+A program is evaluated in symbols at an arbitrary moment of a phase, each operation on series by the function that it
+means. All that the linker combines, omits, orders and numbers is therefore part of the proof.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain, cycle, product
 from typing import Any
 
-from sympy import Add, Expr, Integer, symbols
+from sympy import Add, Expr, Integer, Lt, Mul, Rational, Symbol, cos, expand, expand_trig, log, sin
 
 from derive.algebra import dynamics
-from derive.algebra.prove import prove_zero
-from derive.declare.effects import EFFECTS, LAWS
-from derive.flow.fragments import QUANTITIES, balance, gravity, of_effect, of_law
-from derive.flow.lowering import ONE, ZERO, Fragment
-from derive.flow.recurrences import first, number, numbers
+from derive.algebra.prove import prove_rational
+from derive.algebra.remainders import Select, unfold
+from derive.declare import effects as symbols
+from derive.declare.effects import (
+    BY_PSI,
+    DEGREE,
+    DRIVING_MOMENT,
+    EFFECTIVE,
+    EFFECTS,
+    J_R,
+    J_THETA,
+    K_H,
+    K_V,
+    LAWS,
+    MU,
+    NORMAL_LOAD,
+    OMEGA,
+    OMEGA_2,
+    SLIP,
+    SPEED,
+    THETA,
+    Effect,
+    Law,
+)
+from derive.flow.fragments import CALLABLE, degree
+from derive.flow.link import lookup
+from derive.flow.link.definitions import Recipe
+from derive.flow.link.program import Program, build
+from derive.flow.lowering import ONE, ZERO, without_tanh
+from derive.flow.recurrences import CELLS, OPERATIONS, Operation
+
+Cells = Mapping[str, Expr]
 
 
-def net_moment(parts: Sequence[Fragment], cells: Mapping[str, Any]) -> Expr:
-    """The rate of the angular velocity omega_star where a phase begins, from what the parts add to the balance."""
-    at: dict[str, Expr] = {"omega": dynamics.omega_star, "x": ZERO, "sin(x)": ZERO, "vers(x)": ZERO}
-    for part in parts:
-        cells = numbers(part.scalar, cells)
-        at = first(part.series, at, cells)
-    for quantity in (*QUANTITIES, "mu"):
-        bases, increments = [], []
-        for part in parts:
-            if quantity in part.adds:
-                base, _, terms = part.adds[quantity]
-                bases.append(cells[base])
-                increments += [number(c, cells) * at[r] for c, r in terms]
-        cells = {**cells, f"{quantity}_0": Add(*bases), f"{quantity}_size": ONE}
-        at[f"d{quantity}"] = Add(*increments)
-    whole = balance()
-    return first(whole.series, at, numbers(whole.scalar, cells))["net"]
+def positive(name: str) -> Symbol:
+    """Return the symbol of a positive number."""
+    return Symbol(name, positive=True)
 
 
-def prove() -> list[str]:
-    """Prove that weight, centripetal term and constant friction, as they are linked, are the derived (3.11).
+# Over Theta*, as all moments here.
+LAMBDA, POLAR = positive("resistance_factor"), positive("polar_moment")
+LIMIT = {"LIMIT": positive("driving_moment") / positive("normal_load")}  # (3.21)
+START = LIMIT | dict.fromkeys(("TIME", "SLIP", "ROTATION", "LIFTED"), ZERO)
+LATER = LIMIT | {x: positive(x) for x in ("TIME", "SLIP", "ROTATION")}
+# Where a phase begins; nothing presses on the slip surface of a mass that is lifted.
+PHASES: dict[str, Cells] = {"at the start": START, "later": LATER | {"LIFTED": ZERO}, "lifted": LATER | {"LIFTED": ONE}}
 
-    In both directions of travel, at the start (where the drive is from the limit friction) and later (from the terms).
+
+def now(state: str) -> Symbol:
+    """Return the symbol of a state at the moment, of which the cell has the value where the phase began."""
+    return positive(f"now.{state}")
+
+
+def since(parameter: str) -> Symbol:
+    """Return the symbol of the increment of a function of time since the phase began."""
+    return positive(f"{parameter}.since")
+
+
+# --- the program -----------------------------------------------------------------------------------------------------
+
+
+def rates(program: Program, known: Cells) -> dict[str, Expr]:
+    """Return the rates of the states of a program at a moment, and its normal force if that varies during a phase."""
+    cells = cells_of(program, known)
+    values = registers_of(program, cells)
+    found = {}
+    for cell, _, rate in program.states:
+        found[program.cells[cell]] = values[rate]
+    normal = program.roles["normal"]
+    if normal >= 0:
+        found["normal"] = values[normal]
+    return found
+
+
+def cells_of(program: Program, known: Cells) -> list[Any]:
+    """Return the values of all cells where a phase begins; a cell that is not known is a symbol."""
+    cells: list[Any] = [known.get(name, positive(name)) for name in program.cells]
+    for name, value in program.constants.items():
+        cells[program.places[name]] = Rational(value)
+    for kind, result, *operands in program.scalar:
+        cells[result] = on_numbers(kind, *(cells[k] for k in operands))
+    return cells
+
+
+def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
+    """Return the values of all registers at a moment."""
+    values = [ZERO] * len(program.registers)
+    for cell, register, _ in program.states:
+        values[register] = now(program.cells[cell])
+    for kind, *places in program.series:
+        if kind == "lin":
+            result, constant, terms = places
+            products = [cells[cell] * values[register] for cell, register in terms]
+            values[result] = Add(cells[constant] if constant >= 0 else ZERO, *products)
+        elif kind == "ramp":
+            result, table = places
+            values[result] = since(program.tables[table].name)
+        else:
+            operate(OPERATIONS[kind], places, values, cells)
+    return values
+
+
+def operate(operation: Operation, places: Sequence[int], values: list[Expr], cells: Sequence[Any]) -> None:
+    """Set the results of an operation on series, each by the function that it means."""
+    names = (*operation.results, *operation.arguments, *operation.numbers)
+    place = dict(zip(names, places, strict=True))
+    known = {x: values[place[x]] for x in operation.arguments}
+    known |= {x: cells[place[x]] for x in operation.numbers}
+    for x, meaning in zip(operation.results, operation.means, strict=True):
+        values[place[x]] = meaning.xreplace(known)
+
+
+def on_numbers(kind: str, *operands: Any) -> Any:
+    """Return the result of an operation on cells; a selection whose condition is undecided is a `Select`.
+
+    Sums of magnitudes that are not identically zero are taken as positive.
     """
-    claims = []
-    theta, driving, pressing = symbols("Theta J_theta J_r", positive=True)  # so that it is known which way it is driven
-    positive = {dynamics.theta_star: theta, dynamics.j_theta: driving, dynamics.j_r: pressing}
-    derived, limit = (dynamics.balance()[equation].subs(positive) for equation in ("3.11", "3.21"))
-    given = {
-        "driving_moment": driving / theta,
-        "normal_load": pressing / theta,
-        "polar_moment": dynamics.polar / theta,
-        "constant.coefficient": dynamics.mu,
-        "LIMIT": limit,
-        "LIFTED": ZERO,
+    match kind, operands:
+        case "less", (x, y):
+            return True if (y - x).is_nonnegative and y != x else Lt(x, y)
+        case "select", (condition, x, y):
+            if condition in (True, False):
+                return x if condition else y
+            return Select(*condition.args, x, y)
+        case _:
+            operation = CELLS[kind]
+            return (operation.symbol or operation.meaning)(*operands)
+
+
+def outcomes(e: Expr) -> Iterator[Expr]:
+    """Yield an expression for either outcome of each undecided selection."""
+    selections = e.atoms(Select)
+    if not selections:
+        yield e
+        return
+    innermost = min(selections, key=lambda x: (len(x.atoms(Select)), str(x)))
+    for outcome in innermost.args[2:]:
+        yield from outcomes(e.xreplace({innermost: outcome}))
+
+
+# --- the equation ----------------------------------------------------------------------------------------------------
+
+
+def piece(table: str, degree: int, argument: Expr) -> Expr:
+    """Return the polynomial of a table's piece."""
+    powers = range(1, degree + 1)
+    terms = [positive(f"{table}.Q{k}") * argument**k for k in powers]
+    return Add(positive(f"{table}.VALUE"), *terms)
+
+
+def friction(law: Law, slip: Expr) -> Expr:
+    """Return the friction coefficient of a law; of one in pieces, of the piece of the moment."""
+    if law.coefficient is not None and not law.kinks:
+        names = {Symbol(p.name, real=True): positive(f"{law.name}.{p.name}") for p in law.parameters}
+        coefficient = without_tanh(law.coefficient).xreplace(names | {SLIP: slip, SPEED: now("omega")})
+        return expand(coefficient, mul=False)
+    (variable,) = law.depends_on
+    if variable == "time":
+        return positive(f"{law.name}.VALUE") + since(law.name)
+    argument = now("x")
+    if variable == "speed":
+        argument = log(now("omega") / positive("omega"))
+    return piece(law.name, degree(law), argument)
+
+
+def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
+    """Return the parameters of effects at a moment; those that are ``moving`` change along the motion."""
+    values: dict[Symbol, Expr] = {K_H: ZERO, K_V: ZERO}
+    for x, p in chain.from_iterable(effect.symbols.items() for effect in effects):
+        name = str(x)
+        if name not in moving:
+            values[x] = positive(name)
+        elif p.kind == "rotation":
+            values[x] = piece(name, DEGREE, now("x"))
+        else:
+            values[x] = positive(f"{name}.VALUE") + since(name)
+    return values | {x: now(str(x)) for effect in effects for x in effect.states}
+
+
+def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -> dict[Symbol, Expr]:
+    """Return the values of all symbols of declared terms at a moment, friction and normal stress excepted."""
+    turns = any(effect.turns for effect in effects)
+    phi = known["ROTATION"] + known["DIRECTION"] * now("x") if turns else ZERO
+    values = parameters(effects, moving)
+    at_start = {q: positive(str(q)) for q in BY_PSI}
+    for q, slope in BY_PSI.items():
+        turned = q * cos(phi) - slope * sin(phi)
+        values[q] = expand_trig(turned.xreplace(at_start))
+    values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
+    omega = now("omega")
+    return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + now("x")}
+
+
+def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> dict[str, Expr]:
+    """Return the rates of the states by (3.11) with the declared terms of effects, and the normal force, over Theta*.
+
+    Rotation and centripetal stress are those of the balance laws.
+    """
+    values = symbols_at(effects, moving, known)
+    others = [effect for effect in effects if effect.name != "centripetal"]
+    polar = POLAR if len(others) < len(effects) else ZERO
+
+    def total(quantity: str) -> Expr:
+        return Add(*(effect.terms[quantity] for effect in others)).xreplace(values)
+
+    load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
+    mu = Mul(*(friction(law, values[SLIP]) for law in laws)) + total("mu")
+    mobilised = mu * (1 - known["LIFTED"])
+    terms = {
+        dynamics.j_theta: known["DIRECTION"] * (values[J_THETA] + total("J_theta")) - total("resistance"),
+        dynamics.j_r: load,
+        dynamics.polar: polar,
+        dynamics.mu: mobilised,
+        dynamics.omega_star: values[OMEGA],
     }
-    parts = [gravity(), *(of_effect(e) for e in EFFECTS if e.name == "centripetal"), of_law(LAWS[0])]
-    for direction, departed in product((1, -1), (0, 1)):
-        claims.append(f"(3.11), direction {direction}, {'later' if departed else 'at the start'}")
-        net = net_moment(parts, given | {"DIRECTION": Integer(direction), "departed": Integer(departed)})
-        prove_zero(theta * net - derived.subs(driving, direction * driving), claims[-1])
+    normal = load + polar * values[OMEGA_2]
+    rates = {"x": values[OMEGA], "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
+    stress = normal / LAMBDA
+    for effect in effects:
+        growth = effect.growth.subs(MU * EFFECTIVE, mobilised * stress)
+        rates |= {str(x): growth.xreplace({**values, MU: mu, EFFECTIVE: stress}) * values[OMEGA] for x in effect.states}
+    return rates
+
+
+# --- proofs ----------------------------------------------------------------------------------------------------------
+
+
+def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequence[Effect], tuple[Law, ...]]]:
+    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws."""
+    constant, *_ = laws
+    yield from ((some, (constant,)) for some in (*((effect,) for effect in effects), effects))
+    turning = [effect for effect in effects if not effect.parameters]
+    yield from ((turning, (law,)) for law in laws)
+    of_slip, of_speed = ([law for law in laws if law.depends_on == (x,)] for x in ("slip", "speed"))
+    yield from (((), both) for both in zip(of_slip, cycle(of_speed), strict=False))
+
+
+def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> list[str]:
+    """Prove that programs of effects and laws are (3.11), in both directions of travel and in phases of each kind.
+
+    The drive at the start is computed from the limit friction (3.21), later from the terms of the balance. All
+    parameters that may change along the motion do.
+    """
+    parts = lookup(effects, laws)
+    claims = []
+    for some, of_friction in cases(effects, laws):
+        declared = [p for effect in some for p in effect.parameters if p.symbol]
+        moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
+        names = tuple(effect.name for effect in some)
+        recipe = Recipe(names, tuple(law.name for law in of_friction), moving)
+        program = build(recipe, parts)
+        for direction, phase in product((1, -1), PHASES):
+            claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
+            known = {**PHASES[phase], "DIRECTION": Integer(direction)}
+            equation = motion(some, of_friction, recipe.moving, known)
+            for name, rate in rates(program, known).items():
+                for difference in outcomes(rate - equation[name]):
+                    prove_rational(unfold(difference), f"{claims[-1]}: d{name}/dt")
     return claims

@@ -50,6 +50,11 @@ def total(*terms: tuple[Expr, Increment]) -> Increment:
     return {product: c for product, c in sorted(coefficients.items()) if c != 0}
 
 
+def without_tanh(e: Expr) -> Expr:
+    """Return an expression with exponentials for tanh, accurate unless its argument is far below 0."""
+    return e.replace(tanh, lambda x: 2 / (1 + exp(-2 * x)) - 1)
+
+
 def times(a: Increment, b: Increment) -> Increment:
     """The product of two increments."""
     terms = []
@@ -95,8 +100,8 @@ class Lowering:
         """Base and increment of an expression."""
         if e in self.moving:
             return self.moving[e]
-        if e.has(tanh):  # of what is not far below 0
-            return self.split(e.replace(tanh, lambda x: 2 / (1 + exp(-2 * x)) - 1))
+        if e.has(tanh):
+            return self.split(without_tanh(e))
         bases = {x: self.moving[x][0] for x in e.free_symbols if x in self.moving}
         if not any(self.moving[x][1] for x in bases):
             return e.xreplace(bases), {}

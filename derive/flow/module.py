@@ -10,6 +10,7 @@ from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import Fragment
+from derive.flow.recurrences import RESULTS
 
 
 def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
@@ -21,7 +22,7 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
     }
     marks = {mark: "".join(f"    {x!r}: {row},\n" for x, row in rows.items()) for mark, rows in blocks.items()}
     marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.text()}
-    return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES)})
+    return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES), "RESULTS": repr(RESULTS)})
 
 
 def _pieces(law: Law) -> str:

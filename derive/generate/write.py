@@ -20,7 +20,7 @@ from derive.check.proof import ProofError
 from derive.check.records import Record, promised
 from derive.code import emit
 from derive.declare.quantities import QUOTIENTS
-from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
+from derive.flow import layout, link, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -54,6 +54,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "walk.py": emit.filled("_walk.py.in", {"WALK": restricted_numpy.functions(integrator)}),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
+        "program.py": link.text(),
         "py.typed": "",
     }
     texts |= _formulas(closed) | certificates.files(proved)

@@ -112,36 +112,40 @@ def may_overflow(shape: tuple[int, ...]) -> Any:
     return np.errstate(over="ignore")
 
 
+_NUMBERS = frozenset((bool, int, float, np.float64))
+
+
 def loses_something(value: Any) -> bool:
     """Return whether `numpy.asarray` would drop a mask or a unit of a value, or of one within a list."""
-    if isinstance(value, list | tuple):
-        return not _NUMBERS.issuperset(map(type, value)) and any(map(loses_something, value))
-    if isinstance(value, np.ndarray):  # subclasses have units, or a mask
-        return type(value) not in (np.ndarray, np.memmap)
     kind = type(value)
+    if isinstance(value, list | tuple):
+        others = set(map(type, value)) - _NUMBERS
+        return bool(others) and any(map(loses_something, value))
+    if isinstance(value, np.ndarray):  # subclasses have units, or a mask
+        return kind not in (np.ndarray, np.memmap)
     if hasattr(kind, "dims"):  # of xarray
         return loses_something(value.data)
-    return any(hasattr(kind, unit) for unit in ("dimensionality", "unit", "units"))
-
-
-_NUMBERS = frozenset((bool, int, float, np.float64))
+    has_unit = hasattr(kind, "dimensionality") or hasattr(kind, "unit")
+    return has_unit or hasattr(kind, "units")
 
 
 def array_of(value: Any) -> NDArray[Any]:
     """Return an input as an array; one of objects, which no check accepts, if a mask or a unit would be lost."""
+    nothing = np.asarray(None)
     try:
-        if not loses_something(value):
-            array = np.asarray(value)
-            return array.astype(np.float64, copy=False) if array.dtype.kind == "f" else array
+        array = nothing if loses_something(value) else np.asarray(value)
     except (ValueError, RuntimeError):  # ragged, or nested too deep
-        pass
-    return np.asarray(None)
+        return nothing
+    if array.dtype.kind == "f":
+        return array.astype(np.float64, copy=False)
+    return array
 
 
 def real_number(value: Any) -> float:
     """Return one real number as a float; NaN for anything else."""
     array = array_of(value)
-    return float(array) if array.ndim == 0 and array.dtype.kind in "iuf" else math.nan
+    is_number = array.ndim == 0 and array.dtype.kind in "iuf"
+    return float(array) if is_number else math.nan
 
 
 class Frozen(dict[Any, Any]):
@@ -150,7 +154,8 @@ class Frozen(dict[Any, Any]):
     def _refuse(self, *_: Any, **__: Any) -> Any:
         raise TypeError("a scene's mappings are read-only: use dataclasses.replace(scene, ...) to change a copy")
 
-    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    clear = pop = popitem = setdefault = update = _refuse
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Frozen, (dict(self),)
@@ -163,38 +168,47 @@ _FIXED = frozenset((bool, int, float, str, Frozen))
 def frozen(value: Any) -> Any:
     """Return an input as its owner keeps it: arrays, lists and mappings as read-only copies, others as they are."""
     kind = type(value)
-    if kind is float or kind is Frozen:
+    if kind in _FIXED:
         return value
     if kind is dict or isinstance(value, Mapping):
+        if not value:
+            return EMPTY
         if _FIXED.issuperset(map(type, value.values())):
-            return Frozen(value) if value else EMPTY
-        return Frozen([(key, frozen(one)) for key, one in value.items()])
-    if isinstance(value, np.ndarray):
-        if value.dtype.kind == "f":
-            value = value.astype(np.float64, copy=False)
-        if value.flags.writeable or getattr(getattr(value.base, "flags", None), "writeable", False):
-            value = value.copy()
-            value.flags.writeable = False
+            return Frozen(value)
+        return Frozen({key: frozen(one) for key, one in value.items()})
+    if kind is list or kind is tuple:
+        items = tuple(map(frozen, value))
+        same = kind is tuple and all(map(is_, items, value))
+        return value if same else items
+    if isinstance(value, np.floating):
+        return float(value)
+    if not hasattr(kind, "__array__") or isinstance(value, np.generic):
         return value
-    if isinstance(value, list | tuple) and not hasattr(value, "_fields"):
-        items = value if _NUMBERS.issuperset(map(type, value)) else [*map(frozen, value)]
-        same = isinstance(value, tuple) and all(map(is_, items, value))
-        return value if same else tuple(items)
-    if hasattr(kind, "dims") and not loses_something(value):  # xarray's stay labelled
-        return value.copy(data=frozen(np.asarray(value)))
-    if isinstance(value, np.generic):
-        return float(value) if isinstance(value, np.floating) else value
-    if hasattr(kind, "__array__") and not loses_something(value):
-        return frozen(np.asarray(value))
+    if not loses_something(value):
+        array = _read_only(array_of(value))
+        if hasattr(kind, "dims"):  # xarray's stay labelled
+            return value.copy(data=array)
+        return array
     return value
+
+
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array that nobody can change, a copy unless it is one already."""
+    base = getattr(array.base, "flags", array.flags)
+    can_change = array.flags.writeable or base.writeable
+    if can_change:
+        array = array.copy()
+        array.flags.writeable = False
+    return array
 
 
 def freeze(owner: Any, fields: Iterable[str]) -> None:
     """Replace the fields of a frozen dataclass by read-only copies of what it was given."""
     for name in fields:
         value = getattr(owner, name)
-        if type(value) is not float and value is not None:
-            object.__setattr__(owner, name, frozen(value))
+        own = frozen(value)
+        if own is not value:
+            object.__setattr__(owner, name, own)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:

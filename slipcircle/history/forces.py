@@ -7,11 +7,11 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from generated import layout as ix
+from generated.program import Program, Recipe
 from slipcircle.base.checks import EPS, plain
 from slipcircle.base.kinds import Floats, Names
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.definitions import Recipe
-from slipcircle.core.program.program import Program, build_program
+from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.mass import Mass
 from slipcircle.core.walk.compiled import engine

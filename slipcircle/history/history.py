@@ -18,8 +18,8 @@ from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State, before, state_of
 from slipcircle.core.problem.plan import recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.program import Log
 from slipcircle.core.scene.scene import Scene
+from slipcircle.core.walk.compiled import Log
 from slipcircle.core.walk.lanes import integrate
 from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_outputs
 from slipcircle.history.phases import Energy, Phase

@@ -9,8 +9,7 @@ from generated import layout as ix
 from slipcircle.base.kinds import Floats
 from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.program import Samples
-from slipcircle.core.walk.compiled import engine
+from slipcircle.core.walk.compiled import Samples, engine
 from slipcircle.core.walk.lanes import BLOCK, integrate
 
 

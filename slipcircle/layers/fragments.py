@@ -7,8 +7,7 @@ Each soil with a friction law of its own has an instance of the law and of the e
 from typing import Any
 
 from generated.effects import ALL_EFFECTS
-from generated.flow import FRAGMENTS, Fragment
-from slipcircle.core.program.definitions import RESULTS
+from generated.flow import FRAGMENTS, RESULTS, Fragment
 from slipcircle.core.scene.effects import soil_number, without_soil
 
 _OF_ONE_SOIL = {str(p.symbol) for p in ALL_EFFECTS["soil_friction"].parameters} | {"soil_mu"}

@@ -78,7 +78,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
-        freeze(self, ("layers", "surcharge", "rate", "crack"))
+        own = ("layers", "surcharge", "rate", "crack")
+        freeze(self, own)
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
             for soil, _ in self.layers:  # whose numbers may have been replaced

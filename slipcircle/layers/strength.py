@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from generated.program import OF_SOIL
 from slipcircle.base.kinds import Floats, Names, Parameters
-from slipcircle.core.scene.effects import OF_SOIL
 from slipcircle.layers.soils import Soil, distinct, share_one_law
 from slipcircle.layers.stretches import StretchIntegrals
 

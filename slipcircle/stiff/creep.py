@@ -24,9 +24,9 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import Mask, first_section
 from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.program import Samples
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.walk import compiled
+from slipcircle.core.walk.compiled import Samples
 
 Lanes = NDArray[np.intp]
 Integrate = Callable[[Floats, Samples | None], Floats]  # final cells of those to begin with
@@ -74,7 +74,7 @@ def may_creep(problem: Problem) -> bool:
 def other_than_position(problem: Problem) -> str:
     """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
     recipe = problem.recipe
-    if recipe.moving:
+    if any(table.kind == "time" and table.name in recipe.moving for table in problem.program.tables):
         return "what changes in time"
     if "thermal_pressurisation" in recipe.effects:
         return "frictional heat"

@@ -18,9 +18,8 @@ from generated import walk
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.program import Log, Samples
 from slipcircle.core.scene.piecewise import Data
-from slipcircle.core.walk.compiled import engine
+from slipcircle.core.walk.compiled import Log, Samples, engine
 from slipcircle.stiff.radau import (
     AT,
     LEAST_SIZE,

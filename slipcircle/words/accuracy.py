@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from generated import layout as ix
+from generated.program import Program
 from slipcircle.base.checks import EPS, choose
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.program import Program, Samples
+from slipcircle.core.walk.compiled import Samples
 from slipcircle.core.walk.lanes import integrate
 
 Final = Mapping[int, Any]  # state entries of lanes at their end, by their places

@@ -5,10 +5,10 @@ from functools import cache
 from typing import NamedTuple
 
 from generated.effects import ALL_EFFECTS
+from generated.program import OF_SOIL, Recipe
 from slipcircle.base.kinds import Names
 from slipcircle.core.problem.plan import Plan
-from slipcircle.core.program.definitions import Recipe
-from slipcircle.core.scene.effects import OF_SOIL, without_soil
+from slipcircle.core.scene.effects import without_soil
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.walk.compiled import encoded, level, module, widest
 

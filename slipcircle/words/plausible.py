@@ -96,7 +96,7 @@ def _of_unit(value: float, unit: str) -> str:
 
 
 def _of_friction(coefficient: float) -> str:
-    least, most = declared.USUAL_FRICTION
+    least, most = declared.USUAL_FRICTION[0], declared.QUESTIONED_FRICTION
     if coefficient >= 90.0:
         return f"soils have less than {most:g}; it is tan(phi)"
     if coefficient > most:

@@ -9,12 +9,13 @@ import pytest
 
 from generated import layout as ix
 from generated import walk as in_numpy
+from generated.program import Program, Recipe
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.program.definitions import Recipe
-from slipcircle.core.program.program import Program, Samples, build_program
+from slipcircle.core.program import build_program
 from slipcircle.core.walk import compiled
+from slipcircle.core.walk.compiled import Samples
 from slipcircle.layers.layered import RotationTables
 
 __all__ = ["Problem", "Program", "Recipe", "RotationTables", "Samples", "build_program", "compiled"]

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from generated.effects import EFFECTS
+from generated.program import Program, Recipe
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
 from slipcircle.core.doors import room
-from slipcircle.core.program.definitions import Recipe
-from slipcircle.core.program.program import Program, build_program
+from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
 

@@ -15,12 +15,11 @@ import numpy as np
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
+from generated.program import Program, Recipe
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan
-from slipcircle.core.program.definitions import Recipe
-from slipcircle.core.program.program import Program
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data

@@ -5,12 +5,12 @@ from functools import lru_cache
 from typing import Any
 
 from generated.effects import ALL_EFFECTS, EFFECTS
+from generated.program import OF_SOIL
 from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
 WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
-OF_SOIL = "#"  # before the number of a soil, in the name of its law or effect
 
 
 def without_soil(name: str) -> str:

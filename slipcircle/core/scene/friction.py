@@ -5,10 +5,11 @@ from typing import Any
 import numpy as np
 
 from generated.effects import LAWS
+from generated.program import OF_SOIL
 from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
-from slipcircle.core.scene.effects import OF_SOIL, without_soil
+from slipcircle.core.scene.effects import without_soil
 
 NAMES = tuple(LAWS)
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated.effects import EFFECTS, LAWS, LEAST, USUAL_FRICTION
+from generated.effects import EFFECTS, LAWS, LEAST, QUESTIONED_FRICTION
 from slipcircle.base.checks import (
     EMPTY,
     INFINITY,
@@ -260,7 +260,7 @@ class Scene(Generic[Numbers]):
         return np.broadcast_shapes(*map(np.shape, self.numbers.values()))
 
 
-_MOST, _OF_WEIGHT, _OF_STRENGTH = USUAL_FRICTION[1], LEAST["N/m^3"], LEAST["Pa"]
+_MOST, _OF_WEIGHT, _OF_STRENGTH = QUESTIONED_FRICTION, LEAST["N/m^3"], LEAST["Pa"]
 _UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
     **dict.fromkeys(("friction", "peak", "residual"), lambda value: value > _MOST),
     "cohesion": lambda value: 0.0 < value < _OF_STRENGTH,

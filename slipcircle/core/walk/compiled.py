@@ -6,22 +6,30 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache, lru_cache
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from generated import _compiled
 from generated import layout as ix
+from generated.flow import RESULTS
 from generated.layout import STRIDE
+from generated.program import Program
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
-from slipcircle.core.program.definitions import RESULTS
-from slipcircle.core.program.program import Log, Program, Samples
 from slipcircle.core.scene.piecewise import Data
 
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
 NOTES = 256  # events that one call may note
+Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
 _NOTHING = np.empty(0)
+
+
+class Samples(NamedTuple):
+    """States at sample times, filled during the integration: (states, times, lanes)."""
+
+    times: Floats  # dimensionless, increasing, (times, lanes)
+    states: Floats  # rotation, angular velocity, its rate, slip, then the further states
 
 
 @cache
@@ -73,7 +81,7 @@ def encoded(program: Program) -> bytes:
 
 def program_integers(program: Program) -> list[int]:
     """Sizes, roles, operations, states and tables of a program."""
-    rates, others = _split(program)
+    rates, others = program.split
     series = _encoded_series(program, rates)
     later = _encoded_series(program, others)
     scalar = list[int]()
@@ -105,21 +113,6 @@ def program_integers(program: Program) -> list[int]:
 def _begin(register: int) -> int:
     """Where the coefficients of a register begin; -1 for none."""
     return -1 if register < 0 else register * STRIDE
-
-
-def _split(program: Program) -> tuple[list[int], list[int]]:
-    """Operations that rates need, and those that wait until the series of the states are complete."""
-    needed = {rate for _, _, rate in program.states}
-    rates = list[int]()
-    others = list[int]()
-    for k in reversed(range(len(program.series))):
-        kind, *names = program.series[k]
-        if needed & {*_results(kind, names)}:
-            needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
-            rates.insert(0, k)
-        else:
-            others.insert(0, k)
-    return rates, others
 
 
 def _results(kind: str, names: Sequence[Any]) -> Sequence[int]:

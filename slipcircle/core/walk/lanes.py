@@ -8,8 +8,7 @@ from generated import layout as ix
 from slipcircle.base.kinds import Floats
 from slipcircle.core.doors import room
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.program.program import Log, Samples
-from slipcircle.core.walk.compiled import engine
+from slipcircle.core.walk.compiled import Log, Samples, engine
 
 
 def integrate(

@@ -2,29 +2,21 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import chain
 from typing import Any, NamedTuple, Self
 
-from generated.flow import FRAGMENTS
-from generated.layout import CELLS, TABLE
-from slipcircle.base.kinds import Floats, Names
-from slipcircle.core.program.definitions import ZERO, Definitions, OnSeries, Recipe, definitions_of
-from slipcircle.core.program.linker import EVENTS, Linked, link
-
-Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
-
-
-class Samples(NamedTuple):
-    """States at sample times, filled during the integration: (states, times, lanes)."""
-
-    times: Floats  # dimensionless, increasing, (times, lanes)
-    states: Floats  # rotation, angular velocity, its rate, slip, then the further states
+from derive.flow.layout import CELLS
+from derive.flow.link.definitions import ZERO, Definitions, Lookup, Names, OnSeries, Recipe, definitions_of
+from derive.flow.link.linker import EVENTS, Linked, link
+from derive.flow.recurrences import RESULTS
 
 
 class Table(NamedTuple):
-    """A piecewise function as a program knows it: what of, the register of its argument (or, of time, of its
-    increment), the first of its cells, and the degree of its pieces.
+    """A piecewise function in a program.
+
+    ``kind`` is its variable, ``register`` has its argument (or, if that is time, its increment), ``cells`` is the first
+    of its cells, and ``degree`` that of its pieces.
     """
 
     name: str
@@ -36,12 +28,13 @@ class Table(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
+    """Operations on the cells and the registers of a lane, by their places, and the places that the integrator reads.
 
-    The first ``given`` cells are set at the start of a lane, the next ones computed where a phase begins; then follow
-    ``constants``, by name.
-    Operations are a kind, the results, then registers and then cells, or a table; a sum has the cell of its constant,
-    -1 for zero, and its (cell, register). ``states`` are (cell, register, register of the rate).
+    The first ``given`` cells are set at the start of a lane, the next ones are computed where a phase begins, and
+    ``constants``, by name, are the last. An operation is its kind, its results, its registers and then its cells, or
+    its table. A sum is the cell of its constant, -1 for zero, and a pair (cell, register) for each term. ``states`` are
+    (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time alone where
+    ``autonomous`` is 2, also on omega where it is 1, and on further registers where it is 0.
     """
 
     cells: Names
@@ -52,32 +45,40 @@ class Program:
     states: tuple[tuple[int, int, int], ...]
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
-    autonomous: int  # between breaks in time d(omega)/dt depends on nothing but time: 2; or but omega: 1; otherwise 0
+    autonomous: int
     constants: Mapping[str, float]
 
     @cached_property
     def places(self) -> Mapping[str, int]:
-        """Where the cells are, by name."""
+        """Places of the cells, by name."""
         return {name: k for k, name in enumerate(self.cells)}
 
+    @cached_property
+    def split(self) -> tuple[list[int], list[int]]:
+        """Places of the operations that rates depend on, and of those that can wait until the states are complete."""
+        needed = {rate for _, _, rate in self.states}
+        rates = list[int]()
+        others = list[int]()
+        for k in reversed(range(len(self.series))):
+            kind, *names = self.series[k]
+            if needed & {*names[: RESULTS.get(kind, 1)]}:
+                needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
+                rates.insert(0, k)
+            else:
+                others.insert(0, k)
+        return rates, others
 
-@lru_cache(maxsize=256)
-def build_program(recipe: Recipe, outputs: Names = ()) -> Program:
-    """The program of a scene.
 
-    ``outputs`` are further ones: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy" for the states
-    ``work`` and ``dissipation``.
-    """
-    further = tuple(name for name in outputs if name in FRAGMENTS)
-    asked = tuple(name for name in outputs if name not in FRAGMENTS)
-    definitions = definitions_of(recipe, further)
+def build(recipe: Recipe, fragments: Lookup, outputs: Names = (), further: Names = ()) -> Program:
+    """Link the program of a recipe and of ``further`` fragments; the registers ``outputs`` have roles, too."""
+    definitions = definitions_of(recipe, fragments, further)
     given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
-    linked = link(definitions, given, asked)
-    return _encoded(definitions, linked, given, asked)
+    linked = link(definitions, given, outputs)
+    return _encoded(definitions, linked, given, outputs)
 
 
 class _Places(NamedTuple):
-    """Where a program has its cells, its registers and its tables, by name."""
+    """Places of a program's cells, registers and tables, by name."""
 
     cells: dict[str, int]
     registers: dict[str, int]
@@ -85,7 +86,7 @@ class _Places(NamedTuple):
 
     @classmethod
     def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
-        """Cells that are given, computed and constant, and registers of the states and of what is computed."""
+        """Number the cells (given, computed, constant), the registers (of states, computed) and the tables."""
         computed = chain.from_iterable(results for _, results in linked.scalar)
         made = chain.from_iterable(results for _, results in linked.series)
         tables = [table.name for table in definitions.tables]
@@ -93,19 +94,19 @@ class _Places(NamedTuple):
         return cls(*({name: place for place, name in enumerate(names)} for names in every))
 
 
-def _encoded(definitions: Definitions, linked: Linked, given: Names, asked: Names) -> Program:
-    """A program with places instead of names; registers ``asked`` for have roles, too."""
+def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Names) -> Program:
+    """Return a program with places instead of names; the registers ``outputs`` have roles, too."""
     places = _Places.of(definitions, linked, given)
     cells = places.cells
     registers = places.registers
     read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
-    roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *asked)}
+    roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *outputs)}
     for role, name in linked.outputs.items():
         roles[role] = cells[name]
     tables = []
-    for name, kind, argument, degree in definitions.tables:
-        first_cell = cells[f"{name}.{TABLE[0]}"]
-        tables.append(Table(name, kind, read[argument], first_cell, degree))
+    for table in definitions.tables:
+        name, kind, argument, degree = table
+        tables.append(Table(name, kind, read[argument], cells[table.cells[0]], degree))
     scalar = []
     for (kind, *arguments), (result,) in linked.scalar:
         operands = [cells[argument] for argument in arguments]
@@ -118,7 +119,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, asked: Name
         given=len(given),
         registers=tuple(registers),
         scalar=tuple(scalar),
-        series=tuple(_on_series(operation, results, places) for operation, results in linked.series),
+        series=tuple(_placed(operation, results, places) for operation, results in linked.series),
         states=tuple(states),
         tables=tuple(tables),
         roles=roles,
@@ -127,8 +128,8 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, asked: Name
     )
 
 
-def _on_series(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
-    """An operation on series: its results, then registers, then cells or the table.
+def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
+    """Return an operation on series with places: its results, registers, and cells or the table.
 
     The terms of a sum are in the order in which their registers are ready, so that it waits for the last one only.
     """
@@ -147,7 +148,7 @@ def _on_series(operation: OnSeries, results: Names, places: _Places) -> tuple[An
 
 
 def _autonomous(definitions: Definitions, linked: Linked) -> int:
-    """What d(omega)/dt depends on between breaks in time, as `Program` has it."""
+    """Return the code of `Program.autonomous`."""
     taken = {register for operation, _ in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)

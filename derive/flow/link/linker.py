@@ -6,8 +6,7 @@ Equal operations are computed once, and sums of sums are flattened.
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from slipcircle.base.kinds import Names
-from slipcircle.core.program.definitions import ONE, ZERO, Computed, Definitions, OnCells, OnSeries
+from derive.flow.link.definitions import ONE, ZERO, Computed, Definitions, Names, OnCells, OnSeries
 
 EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and a chord that stands upright
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.

@@ -1,26 +1,27 @@
-"""What the fragments of a scene's effects and friction laws define, and the sums of the balance.
+"""Definitions of cells and registers by name, from the fragments of a scene's effects and laws, and the balance's sums.
 
 Names that fragments share: ``q_0`` is quantity q of the balance where a phase begins, ``q_size`` the size of its terms,
 ``dq`` its increment since; ``t.VALUE`` is a cell of table t; ``=1.0`` is a constant.
 """
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from generated.flow import FRAGMENTS, INPUTS, QUANTITIES, Fragment
-from generated.layout import TABLE
-from slipcircle.base.kinds import Names
-from slipcircle.core.doors import room
-from slipcircle.core.scene.effects import OF_SOIL
+from derive.flow.fragments import INPUTS, QUANTITIES
+from derive.flow.layout import TABLE
+from derive.flow.lowering import Fragment
+from derive.flow.recurrences import RESULTS
 
+Names = tuple[str, ...]
 OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
 ZERO, ONE = "=0.0", "=1.0"
-RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2, "powers": 6}  # of operations on series; the others have one
+OF_SOIL = "#"  # before the number of a soil, in the names of what is its own
+Lookup = Callable[[str, bool], Sequence[Fragment]]  # fragments of an effect or a law, and whether the mass turns
 
 
 class Recipe(NamedTuple):
-    """What a program is made from: effects and laws by name, as in `generated.effects`, and kinds of parameters.
+    """The input of the linker: effects and laws by name, as in `generated.effects`, and kinds of parameters.
 
     Attributes
     ----------
@@ -30,7 +31,7 @@ class Recipe(NamedTuple):
     moving : tuple of str
         Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
-        Symbols of optional parameters that a scene does not give; their terms are not included.
+        Symbols of optional parameters that a scene omits; their terms are not included.
     """
 
     effects: Names
@@ -40,9 +41,9 @@ class Recipe(NamedTuple):
 
 
 class OnSeries(NamedTuple):
-    """An operation on series: its kind, the registers and the cells that it takes, and of a ramp its table.
+    """An operation on series: its kind, its registers and its cells, and the table of a ramp.
 
-    A sum takes the cell of its constant, then one for each register, by which that is multiplied.
+    The cells of a sum are its constant and the factor of each register.
     """
 
     kind: str
@@ -55,7 +56,7 @@ Computed = tuple[OnSeries, Names]  # with its results
 
 
 class DeclaredTable(NamedTuple):
-    """A piecewise function: its name, what it is of, the register of its argument, and the degree of its pieces."""
+    """A piecewise function: its name, its variable, the register of its argument, and the degree of its pieces."""
 
     name: str
     kind: str
@@ -70,25 +71,25 @@ class DeclaredTable(NamedTuple):
     @property
     def cells(self) -> list[str]:
         """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
-        before = [f"{self.name}.{cell}" for cell in TABLE[:-1]]
-        return before + self.coefficients
+        *before, _ = TABLE
+        return [*(f"{self.name}.{cell}" for cell in before), *self.coefficients]
 
 
 @dataclass
 class Definitions:
-    """What names mean: cells are numbers where a phase begins, registers series in time since.
+    """Definitions by name: cells are numbers where a phase begins, registers are series in time since then.
 
     Attributes
     ----------
     cells, series : dict
-        What computes each cell, and each register.
+        Operations that compute each cell, and each register.
     inputs : list of str
-        Cells that a scene gives.
+        Cells that are set from a scene.
     states : dict of str
         Registers of the states, with those of their rates.
     tables : list of DeclaredTable
     addends : dict of list
-        What fragments add to each quantity of the balance: base, size, and terms of the increment.
+        Addends of each quantity of the balance: base, size, and terms of the increment.
     """
 
     cells: dict[str, OnCells] = field(default_factory=dict)
@@ -100,20 +101,20 @@ class Definitions:
 
     @property
     def moving(self) -> list[str]:
-        """Cells that change from phase to phase as the states and the pieces of tables do."""
+        """Cells that change from phase to phase: those of states and of the pieces of tables."""
         return [*self.states, *(cell for table in self.tables for cell in table.cells)]
 
 
-def definitions_of(recipe: Recipe, further: Names) -> Definitions:
-    """All definitions of a scene's effects, laws and ``further`` fragments."""
+def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
+    """Collect the definitions of a recipe's effects and laws, and of ``further`` fragments."""
     effects, laws, moving, absent = recipe
     made = Definitions()
-    slip_factor = _take_laws(made, laws)
+    slip_factor = _include_laws(made, laws, fragments)
     for effect in ("gravity", *effects, "balance", *further):
-        for fragment in _fragments(effect, "rotation" in effects):
-            _take(made, fragment, moving, slip_factor)
+        for fragment in fragments(effect, "rotation" in effects):
+            _include(made, fragment, moving, slip_factor)
     _define_functions_of_time(made, moving)
-    not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # which terms of other effects contain
+    not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # symbols in the terms of other effects
     made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))
     for quantity in dict.fromkeys((*QUANTITIES, "mu", *made.addends)):
         _define_quantity(made, quantity)
@@ -126,37 +127,29 @@ def definitions_of(recipe: Recipe, further: Names) -> Definitions:
     return made
 
 
-def _fragments(name: str, turns: bool) -> list[Fragment]:
-    """The fragments of an effect or a law; those of single soils are made where soils are."""
-    if OF_SOIL not in name:
-        return [FRAGMENTS[name]]
-    of_soil: list[Fragment] = room("soils").fragments_of(name, turns)
-    return of_soil
+def _include_laws(made: Definitions, laws: Names, fragments: Lookup) -> str:
+    """Include the friction laws; return the name of the quantity to which laws of slip add.
 
-
-def _take_laws(made: Definitions, laws: Names) -> str:
-    """Take the friction laws; returns the quantity that the friction of slip adds to.
-
-    That is the friction coefficient, or with a law of speed one of two factors. It may be a sum over soils.
+    It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
     """
     of_soils = [law for law in laws if OF_SOIL in law]
     shared = [law for law in laws if law not in of_soils]
     factors = ["mu"]
     if len(shared) > (0 if of_soils else 1):
         factors = ["slip_mu", "rate_mu"]
-        _take(made, FRAGMENTS["product"])
+        _include(made, fragments("product", False)[0])
     if of_soils:
-        _take(made, FRAGMENTS["soils"])
+        _include(made, fragments("soils", False)[0])
     quantities = [*(factors[0] for _ in of_soils), *factors[-len(shared) :]]
     for law, quantity in zip((*of_soils, *shared), quantities, strict=False):
-        for fragment in _fragments(law, False):
+        for fragment in fragments(law, False):
             tables = [name for name, *_ in fragment.tables]
-            _take(made, fragment, tables, quantity)
+            _include(made, fragment, tables, quantity)
     return factors[0]
 
 
-def _take(made: Definitions, fragment: Fragment, moving: Collection[str] = (), friction: str = "mu") -> None:
-    """Take a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient."""
+def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = (), friction: str = "mu") -> None:
+    """Include a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient."""
     for kind, result, *arguments in fragment.scalar:
         made.cells[result] = (kind, *arguments)
     for operation in fragment.series:
@@ -171,13 +164,13 @@ def _take(made: Definitions, fragment: Fragment, moving: Collection[str] = (), f
         table = DeclaredTable(*declared)
         if table.name in moving:
             made.tables.append(table)
-        else:  # what could be a function is one number, or absent
+        else:  # one number in place of a function, or absent
             made.inputs.append(table.name)
             made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
 
 
 def _on_series(kind: Any, *names: Any) -> Computed:
-    """An operation on series of a fragment: its results, then its arguments."""
+    """Return an operation on series of a fragment, with its results."""
     count = RESULTS.get(kind, 1)
     results, arguments = names[:count], names[count:]
     if kind == "lin":
@@ -190,7 +183,7 @@ def _on_series(kind: Any, *names: Any) -> Computed:
 
 
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """A parameter that changes with time is its value where the phase begins and an increment, a ramp."""
+    """Define each parameter that changes with time: its value where the phase begins, and its increment, a ramp."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
@@ -222,7 +215,7 @@ def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
 
 
 def _departed(made: Definitions) -> OnCells:
-    """The cell that is zero as long as the limit friction is the initial one, as its arguments have not changed.
+    """Define the cell that is zero as long as the arguments of the limit friction have their initial values.
 
     It is the time, the slip or the rotation, whichever suffices.
     """

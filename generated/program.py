@@ -1,0 +1,585 @@
+# Written by `python -m derive` with SymPy 1.14.0; do not edit.
+# sha256 of the text below: 94193074c90dc221999996c67619ec2907d965f3c664119db7040f24deaa6419
+"""The linker: programs of scenes from the fragments of their effects and laws."""
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import chain
+from typing import Any, NamedTuple, Self
+
+from generated.flow import INPUTS, QUANTITIES, RESULTS, Fragment
+from generated.layout import CELLS, TABLE
+
+Names = tuple[str, ...]
+OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
+ZERO, ONE = "=0.0", "=1.0"
+OF_SOIL = "#"  # before the number of a soil, in the names of what is its own
+Lookup = Callable[[str, bool], Sequence[Fragment]]  # fragments of an effect or a law, and whether the mass turns
+
+
+class Recipe(NamedTuple):
+    """The input of the linker: effects and laws by name, as in `generated.effects`, and kinds of parameters.
+
+    Attributes
+    ----------
+    effects : tuple of str
+    laws : tuple of str
+        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it.
+    moving : tuple of str
+        Symbols of parameters that are functions of time, or of the rotation.
+    absent : tuple of str
+        Symbols of optional parameters that a scene omits; their terms are not included.
+    """
+
+    effects: Names
+    laws: Names
+    moving: Names = ()
+    absent: Names = ()
+
+
+class OnSeries(NamedTuple):
+    """An operation on series: its kind, its registers and its cells, and the table of a ramp.
+
+    The cells of a sum are its constant and the factor of each register.
+    """
+
+    kind: str
+    registers: Names
+    cells: Names
+    table: str = ""
+
+
+Computed = tuple[OnSeries, Names]  # with its results
+
+
+class DeclaredTable(NamedTuple):
+    """A piecewise function: its name, its variable, the register of its argument, and the degree of its pieces."""
+
+    name: str
+    kind: str
+    argument: str
+    degree: int
+
+    @property
+    def coefficients(self) -> list[str]:
+        """The cells of a piece's coefficients beyond its value."""
+        return [f"{self.name}.Q{k + 1}" for k in range(self.degree)]
+
+    @property
+    def cells(self) -> list[str]:
+        """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
+        *before, _ = TABLE
+        return [*(f"{self.name}.{cell}" for cell in before), *self.coefficients]
+
+
+@dataclass
+class Definitions:
+    """Definitions by name: cells are numbers where a phase begins, registers are series in time since then.
+
+    Attributes
+    ----------
+    cells, series : dict
+        Operations that compute each cell, and each register.
+    inputs : list of str
+        Cells that are set from a scene.
+    states : dict of str
+        Registers of the states, with those of their rates.
+    tables : list of DeclaredTable
+    addends : dict of list
+        Addends of each quantity of the balance: base, size, and terms of the increment.
+    """
+
+    cells: dict[str, OnCells] = field(default_factory=dict)
+    series: dict[str, Computed] = field(default_factory=dict)
+    inputs: list[str] = field(default_factory=lambda: list(INPUTS))
+    states: dict[str, str] = field(default_factory=lambda: {"x": "omega", "omega": "net"})
+    tables: list[DeclaredTable] = field(default_factory=list)
+    addends: dict[str, list[Any]] = field(default_factory=dict)
+
+    @property
+    def moving(self) -> list[str]:
+        """Cells that change from phase to phase: those of states and of the pieces of tables."""
+        return [*self.states, *(cell for table in self.tables for cell in table.cells)]
+
+
+def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
+    """Collect the definitions of a recipe's effects and laws, and of ``further`` fragments."""
+    effects, laws, moving, absent = recipe
+    made = Definitions()
+    slip_factor = _include_laws(made, laws, fragments)
+    for effect in ("gravity", *effects, "balance", *further):
+        for fragment in fragments(effect, "rotation" in effects):
+            _include(made, fragment, moving, slip_factor)
+    _define_functions_of_time(made, moving)
+    not_shaken = () if "shaking" in effects else ("k_h", "k_v")  # symbols in the terms of other effects
+    made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))
+    for quantity in dict.fromkeys((*QUANTITIES, "mu", *made.addends)):
+        _define_quantity(made, quantity)
+    if slip_factor == "mu":  # without a law of speed the factor that depends on slip is the coefficient
+        made.cells["slip_mu_0"] = ("set", "mu_0")
+        made.series["dslip_mu"] = (OnSeries("lin", ("dmu",), (ZERO, ONE)), ("dslip_mu",))
+    given = dict.fromkeys(made.inputs)
+    made.inputs = [name for name in given if name not in made.cells]
+    made.cells["departed"] = _departed(made)
+    return made
+
+
+def _include_laws(made: Definitions, laws: Names, fragments: Lookup) -> str:
+    """Include the friction laws; return the name of the quantity to which laws of slip add.
+
+    It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
+    """
+    of_soils = [law for law in laws if OF_SOIL in law]
+    shared = [law for law in laws if law not in of_soils]
+    factors = ["mu"]
+    if len(shared) > (0 if of_soils else 1):
+        factors = ["slip_mu", "rate_mu"]
+        _include(made, fragments("product", False)[0])
+    if of_soils:
+        _include(made, fragments("soils", False)[0])
+    quantities = [*(factors[0] for _ in of_soils), *factors[-len(shared) :]]
+    for law, quantity in zip((*of_soils, *shared), quantities, strict=False):
+        for fragment in fragments(law, False):
+            tables = [name for name, *_ in fragment.tables]
+            _include(made, fragment, tables, quantity)
+    return factors[0]
+
+
+def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = (), friction: str = "mu") -> None:
+    """Include a fragment's definitions; ``friction`` is the quantity to which it adds a friction coefficient."""
+    for kind, result, *arguments in fragment.scalar:
+        made.cells[result] = (kind, *arguments)
+    for operation in fragment.series:
+        computed = _on_series(*operation)
+        made.series |= dict.fromkeys(computed[1], computed)
+    for quantity, added in fragment.adds.items():
+        name = friction if quantity == "mu" else quantity
+        made.addends.setdefault(name, []).append(added)
+    made.inputs += fragment.inputs
+    made.states.update(fragment.states)
+    for declared in fragment.tables:
+        table = DeclaredTable(*declared)
+        if table.name in moving:
+            made.tables.append(table)
+        else:  # one number in place of a function, or absent
+            made.inputs.append(table.name)
+            made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
+
+
+def _on_series(kind: Any, *names: Any) -> Computed:
+    """Return an operation on series of a fragment, with its results."""
+    count = RESULTS.get(kind, 1)
+    results, arguments = names[:count], names[count:]
+    if kind == "lin":
+        constant, terms = arguments
+        cells = [cell for cell, _ in terms]
+        registers = tuple(register for _, register in terms)
+        return OnSeries(kind, registers, (constant or ZERO, *cells)), results
+    taken = len(arguments) - (kind == "pow")  # whose exponent is a cell
+    return OnSeries(kind, arguments[:taken], arguments[taken:]), results
+
+
+def _define_functions_of_time(made: Definitions, moving: Names) -> None:
+    """Define each parameter that changes with time: its value where the phase begins, and its increment, a ramp."""
+    known = [table.name for table in made.tables]
+    for symbol in moving:
+        made.cells[symbol] = ("set", f"{symbol}.VALUE")
+        if symbol not in known:
+            made.tables.append(DeclaredTable(symbol, "time", f"d{symbol}", 0))
+    for table in made.tables:
+        if table.kind == "time":
+            made.series[table.argument] = (OnSeries("ramp", (), (), table.name), (table.argument,))
+
+
+def _define_quantity(made: Definitions, quantity: str) -> None:
+    """Sum what fragments add to a quantity: value where the phase begins, size of its terms, and increment."""
+    addends = made.addends.get(quantity, [])
+    _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
+    _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
+    terms = [term for _, _, increment in addends for term in increment]
+    register = f"d{quantity}"
+    made.series[register] = _on_series("lin", register, "", terms)
+
+
+def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
+    """Define a cell as the sum of others, added in their order."""
+    total = ZERO
+    for k, addend in enumerate(addends):
+        part = f"{name}.{k}"
+        made.cells[part] = ("add", total, addend)
+        total = part
+    made.cells[name] = ("set", total)
+
+
+def _departed(made: Definitions) -> OnCells:
+    """Define the cell that is zero as long as the arguments of the limit friction have their initial values.
+
+    It is the time, the slip or the rotation, whichever suffices.
+    """
+    taken = dict.fromkeys(("driving_0", "resisting_0", "normal_0"))
+    pending = list(taken)
+    while pending:
+        _, *arguments = made.cells.get(pending.pop(), ("set",))
+        pending += [name for name in arguments if name not in taken]
+        taken |= dict.fromkeys(arguments)
+    if not taken.keys().isdisjoint(made.moving):
+        return ("set", "TIME")
+    if "SLIP" in taken:
+        return ("set", "SLIP")
+    return ("abs", "ROTATION") if "ROTATION" in taken else ("set", ZERO)
+
+
+EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and a chord that stands upright
+# Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
+OUTPUT_CELLS = {
+    "cell_drive": "drive",
+    "cell_drive_scale": "drive_scale",
+    "cell_normal0": "normal_0",
+    "cell_driving_moment": "driving_moment_0",
+    "cell_normal_load": "normal_load_0",
+    "cell_normal_load_slope": "normal_load_slope_0",
+    "cell_driving": "driving_0",
+    "cell_resisting": "resisting_0",
+    "cell_mu": "mu_0",
+    "cell_limit": "limit",
+}
+
+
+class Linked(NamedTuple):
+    """The operations that a program needs, in order, with their results, and where it has what is read."""
+
+    scalar: list[tuple[OnCells, Names]]
+    series: list[tuple[OnSeries, Names]]
+    registers: Mapping[str, str | None]  # of what is read, by name; None for an event that never happens
+    outputs: Mapping[str, str]  # cells by role
+    constants: list[str]
+
+
+def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
+    """The operations that compute what the integrator reads, and further registers, from cells that are given."""
+    arguments = [table.argument for table in definitions.tables]
+    read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
+    linker = Linker(definitions, given)
+    linker.mark_shared(read)
+    registers = {name: linker.register(name) for name in read}
+    for name in registers:
+        if name in EVENTS and name not in asked:
+            registers[name] = linker.event(registers[name])
+        elif registers[name] is None:  # it is read, although it is zero
+            registers[name] = linker.zero(name)
+    outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
+    pending = {*definitions.states, *registers.values(), *outputs.values()}
+    series = _needed(linker.series, pending)
+    scalar = _needed(linker.scalar, pending)
+    constants = sorted(name for name in pending if name and name.startswith("="))
+    return Linked(scalar, series, registers, outputs, constants)
+
+
+def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:
+    """The operations on which results depend that are pending, in order; what these take is pending, too."""
+    selected = []
+    for operation, results in reversed(operations.items()):
+        if not pending.isdisjoint(results):
+            selected.append((operation, results))
+            of_series = isinstance(operation, OnSeries)
+            pending.update(operation.registers + operation.cells if of_series else operation[1:])
+    return selected[::-1]
+
+
+class Linker:
+    """Finds the operations that compute cells and registers.
+
+    Attributes
+    ----------
+    scalar, series : dict
+        Operations on cells, and on series, with the names of their results.
+    """
+
+    def __init__(self, definitions: Definitions, given: Iterable[str]) -> None:
+        self.scalar: dict[OnCells, Names] = {}
+        self.series: dict[OnSeries, Names] = {}
+        self._definitions = definitions
+        self._shared: set[str] = set()  # registers that more than sums take
+        # The names under which they are computed; None for a register that is zero.
+        self._cells = {name: name for name in given}
+        self._registers: dict[str, str | None] = {name: name for name in definitions.states}
+
+    # --- cells -------------------------------------------------------------------------------------------------------
+
+    def cell(self, name: str) -> str:
+        """The cell that a name stands for, computed if necessary."""
+        if name.startswith("="):
+            return name
+        if name not in self._cells:
+            kind, *arguments = self._definitions.cells[name]
+            operands = [self.cell(argument) for argument in arguments]
+            self._cells[name] = self._result(kind, operands, name)
+        return self._cells[name]
+
+    def _result(self, kind: str, operands: list[str], name: str = "") -> str:
+        """The cell of an operation's result: one that holds it already, or a new one."""
+        known = _simplified(kind, operands)
+        if known is not None:
+            return known
+        number = len(self.scalar)
+        (cell,) = self.scalar.setdefault((kind, *operands), (name or f"cell{number}",))
+        return cell
+
+    # --- registers ---------------------------------------------------------------------------------------------------
+
+    def _definition(self, name: str) -> Computed:
+        """What computes a register; without a definition it is an empty sum."""
+        return self._definitions.series.get(name, (OnSeries("lin", (), (ZERO,)), (name,)))
+
+    def mark_shared(self, read: Iterable[str]) -> None:
+        """Note registers that are read, or that more than sums take: sums among them are computed, not flattened."""
+        pending = list(read)
+        self._shared.update(pending)
+        seen = set(self._registers)
+        while pending:
+            name = pending.pop()
+            if name in seen or self._is_zero(name):
+                continue
+            seen.add(name)
+            operation, _ = self._definition(name)
+            pending += operation.registers
+            if operation.kind != "lin":
+                self._shared.update(operation.registers)
+
+    def _is_zero(self, name: str) -> bool:
+        """Whether a register is identically zero: an operation on zero, or a sum of zeros."""
+        if name in self._registers:
+            return self._registers[name] is None
+        (kind, registers, cells, _), _ = self._definition(name)
+        if kind == "lin":
+            constant, *factors = cells
+            terms = zip(factors, registers, strict=True)
+            zero = all(self.cell(cell) == ZERO or self._is_zero(register) for cell, register in terms)
+            zero = zero and self.cell(constant) == ZERO
+        else:
+            zero = any(map(self._is_zero, registers))
+        if zero:
+            self._registers[name] = None
+        return zero
+
+    def register(self, name: str) -> str | None:
+        """The register that a name stands for, computed if necessary; None where it is zero."""
+        if not self._is_zero(name) and name not in self._registers:
+            operation, results = self._definition(name)
+            if operation.kind == "lin":
+                self._registers[name] = self._sum(name, operation)
+            else:
+                registers = tuple(str(self.register(operand)) for operand in operation.registers)
+                cells = tuple(map(self.cell, operation.cells))
+                linked = operation._replace(registers=registers, cells=cells)
+                computed = self.series.setdefault(linked, results)
+                self._registers[name] = computed[results.index(name)]
+        return self._registers[name]
+
+    def event(self, register: str | None) -> str | None:
+        """A register whose roots are events; None where it is constant during a phase."""
+        constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
+        return None if (register,) in constant else register
+
+    def zero(self, name: str) -> str:
+        """A register that holds zero."""
+        (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
+        return zero
+
+    def _sum(self, name: str, operation: OnSeries) -> str:
+        """The register of a sum, in which each register occurs once."""
+        start = self.cell(operation.cells[0])
+        factors: dict[str, str] = {}
+        for cell, register in self._flat(operation, ONE):
+            before = factors.get(register, ZERO)
+            factors[register] = self._result("add", [before, cell])
+        if start == ZERO and list(factors.values()) == [ONE]:
+            (register,) = factors
+            return register
+        in_order = sorted(factors)  # equal sums are one, whatever the order of their terms
+        cells = (start, *(factors[register] for register in in_order))
+        (result,) = self.series.setdefault(OnSeries("lin", tuple(in_order), cells), (name,))
+        return result
+
+    def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
+        """A sum's terms that are not zero, times a factor; a sum that only sums take is replaced by its terms."""
+        for cell, register in zip(operation.cells[1:], operation.registers, strict=True):
+            scaled = self._result("mul", [factor, self.cell(cell)])
+            if scaled == ZERO or self._is_zero(register):
+                continue
+            inner, _ = self._definition(register)
+            kept = register in self._shared or register in self._registers
+            if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is no term
+                yield from self._flat(inner, scaled)
+            else:
+                yield scaled, str(self.register(register))
+
+
+def _simplified(kind: str, operands: list[str]) -> str | None:
+    """The cell that the result of an operation on cells equals; None where it has to be computed."""
+    first, last = operands[0], operands[-1]
+    match kind:
+        case "set":
+            return first
+        case "add" if ZERO in operands:
+            return last if first == ZERO else first
+        case "sub" if last == ZERO:
+            return first
+        case "mul" if ZERO in operands:
+            return ZERO
+        case "mul" if ONE in operands:
+            return last if first == ONE else first
+        case "sub" | "less" if first == last:
+            return ZERO
+        case "div" | "neg" | "abs" if first == ZERO:
+            return ZERO
+        case "div" if last == ONE:
+            return first
+        case "select" if first == ZERO:
+            return last
+        case "select" if operands[1] == last == ZERO:
+            return ZERO
+    return None
+
+
+class Table(NamedTuple):
+    """A piecewise function in a program.
+
+    ``kind`` is its variable, ``register`` has its argument (or, if that is time, its increment), ``cells`` is the first
+    of its cells, and ``degree`` that of its pieces.
+    """
+
+    name: str
+    kind: str
+    register: int
+    cells: int
+    degree: int
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """Operations on the cells and the registers of a lane, by their places, and the places that the integrator reads.
+
+    The first ``given`` cells are set at the start of a lane, the next ones are computed where a phase begins, and
+    ``constants``, by name, are the last. An operation is its kind, its results, its registers and then its cells, or
+    its table. A sum is the cell of its constant, -1 for zero, and a pair (cell, register) for each term. ``states`` are
+    (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time alone where
+    ``autonomous`` is 2, also on omega where it is 1, and on further registers where it is 0.
+    """
+
+    cells: Names
+    given: int
+    registers: Names
+    scalar: tuple[tuple[Any, ...], ...]
+    series: tuple[tuple[Any, ...], ...]
+    states: tuple[tuple[int, int, int], ...]
+    tables: tuple[Table, ...]
+    roles: Mapping[str, int]
+    autonomous: int
+    constants: Mapping[str, float]
+
+    @cached_property
+    def places(self) -> Mapping[str, int]:
+        """Places of the cells, by name."""
+        return {name: k for k, name in enumerate(self.cells)}
+
+    @cached_property
+    def split(self) -> tuple[list[int], list[int]]:
+        """Places of the operations that rates depend on, and of those that can wait until the states are complete."""
+        needed = {rate for _, _, rate in self.states}
+        rates = list[int]()
+        others = list[int]()
+        for k in reversed(range(len(self.series))):
+            kind, *names = self.series[k]
+            if needed & {*names[: RESULTS.get(kind, 1)]}:
+                needed |= {register for _, register in names[2]} if kind == "lin" else {*names}
+                rates.insert(0, k)
+            else:
+                others.insert(0, k)
+        return rates, others
+
+
+def build(recipe: Recipe, fragments: Lookup, outputs: Names = (), further: Names = ()) -> Program:
+    """Link the program of a recipe and of ``further`` fragments; the registers ``outputs`` have roles, too."""
+    definitions = definitions_of(recipe, fragments, further)
+    given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
+    linked = link(definitions, given, outputs)
+    return _encoded(definitions, linked, given, outputs)
+
+
+class _Places(NamedTuple):
+    """Places of a program's cells, registers and tables, by name."""
+
+    cells: dict[str, int]
+    registers: dict[str, int]
+    tables: dict[str, int]
+
+    @classmethod
+    def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
+        """Number the cells (given, computed, constant), the registers (of states, computed) and the tables."""
+        computed = chain.from_iterable(results for _, results in linked.scalar)
+        made = chain.from_iterable(results for _, results in linked.series)
+        tables = [table.name for table in definitions.tables]
+        every = [*given, *computed, *linked.constants], [*definitions.states, *made], tables
+        return cls(*({name: place for place, name in enumerate(names)} for names in every))
+
+
+def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Names) -> Program:
+    """Return a program with places instead of names; the registers ``outputs`` have roles, too."""
+    places = _Places.of(definitions, linked, given)
+    cells = places.cells
+    registers = places.registers
+    read = {name: registers.get(str(register), -1) for name, register in linked.registers.items()}
+    roles = {name: read[name] for name in ("x", "omega", "net", *EVENTS, *outputs)}
+    for role, name in linked.outputs.items():
+        roles[role] = cells[name]
+    tables = []
+    for table in definitions.tables:
+        name, kind, argument, degree = table
+        tables.append(Table(name, kind, read[argument], cells[table.cells[0]], degree))
+    scalar = []
+    for (kind, *arguments), (result,) in linked.scalar:
+        operands = [cells[argument] for argument in arguments]
+        scalar.append((kind, cells[result], *operands))
+    states = []
+    for state, rate in definitions.states.items():
+        states.append((cells[state], registers[state], read[rate]))
+    return Program(
+        cells=tuple(cells),
+        given=len(given),
+        registers=tuple(registers),
+        scalar=tuple(scalar),
+        series=tuple(_placed(operation, results, places) for operation, results in linked.series),
+        states=tuple(states),
+        tables=tuple(tables),
+        roles=roles,
+        autonomous=_autonomous(definitions, linked),
+        constants={name: float(name[1:]) for name in linked.constants},
+    )
+
+
+def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
+    """Return an operation on series with places: its results, registers, and cells or the table.
+
+    The terms of a sum are in the order in which their registers are ready, so that it waits for the last one only.
+    """
+    made = [places.registers[name] for name in results]
+    taken = [places.registers[name] for name in operation.registers]
+    if operation.kind == "ramp":
+        return operation.kind, *made, places.tables[operation.table]
+    cells = [places.cells[name] for name in operation.cells]
+    if operation.kind != "lin":
+        return operation.kind, *made, *taken, *cells
+    constant, *factors = cells
+    in_order = sorted(zip(taken, factors, strict=True))
+    if operation.cells[0] == ZERO:
+        constant = -1
+    return operation.kind, *made, constant, tuple((cell, register) for register, cell in in_order)
+
+
+def _autonomous(definitions: Definitions, linked: Linked) -> int:
+    """Return the code of `Program.autonomous`."""
+    taken = {register for operation, _ in linked.series for register in operation.registers}
+    still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
+    return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
