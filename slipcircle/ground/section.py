@@ -106,10 +106,12 @@ class Section(SectionGeometry, Mass):
 
     def __post_init__(self) -> None:
         freeze(self, self.quantities)
-        others = ("between", "base")
-        freeze(self, others)
+        freeze(self, ("between", "base"))
         errors = section_errors(vars(self), self.quantities)
-        raise_all("Section", errors or complaint(geometry_errors(self), self.shape))
+        if not errors:
+            impossible = geometry_errors(self)
+            errors = complaint(impossible, self.shape)
+        raise_all("Section", errors)
 
     def numbers_by_name(self) -> dict[str, Any]:
         return coordinates(self) | self.other_numbers()

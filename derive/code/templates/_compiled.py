@@ -94,7 +94,9 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     inside = _is_arc if both_ends else _inside
 
     def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
-        if OWN.issuperset(map(type, (*args, where))) and (out is None or isinstance(out, np.ndarray)):
+        kinds = map(type, (*args, where))
+        is_own = out is None or isinstance(out, np.ndarray)
+        if is_own and OWN.issuperset(kinds):
             return own(args, out, where, accuracy)
         return _elsewhere(name, texts, inside, args, out, where, accuracy)
 
@@ -230,8 +232,8 @@ def _inside(eps: float, alpha: Array) -> Any:
     return (alpha >= 0.0) & (alpha <= HALF_PI * (1.0 + 4.0 * eps))
 
 
-def _clipped(text: Text, alpha: Array, xp: Any = np) -> Array:
-    return text(xp.minimum(HALF_PI, alpha), xp)
+def _clipped(text: Text, alpha: Array) -> Array:
+    return text(np.minimum(HALF_PI, alpha))
 
 
 # --- arrays of other libraries ---------------------------------------------------------------------------------------
@@ -315,7 +317,8 @@ def _traced(name: str, texts: Mapping[str, Text], inside: Callable[..., Any], ar
     """Compute a function in the arithmetic of an array library that traces."""
     (traced, *_) = [x for x in args if hasattr(x, "__array_namespace__")]
     library = traced.__array_namespace__()
-    values = [library.asarray(x) * 1.0 for x in args]  # of integers, the library's own float
+    given = [library.asarray(x) * 1.0 for x in args]  # of integers, the library's own float
+    values = given
     kind = library.result_type(*values)
     if not library.isdtype(kind, "real floating"):
         raise TypeError(f"{name}: arguments of type {kind} are not supported: give real numbers")
@@ -325,7 +328,8 @@ def _traced(name: str, texts: Mapping[str, Text], inside: Callable[..., Any], ar
     xp = _Space(library, tiny)
     text = texts["best"]  # that of float32 needs the range of float64
     if len(values) == 1:
-        value = _clipped(text, *values, xp)
-    else:
-        value = text(*values, xp)
-    return xp.where(inside(eps, *values), value, np.nan)
+        (alpha,) = values
+        values = [xp.minimum(HALF_PI, alpha)]
+    value = text(*values, xp)
+    is_inside = inside(eps, *given)
+    return xp.where(is_inside, value, np.nan)
