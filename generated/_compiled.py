@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d35dd481c989329c9c7c817235551cb7ad4eedc4ce96a132b66aa34880d15ae6
+# sha256 of the text below: 2ddc53e253e8ec49697eb94108c430e1337ddbe28db7531ffaed200a29c9a67e
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -24,6 +24,7 @@ from generated.tiers import BOUNDS, DIGEST, LIMIT
 Text = Callable[..., Array]
 CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
 HALF_PI = np.pi / 2
+FREE_THREADED = "wheels have no binary for free-threaded Python; pip install --no-binary slipcircle slipcircle makes it"
 
 
 def binary(name: str, digest: str) -> Any:
@@ -39,8 +40,10 @@ def binary(name: str, digest: str) -> Any:
             raise ImportError("the file is cut short")
         found = import_module(f"generated.{name}")
     except ModuleNotFoundError:
+        if is_free_threaded():
+            _report_free_threads()
         return None
-    except ImportError as error:
+    except (ImportError, OSError) as error:
         fault = f"it cannot be loaded ({error})"
     else:
         if digest != found.DIGEST:
@@ -55,6 +58,17 @@ def binary(name: str, digest: str) -> Any:
         stacklevel=3,
     )
     return None
+
+
+def is_free_threaded() -> bool:
+    """Whether this Python is built without the global interpreter lock: it cannot load the binaries of wheels."""
+    return bool(import_module("sysconfig").get_config_var("Py_GIL_DISABLED"))
+
+
+@cache
+def _report_free_threads() -> None:
+    """Warn, once for all modules, that a free-threaded Python has no binaries."""
+    warnings.warn(f"NumPy serves, some thirty times slower: {FREE_THREADED}", RuntimeWarning, stacklevel=4)
 
 
 def _is_cut_short(spec: ModuleSpec | None) -> bool:

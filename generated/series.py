@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7275f66e2b8bd05139095087e17285f63e61152767d81a5a941a57d2392027bf
+# sha256 of the text below: c21cc4fef5ebcdf59ee23418170d35b2ee95d17ba99569795076ec1d14f6b6bb
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "ef8546c4f5e365022eeea7e63a97252bf3fc1466b41439263c7080fa706baab1"  # of the compiled integrator's source
+DIGEST = "ed4fb009074a69f63e95650d125c65d8d85a2bf876cfd54145b09237ab73c64d"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
