@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ed4fb009074a69f63e95650d125c65d8d85a2bf876cfd54145b09237ab73c64d"
+#define DIGEST "cfaebb9e61cc7238a478f1b339c2833c7e6afc4f351385cdaccd5d1abf1a0e80"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2414,9 +2414,9 @@ static void find_events(Batch *b, M here, int top)
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 {
     V *const c = b->c;
-    M rises = c[PEAK_TIME] == c[TIME];
-    M faster = here & (speed > (pick(rises, broadcast(1.0), broadcast(1.0 + TIE)) * magnitude(c[PEAK_OMEGA])));
+    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
     if (bits(faster)) {
+        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
         c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
         c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
         c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0c6d29c97e6704b7c8d289336c7deb20e0823b57ef16b383cbe0d872b4d68be1
+# sha256 of the text below: 2f9ec98bc9fea46e0e13b326724ee5f9ffbedbb36b948d25e6131dc4f97489cc
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -161,9 +161,10 @@ EFFECTS = {
         'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'shear strength without normal stress', 'cohesion_kPa',
-            1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
+            1000.0, 'cohesion', lambda value, scales: scales['strength_factor']*value/scales['reference_stress'], False,
+            'number'),
     ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance',
-        'cohesion* = cohesion/sigma_ref')),
+        'cohesion* = cohesion strength_factor/sigma_ref')),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
             lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
@@ -261,25 +262,30 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             scales: value, True, 'rotation'),
         Parameter('remaining', '', -INFINITY, INFINITY,
             'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
-            scales: value, True, 'number'),
+            scales: scales['strength_factor']*value, True, 'number'),
         Parameter('remaining_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'remaining_slope',
-            lambda value, scales: value, True, 'number'),
+            lambda value, scales: scales['strength_factor']*value, True, 'number'),
         Parameter('remaining_normal', '', -INFINITY, INFINITY, 'the same of strength with the base', '', 1.0,
-            'layered_remaining', lambda value, scales: value, True, 'rotation'),
+            'layered_remaining', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('remaining_normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0,
-            'layered_remaining_slope', lambda value, scales: value, True, 'rotation'),
+            'layered_remaining_slope', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
-            '', 1.0, 'layered_remaining_inertia', lambda value, scales: value, True, 'rotation'),
+            '', 1.0, 'layered_remaining_inertia', lambda value, scales: scales['strength_factor']*value, True,
+            'rotation'),
         Parameter('remaining_lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0,
-            'layered_remaining_lift', lambda value, scales: value, True, 'rotation'),
+            'layered_remaining_lift', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
-            lambda value, scales: value, True, 'rotation'),
+            lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'each soil along the arc has its strength, with the normal stress from the weight above it (2.23)', False,
-        (), ('adds Theta (layered_lift + layered_remaining_lift/slip_mu)/lambda to u',
-        'adds Theta layered_cohesion to resistance',
+        (), ('adds Theta (layered_lift + layered_remaining_lift*/slip_mu)/lambda to u',
+        'adds Theta layered_cohesion* to resistance',
         'adds Theta (k_h (layered_normal_slope + turning_slope) + layered_inertia omega^2 + (1 - k_v) (layered_normal '
-        '+ turning) + (k_h (layered_remaining_slope + remaining_slope) + layered_remaining_inertia omega^2 + (1 - '
-        'k_v) (layered_remaining + remaining))/slip_mu) to J_r')),
+        '+ turning) + (k_h (layered_remaining_slope* + remaining_slope*) + layered_remaining_inertia* omega^2 + (1 - '
+        'k_v) (layered_remaining* + remaining*))/slip_mu) to J_r', 'remaining* = remaining strength_factor',
+        'remaining_slope* = remaining_slope strength_factor', 'layered_remaining* = remaining_normal strength_factor',
+        'layered_remaining_slope* = remaining_normal_slope strength_factor',
+        'layered_remaining_inertia* = remaining_inertia strength_factor',
+        'layered_remaining_lift* = remaining_lift strength_factor', 'layered_cohesion* = strength strength_factor')),
     'soil_friction': Effect('soil_friction', '2.23', (
         Parameter('share', '', -INFINITY, INFINITY, 'share of the normal force at the start', '', 1.0, 'soil_share',
             lambda value, scales: value, True, 'number'),

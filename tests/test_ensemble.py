@@ -27,6 +27,7 @@ from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BIN_ERROR
 from slipcircle.workbench.studies.study import Study
+from tests.support.rays import from_method
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = load("vaiont")
@@ -207,7 +208,7 @@ def test_a_method_without_a_factor_widens_the_probability_of_failure(tmp_path: P
     """Bishop's equation has no root for some samples: between none and all of them fail, (Clopper and Pearson)."""
     path = tmp_path / "watered.toml"
     path.write_text(WATERED, "utf-8")
-    study = ensemble(read(path), 512, 1, sensitivity=0)
+    study = ensemble(from_method(read(path), "paper"), 512, 1, sensitivity=0)
     factors = factors_of_samples(study)["bishop"]
     failing, unknown = int(np.sum(factors < 1.0)), int(np.sum(np.isnan(factors)))
     assert failing > 200
@@ -339,7 +340,7 @@ def test_what_slides_without_a_result_moves(method: str, keep: bool, tmp_path: P
     """Frozen geometry: whatever moves slides for ever, beyond every threshold, and has no mean."""
     path = tmp_path / "slope.toml"
     path.write_text(SLOPE, "utf-8")
-    study = ensemble(read(path), 1024, 1, method=method, keep=keep)
+    study = ensemble(from_method(read(path), "paper"), 1024, 1, method=method, keep=keep)
     sliding = int(study.counts[Status.ENDLESS])
     assert sliding == study.without_result > 100
     assert (study.n, study.moving.value, study.failure["paper"]) == (1024, sliding / 1024, study.moving)

@@ -161,6 +161,21 @@ def test_without_numpy(words: str, tmp_path: Path) -> None:
     assert last == "ImportError: slipcircle needs NumPy: pip install numpy"
 
 
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [("import sys; sys.version_info = (3, 10, 2)", "Python 3.11 or later, and this is 3.10"),
+     ("import numpy; numpy.__version__ = '2.0.3'", "NumPy 2.1 or later, and this is 2.0")],
+)  # fmt: skip
+def test_unsupported_versions_are_named(changes: str, message: str, tmp_path: Path) -> None:
+    """The least versions are those of the project's metadata."""
+    name, least, *_ = message.split()
+    declared = {"Python": 'requires-python = ">=', "NumPy": 'dependencies = ["numpy>='}[name]
+    assert f'\n{declared}{least}"' in (ROOT / "pyproject.toml").read_text("utf-8")
+    done = alone(tmp_path, f"{changes}; import slipcircle")
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == f"ImportError: slipcircle needs {message}"
+
+
 @pytest.mark.parametrize("text", ["", "__project__ = 'another'\n", "import no_such_module\n", "1 +\n"])
 def test_another_package_called_generated(text: str, tmp_path: Path) -> None:
     """What lies in the way, where, and what to do."""

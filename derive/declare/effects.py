@@ -6,7 +6,7 @@ and help.
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -25,6 +25,7 @@ DRIVING_MOMENT_SLOPE, NORMAL_LOAD_SLOPE = sp.symbols("driving_moment_slope norma
 ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
     "half_angle gravity radius density reference_stress cover value", real=True
 )
+STRENGTH = sp.Symbol("strength_factor", real=True)  # multiplies friction and cohesion of every law
 SLIP, SPEED = sp.symbols("slip speed", real=True)
 DEGREE = 7  # of the pieces of tabulated functions
 
@@ -261,9 +262,11 @@ def _optional(
     return Parameter(name, unit, help, key, symbol, lower=-_INFINITY, optional=True, kind=kind)
 
 
-def _of_section(name: str, help: str, symbol: sp.Symbol, kind: str = "number") -> Parameter:
-    """What a layered section gives, over Theta*: no file and no user does."""
-    return _optional(name, help, "", "", kind, symbol)
+def _of_section(
+    name: str, help: str, symbol: sp.Symbol, kind: str = "number", dimensionless: sp.Expr = VALUE
+) -> Parameter:
+    """Declare a parameter that a layered section provides, over Theta*; it cannot be given by a file or a user."""
+    return replace(_optional(name, help, "", "", kind, symbol), dimensionless=dimensionless)
 
 
 _OF_A_RECORD = (
@@ -297,7 +300,7 @@ EFFECTS = (
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "the slip surface has strength without normal stress", (
         Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",
-                  _COHESION, VALUE / REFERENCE),),
+                  _COHESION, STRENGTH * VALUE / REFERENCE),),
            equation="3.11", resistance=LAMBDA * _COHESION),
     Effect("drag", "turbulent resistance, which grows with the square of the speed", (
         Parameter("xi", "m/s^2", "turbulence coefficient of Voellmy", "xi_m_s2",
@@ -350,6 +353,7 @@ EFFECTS = (
 _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
 _EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OMEGA_2
+_STRONG = STRENGTH * VALUE
 _LEFT_PRESS = (1 - K_V) * _LEFT_NORMAL + K_H * _LEFT_SLOPE + _REMAINING_INERTIA * OMEGA_2
 _SOIL_PRESS = (1 - K_V) * SOIL_TURNING + K_H * SOIL_SLOPE + _SOIL_INERTIA * OMEGA_2
 SECTION_EFFECTS = (
@@ -361,14 +365,16 @@ SECTION_EFFECTS = (
         _of_section("normal_slope", "its derivative by the dip", _NORMAL_SLOPE, "rotation"),
         _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
         _of_section("lift", "what water takes from it", _LIFT, "rotation"),
-        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
-        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
-        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
-        _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation"),
+        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING,
+                    dimensionless=_STRONG),
+        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE, dimensionless=_STRONG),
+        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation", _STRONG),
+        _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation",
+                    _STRONG),
         _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
-                    "rotation"),
-        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation"),
-        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), equation="2.23",
+                    "rotation", _STRONG),
+        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation", _STRONG),
+        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation", _STRONG)), equation="2.23",
            normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
            pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
     Effect("soil_friction",

@@ -52,8 +52,9 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
         parts["effects"] = with_records(parts["effects"], gravity, parts["uncertain"])
-        if stability:
-            scene: Scene[float] = SlopeScene(**parts, stability=stability.without_map(), remarks=remarks)
+        scene: Scene[float]
+        if "start" in parts:
+            scene = SlopeScene(**parts, stability=stability and stability.without_map(), remarks=remarks)
         else:
             scene = Scene(**parts)
         return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
@@ -179,6 +180,7 @@ def _parts(
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
+        parts["start"] = slope.start
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
     document.arguments[""].pop("format", None)  # read by this version, as it is no mistake

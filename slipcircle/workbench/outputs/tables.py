@@ -14,7 +14,6 @@ from slipcircle.base.text import DIGITS, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.workbench.common.quantities import (
-    OF_MOTION,
     OUTCOMES,
     factor_label,
     factor_text,
@@ -27,11 +26,13 @@ from slipcircle.workbench.common.quantities import (
     words,
 )
 from slipcircle.workbench.common.records import foreland_words, stretch_records
+from slipcircle.workbench.common.starting import start_rows
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
@@ -81,13 +82,13 @@ COEFFICIENTS = {
 
 DIFFERENCE = (
     "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight; its factor, from which the motion starts, is"
+    "paper's method uses the mean normal stress under the weight; its factor is"
 )
 
 
 def motion_summary(motion: Motion) -> dict[str, str]:
     """The `summary`, with free water, the factors of safety under the k_h of a search, and the estimated error."""
-    column = summary(motion) | pond_row(motion.plan.scene.arc)
+    column = summary(motion) | start_rows(motion) | pond_row(motion.plan.scene.arc)
     critical = stability_of(motion.plan.scene)
     if critical is not None:
         if critical.slope.k_h:
@@ -100,7 +101,7 @@ def motion_summary(motion: Motion) -> dict[str, str]:
 def difference_words(motion: Motion) -> str:
     """How far the factor of safety of a motion is from Bishop's, and why; empty where Bishop's is not known."""
     known = factors(motion.plan.scene, motion.factor_of_safety)
-    gap = 100.0 * (known[OF_MOTION] / known.get("bishop", math.nan) - 1.0)
+    gap = 100.0 * (known[OF_CLOSURE] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
     return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""
 

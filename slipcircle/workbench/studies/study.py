@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
-from slipcircle.core import Motion, Scene, Status
+from slipcircle.core import ANSWERED, Motion, Scene, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
@@ -222,7 +222,7 @@ class Study(Pictured):
     @property
     def _valid(self) -> NDArray[np.int64]:
         """The same of each replicate."""
-        return self._counts.sum(axis=1) - self._counts[:, Status.INVALID]
+        return self._counts[:, : Status.INVALID].sum(axis=1)
 
     @property
     def without_result(self) -> int:
@@ -301,7 +301,7 @@ class Study(Pictured):
     def _in_order(self, output: str) -> Floats:
         """The kept samples that have a result, in order."""
         status = self.samples["status"]
-        return np.sort(self.samples[output][~np.isin(status, [*NO_RESULT, Status.INVALID])])
+        return np.sort(self.samples[output][np.isin(status, ANSWERED)])
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; samples that do not move count as 0. None if some samples move without a result."""
@@ -363,7 +363,7 @@ class Study(Pictured):
             share = f"{int(self.counts[status])} of {total} {scenes}"
             if status in NO_RESULT:
                 found.append(f"{share} move without a result: {status.reason}{counted}")
-            elif status is Status.INVALID:
+            elif status >= Status.INVALID:
                 found.append(f"{share} are not valid scenes and not counted: {status.reason}")
             elif status is Status.MOVING:
                 found.append(f"{share} still move at their end: run-out and duration are those until then")
