@@ -12,6 +12,8 @@ import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base import loading as loading
+
 try:
     import generated
 

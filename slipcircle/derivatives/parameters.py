@@ -223,7 +223,10 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     ValueError
         If that is no scene; lists every mistake.
     """
-    numbers = {name: value if array_of(value).ndim else real_number(value) for name, value in values.items()}
+    numbers = {}
+    for name, value in values.items():
+        is_array = array_of(value).ndim > 0
+        numbers[name] = value if is_array else real_number(value)
     changed = _fields_with(scene, numbers)
     of_arc = changed.pop("arc")
     arc = replace(scene.arc, **of_arc) if of_arc else scene.arc
