@@ -174,6 +174,7 @@ def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> 
 
 _KINDS = {
     "text": "a text",
+    "name": "a name or a number",
     "flag": "True or False",
     "number": "a number",
     "list": "a list of numbers",
@@ -242,7 +243,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
             return hasattr(value, "kinks")
         case "flag":
             return isinstance(value, bool)
-        case "text":
+        case "text" | "name":
             return isinstance(value, str | int | PathLike)
     return value in kind.split("|")
 

@@ -128,3 +128,13 @@ def arrays(named: Mapping[str, Any]) -> bytes:
 def _is_device(name: str | os.PathLike[str]) -> bool:
     """Whether a path cannot be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)
+
+
+def files_in(paths: Iterable[str | os.PathLike[str]]) -> Sequence[Path]:
+    """Return files and the files of folders, in the order of their names, each once and without hidden ones."""
+    files: dict[Path, None] = {}
+    for path in map(Path, paths):
+        inside = sorted(path.rglob("*")) if path.is_dir() else [path]
+        hidden = [any(part.startswith(".") for part in file.relative_to(path).parts) for file in inside]
+        files |= dict.fromkeys(file for file, is_hidden in zip(inside, hidden, strict=True) if not is_hidden)
+    return [path for path in files if not path.is_dir()]

@@ -51,9 +51,12 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability, remarks = parts.pop("stability"), parts.pop("remarks")
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
-        parts["effects"] = with_records(parts["effects"], gravity, parts["uncertain"])
+        parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
+        remarks = (*remarks, *of_records)
         scene: Scene[float]
-        if "start" in parts:
+        if of_records and "start" not in parts:
+            parts["set_by_start"] = None  # an arc starts as it is
+        if "start" in parts or of_records:
             scene = SlopeScene(**parts, stability=stability and stability.without_map(), remarks=remarks)
         else:
             scene = Scene(**parts)
