@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f938a81a7aa7f2756bfc413fbed57c6db5d8b5bcb29df5635d88bd02eceea082
+# sha256 of the text below: 20392fd1143d99ac94e89cfb3d50ee754bf75ca8f307bbe4c392ebc525c61d31
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -139,9 +139,8 @@ EFFECTS = {
         Parameter('level', 'Pa', -5e-324, INFINITY,
             'mean pressure on the arc of a real section below its water level, which stays while the mass turns '
             'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation'),
-        Parameter('standing', '', -INFINITY, INFINITY,
-            'moment of the water displaced by the mass below standing water, over Theta*', '', 1.0, 'standing_water',
-            lambda value, scales: value, True, 'rotation'),
+        Parameter('standing', '', -INFINITY, INFINITY, 'moment of the water that the mass displaces, over Theta*', '',
+            1.0, 'standing_water', lambda value, scales: value, True, 'rotation'),
         Parameter('time', 's', -5e-324, 1e+18,
             'times of a ratio or pressure given as a list, with linear interpolation', 'time_s', 1.0, '', lambda value,
             scales: value, True, 'list'),

@@ -142,7 +142,8 @@ class _Integrals:
         radial = radial_y + self.x * radial_x
         weighted = radial * self.weight
         in_intervals = weighted.sum(axis=0)
-        before = self.middle < directions[:, None]
+        limits = directions[:, None]
+        before = self.middle < limits
         up_to = np.where(before, in_intervals, 0.0)
         normal: Floats = -up_to.sum(axis=1)
         return normal
@@ -150,8 +151,9 @@ class _Integrals:
     @property
     def moment(self) -> Floats:
         """Of its moment, (M,)."""
-        moment_y = self.rows[MOMENT_Y] * self.level.sine
-        moment_x = self.rows[AREA] * self.level.cosine
+        level = self.level
+        moment_y = self.rows[MOMENT_Y] * level.sine
+        moment_x = self.rows[AREA] * level.cosine
         lever = moment_y - self.x * moment_x
         weighted = lever * self.weight
         moment: Floats = weighted.sum(axis=(0, 1))
