@@ -21,6 +21,7 @@ from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
 NODES = 10  # of Gauss' rule in each interval
+_LEAST_NODES, _NODES_PER_RADIAN = 5, 20  # of half an interval, that are enough on an arc that slopes share
 _INSIDE = 0.45  # of an interval, where its soil is looked up: not its middle, at which arcs touch level boundaries
 _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
 
@@ -63,13 +64,14 @@ class Stresses(NamedTuple):
         """The same for angles of the opposite sense where ``way`` is -1."""
         same = np.ones(len(way))
         sense = np.stack([same, way, same])
-        return Stresses(*(values * sense for values in self))
+        return Stresses(*(values * (sense if values.ndim == 2 else sense[:, None]) for values in self))
 
 
 class Slices(NamedTuple):
     """Slices above the points of Gauss' rule, (points, intervals); lengths over R, stresses over gamma R.
 
-    An interval is the part of one arc between two kinks. Angles are from straight below the centre. Weights are sums
+    An interval is the part of one arc between two kinks. Where slopes share one arc, what differs has an axis of slopes
+    before that of the intervals. Angles are from straight below the centre. Weights are sums
     over surfaces: the tops of layers, each with the step of the unit weight there, and of their wet parts; and the part
     of the ground below a pond, with minus the water's.
     """
@@ -99,8 +101,14 @@ class Slices(NamedTuple):
     def integral(self, values: Any) -> Floats:
         """Over each arc."""
         by_interval = (self.weight * values).sum(axis=0)
+        if by_interval.ndim > 1:
+            return np.asarray(by_interval.sum(axis=-1))
         arcs = len(self.arcs.radius)
         return np.bincount(self.arc, by_interval, arcs).astype(np.float64)
+
+    def of_arcs(self, values: Floats) -> Floats:
+        """Return a number of each arc, or of each slope that shares the only one, by interval."""
+        return values[:, None] if self.sine.ndim > 2 else values[self.arc]
 
     def facing(self, way: Floats) -> Slices:
         """The same with positive angles down-slope, for arcs that slide to the right (1) or to the left (-1)."""
@@ -165,28 +173,28 @@ class Slices(NamedTuple):
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
         normal = -self.uplift()
-        for k in np.flatnonzero(np.any(self.steps, axis=1)):
+        for k in np.flatnonzero(_any_of_each(self.steps)):
             of_unit_weight = slopes.radial_weight(self.cosine, self.distance(k))
-            normal += self.steps[k] * of_unit_weight
+            normal = normal + self.steps[k] * of_unit_weight
         if np.any(self.stresses.load):
             load = self.at(self.stresses.load) * self.cosine
-            normal += load * -self.surface(0) / self.distance(0)
+            normal = normal + load * -self.surface(0) / self.distance(0)
         if np.any(self.stresses.excess):
             pressure = self.at(self.stresses.excess) * self.cosine
             across = self.gradient[0] * self.sine - self.surface(0)
-            normal += pressure * across / self.distance(0)
+            normal = normal + pressure * across / self.distance(0)
         return normal
 
     def radial_tilt(self) -> Floats:
         """What k_h = 1 adds to it."""
         load = self.at(self.stresses.load) * self.cosine
         tilt = load * self.sine / self.distance(0)
-        tilt *= self.shaken_load
+        tilt = tilt * self.shaken_load
         for k in np.flatnonzero(self.shaken):
             height = self.surface(k) + self.cosine
             distance = self.distance(k)
             of_unit_weight = slopes.radial_tilt(self.sine, self.cosine, height, distance)
-            tilt += self.steps[k] * of_unit_weight
+            tilt = tilt + self.steps[k] * of_unit_weight
         return tilt
 
     def vertical(self) -> Floats:
@@ -200,6 +208,11 @@ class Slices(NamedTuple):
         return self.at(self.stresses.cohesion)
 
 
+def _any_of_each(rows: Floats) -> NDArray[np.bool_]:
+    """Return which rows have a number other than 0."""
+    return np.any(rows.reshape(len(rows), -1), axis=1)
+
+
 @cache
 def _gauss(nodes: int) -> tuple[Floats, Floats]:
     return np.polynomial.legendre.leggauss(nodes)
@@ -211,16 +224,23 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
     first, last = ends
     half = (last - first) / 2
     middle = (first + last) / 2
-    nodes_at, weights = _gauss(nodes)
-    angle = middle + half * nodes_at[:, None]
     inside = first + _INSIDE * (last - first)
     base = _Bases(slope, arcs, arc, inside)
     steps = base.steps()
+    if base.is_shared:
+        enough = _LEAST_NODES + int(_NODES_PER_RADIAN * half.max(initial=0.0))
+        nodes = min(nodes, enough)
+    nodes_at, weights = _gauss(nodes)
+    angle = middle + half * nodes_at[:, None]
+    weight = half * weights[:, None]
+    if base.is_shared:
+        angle = angle[:, None]
+        weight = weight[:, None]
     return Slices(
         arcs=arcs,
         arc=arc,
         ends=ends,
-        weight=half * weights[:, None],
+        weight=weight,
         sine=np.sin(angle),
         cosine=np.cos(angle),
         way=1.0,
@@ -232,7 +252,7 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
         steps=steps,
         constant=base.constant,
         gradient=base.gradient,
-        shaken=np.any(steps, axis=1),
+        shaken=_any_of_each(steps),
     )
 
 
@@ -264,6 +284,8 @@ class _Bases:
     def __init__(self, slope: SlopeArrays, arcs: Arcs, arc: NDArray[np.int64], inside: Floats) -> None:
         self.slope = slope
         self.arc = arc
+        slopes = max(rows.shape[1] for rows in slope.soils)
+        self.is_shared = len(arcs.radius) == 1 and max(slopes, np.size(slope.pressure)) > 1
         self.scale = arcs.radius[arc]
         self.centre_x, self.centre_y = arcs.centre[arc].T
         sine = np.sin(inside)
@@ -292,21 +314,24 @@ class _Bases:
         lowest = np.minimum(self.above[0], 0.0) - _TOUCH
         reaches_arc = self.above[:layers] >= lowest
         layer = np.count_nonzero(reaches_arc, axis=0) - 1
-        of_base = (values[layer, self.lane(values)] for values in soils)
+        of_base = (self.of_layer(values, layer) for values in soils)
         self.soil = SoilArrays(*of_base)
-        self.unit_weight = soils.unit_weight[0, self.lane(soils.unit_weight)]
+        self.unit_weight = self.of_slope(soils.unit_weight[0])
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
 
-    def lane(self, values: Floats) -> Any:
-        """Return the place of each interval's slope on the last axis of values."""
-        return np.zeros(1, dtype=np.int64) if values.shape[-1] == 1 else self.arc
+    def of_layer(self, rows: Floats, layer: Any) -> Floats:
+        """Return a number of the layers, (layers, 1 or slopes), of the layer of each interval."""
+        if rows.shape[1] == 1:
+            return rows[layer, 0]
+        by_interval: Floats = rows[layer].T if self.is_shared else rows[layer, self.arc]
+        return by_interval
 
     def of_slope(self, value: Any) -> Floats:
         """A number of the slope, or of each, by interval."""
         values = np.asarray(value, dtype=np.float64)
         if values.size == 1:
             return np.broadcast_to(values, len(self.arc))
-        return values[self.arc]
+        return values[:, None] if self.is_shared else values[self.arc]
 
     def steps(self) -> Floats:
         """Of the unit weight below each surface that is above the arc, (surfaces, intervals)."""
@@ -319,17 +344,26 @@ class _Bases:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
         steps = np.concatenate(rows)
-        return steps[:, self.lane(steps)] / self.unit_weight * (self.above > 0.0)
+        is_above = self.above > 0.0
+        if self.is_shared:
+            return steps[:, :, None] / self.unit_weight * is_above[:, None]
+        return (steps if steps.shape[1] == 1 else steps[:, self.arc]) / self.unit_weight * is_above
+
+    def _linear(self, constant: Any, of_sine: Any, of_cosine: Any) -> Floats:
+        """Return three numbers for each interval, with an axis of slopes where these share an arc."""
+        stacked = np.stack(np.broadcast_arrays(constant, of_sine, of_cosine))
+        axes = 3 if self.is_shared else 2
+        return stacked.reshape(3, *(1,) * (axes - stacked.ndim), *stacked.shape[1:])
 
     def _above_arc(self, k: int, factor: Any) -> Floats:
         """Height of a surface above the arc times a factor."""
         constant = self.constant[k] * factor
         gradient = self.gradient[k] * factor
-        return np.stack([constant, gradient, 1.0 * factor])
+        return self._linear(constant, gradient, 1.0 * factor)
 
     def stresses(self, steps: Floats) -> Stresses:
         """By interval."""
-        none = np.zeros((3, 1))
+        none = self._linear(0.0, 0.0, 0.0)
         pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
         soil = self._soil_weight(steps)
         scale = self.unit_weight * self.scale
@@ -356,32 +390,33 @@ class _Bases:
     def _soil_weight(self, steps: Floats) -> Floats:
         """Vertical stress of the soil, the sum of the steps times the heights of their surfaces above the arc."""
         surfaces = len(steps)
-        constant = np.einsum("si,si->i", steps, self.constant[:surfaces])
-        gradient = np.einsum("si,si->i", steps, self.gradient[:surfaces])
-        return np.stack([constant, gradient, steps.sum(axis=0)])
+        constant = np.einsum("s...i,si->...i", steps, self.constant[:surfaces])
+        gradient = np.einsum("s...i,si->...i", steps, self.gradient[:surfaces])
+        return self._linear(constant, gradient, steps.sum(axis=0))
 
     def _pore_pressure(self, soil: Floats, scale: Floats) -> Floats:
         """r_u times the stress of the soil, or the head below the water level; and a uniform pressure."""
         slope = self.slope
         ratio = self.soil.pore_ratio
+        uniform = self.of_slope(slope.pressure) / scale
         pressure = ratio * soil
-        pressure[0] += self.of_slope(slope.pressure) / scale
+        pressure = pressure + self._linear(uniform, 0.0, 0.0)
         if slope.level is not None:
             level = len(slope.tops) + 1
             wet = (self.above[level] > 0.0) & (ratio == 0.0)
-            pressure += self._above_arc(level, self.water * wet)
+            pressure = pressure + self._above_arc(level, self.water * wet)
         return pressure
 
     def _load(self) -> Floats:
         """Of surcharges, Pa."""
-        load = np.zeros((3, 1))
+        load = self._linear(0.0, 0.0, 0.0)
         for x1, x2, q1, q2 in self.slope.surcharge:
             inside = (self.x > x1) & (self.x < x2)
             first = self.of_slope(q1)
             last = self.of_slope(q2)
             growth = (last - first) / (x2 - x1)
             at_centre = first + growth * (self.centre_x - x1)
-            linear = np.stack([at_centre, growth * self.scale, 0.0 * self.scale])
+            linear = self._linear(at_centre, growth * self.scale, 0.0)
             load = load + inside * linear
         return load
 
@@ -392,5 +427,4 @@ class _Bases:
         below_datum = from_centre + self.depth * self.scale > 0.0
         growth = soil.cohesion_gradient * below_datum
         at_centre = soil.cohesion + growth * from_centre
-        of_sine = np.zeros_like(growth)
-        return np.stack([at_centre, of_sine, growth * self.scale])
+        return self._linear(at_centre, 0.0, growth * self.scale)
