@@ -9,9 +9,10 @@ import numpy as np
 from generated import slopes
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import crack_place
+from slipcircle.workbench.stability.bases import Arcs, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
-from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
+from slipcircle.workbench.stability.slices import NODES, Slices, slices_above
 
 YIELD = "k_y"  # least yield coefficient, in the place of a method
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
