@@ -40,7 +40,7 @@ KEYS = "law rate soils function value scales half_angle gravity radius density r
 TABLES_OF = (("slip", "m", "list"), ("speed", "m/s", "list"), ("time", "s", "list"))
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
-KINDS = (*NUMBERS, "list", "text", "flag")
+KINDS = (*NUMBERS, "list", "text", "name", "flag")
 # Functions of series, beside powers and minima.
 OF_SERIES: set[type] = {sp.tanh}  # made of exponentials
 for _operation in OPERATIONS.values():

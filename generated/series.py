@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 19e3faf7cc17da5b8f209158dc7cbf200694f70eadc608f0f922f97ad9daef2b
+# sha256 of the text below: a8b847e9d278a84ffeb4eddae31b031c7ab124aa2ca11449c45fb795f2dcd90d
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "1d8df84d5156dcde24e20fa1e806afb5e5fbe8cd3389f22206ff229ce9e63f6d"  # of the compiled integrator's source
+DIGEST = "3fc63c410ba41c55b33588121b999ac19b96ae2db68054a66da123371b47bad9"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9f0d749423674c5457ba2e9ba42dfda765dffb36acd146072b6c087f6ca3c045
+# sha256 of the text below: e785416480609a0985369d9b4706a1d2e5af97c8a345cb4185eac40d5539bb42
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1450,9 +1450,9 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
     """Record a candidate for the greatest speed, in the present step, where it exceeds the record."""
     c = s.cells
-    rises = c[ix.PEAK_TIME] == c[ix.TIME]
-    faster = here & (speed > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA]))
+    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
+        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
         c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
         c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
         c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,

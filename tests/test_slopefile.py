@@ -211,7 +211,7 @@ def test_what_a_file_says(write: Write) -> None:
          "circle.through_m: must be two points"),
         ("cohesion_kPa = 3\n",
          "cohesion_kPa = 3\n[pore_pressure]\nratio = 0.1\n[water]\nlevel_m = [[0, 20], [90, 20]]\n",
-         "pore_pressure.ratio = 0.1: and level exclude each other"),
+         "pore_pressure.ratio = 0.1: water.level_m gives the pore pressure, too"),
         ("base_m = 20", "base_m = 20\nheight_m = 3", "do not go together"),
         ("[cohesion]", "[circle]\ncritical = 'bishp'\n[cohesion]", "did you mean bishop"),
         ("[cohesion]", "[search]\nk_h = 9.81\n[cohesion]", "a share of g"),

@@ -61,7 +61,8 @@ class Parameter:
     stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
     effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of
     numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section
-    gives), "text", "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
+    gives), "text", "name" (a text or a number), "flag" or one of several words, "this|that". What has no ``key``
+    cannot be written in a file.
     """
 
     name: str
@@ -268,7 +269,8 @@ def _of_section(
 
 
 _OF_A_RECORD = (
-    _optional("column", "name of the record's column, where there is a choice", kind="text"),
+    _optional("column", "name or number of the record's column, where there is a choice", kind="name"),
+    _optional("columns", "roles of all columns of a table in place of its header: time,acceleration,skip", kind="text"),
     _optional("step", "time between samples of a record without times", "s", "step_s"),
     _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
 )
@@ -321,11 +323,11 @@ EFFECTS = (
         _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
         _optional("holds", "content of the record, positive down-slope whichever way the slope faces: acceleration of "
                   "the ground, or its opposite, which drives the mass", kind="ground|driving"),
-        _optional("units", "unit of the record's values, if the file does not give it: g, m/s2, cm/s2, gal, mm/s2",
+        _optional("units", "unit of the record's values, if the file does not state it, such as g, m/s2, gal, ft/s2",
                   kind="text"),
         _optional("vertical_record", "file of the vertical acceleration, positive upwards for that of the ground",
                   kind="text"),
-        _optional("vertical_column", "name of its column, by default in the same file", kind="text"),
+        _optional("vertical_column", "name or number of its column, by default in the same file", kind="name"),
         _optional("scale", "factor on the record's values, by default 1"),
         _optional("peak", "greatest horizontal acceleration to which a record is scaled, in place of a factor",
                   key="peak_g"),

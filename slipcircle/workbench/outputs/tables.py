@@ -10,7 +10,8 @@ from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from slipcircle.base.text import DIGITS, shown
+from slipcircle.base.progress import is_terminal
+from slipcircle.base.text import DIGITS, clean, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.workbench.common.quantities import (
@@ -45,7 +46,7 @@ _LEAST = 22  # width of a column of long cells
 _GAP = 2  # between columns
 BOLD = "\x1b[1;36m"  # head of a table in a terminal
 PLAIN = "\x1b[0m"
-Rows = Iterable[Sequence[Any]]
+Rows = Sequence[Sequence[Any]]  # not an iterator: a table may be shown more than once
 
 
 class Part(NamedTuple):
@@ -273,9 +274,10 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 # --- the screen ------------------------------------------------------------------------------------------------------
 
 
-def say(message: str) -> None:
-    """Print a message on stderr."""
-    print(f"slipcircle: {clean(message)}", file=sys.stderr)
+def say(message: str, before: str = "") -> None:
+    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    for text in message.splitlines() if sys.stderr is not None else ():
+        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr)
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
@@ -284,7 +286,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
     Long cells are wrapped; columns that do not fit follow below the others. ``NO_COLOR`` and dumb terminals disable
     colour.
     """
-    terminal = sys.stdout.isatty()
+    terminal = is_terminal(sys.stdout)
     width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
     lines = [*_layout(head, rows, title, note, width)]
     coloured = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
@@ -327,9 +329,9 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
 
 
 def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of its width; the interval alone if there is no value."""
-    if all(map(math.isnan, e)):
-        return "-"
+    """A value and its interval, to two digits of its width; one of them alone if the other is unknown."""
+    if math.isnan(e.low) and math.isnan(e.high):
+        return value_text(e.value)
     if e.low == math.inf:
         return BEYOND
     width = e.high - e.low if e.high < math.inf else max(e.value - e.low, 0.0)
@@ -368,8 +370,3 @@ def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool
         if headed and number == 0:
             gaps = _GAP * (len(widths) - 1)
             yield "-" * (sum(widths) + gaps)
-
-
-def clean(text: str) -> str:
-    """Text without control characters."""
-    return "".join(c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text)

@@ -155,7 +155,9 @@ class Slope:
             mistakes.append("unit_weight is missing")
         mistakes += slope_errors(fields)
         if self.level is not None and self.pore_ratio != 0.0:
-            mistakes.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
+            mistakes.append(
+                f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"
+            )
         return mistakes
 
     def _joint_mistakes(self) -> list[str]:

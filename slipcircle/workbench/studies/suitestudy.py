@@ -195,7 +195,7 @@ class SuiteStudy(Pictured):
     def warnings(self) -> list[str]:
         """Warnings about files and results."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
-        found += self.suite.not_used
+        found += self.suite.warnings
         if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
         statuses = self.values["status"].ravel()
