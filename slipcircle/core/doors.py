@@ -17,6 +17,8 @@ DOORS = {
     "arc": Door("an arc is no mass that can slide", "slipcircle.words.arc"),
     "history": Door("states, forces, stresses or energy are asked for", "slipcircle.history.history"),
     "journey": Door("where a rotation brings the mass is asked for", "slipcircle.history.journey"),
+    "validity": Door("whether the method applies is asked for", "slipcircle.history.validity"),
+    "toe": Door("how far the toe of a section may rise is asked for", "slipcircle.ground.toe"),
     "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
     "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
     "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),

@@ -149,6 +149,9 @@ class Section(SectionGeometry, Mass):
         ratio_or_pressure = effects.get("pore_pressure", {})
         return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
 
+    # Rotations between which the method applies, rad: the toe must not rise far above the original ground.
+    rotation_range = cached_property(lambda self: room("toe").rotation_range(self))
+
     @property
     def lanes_shape(self) -> tuple[int, ...]:
         return self.shape

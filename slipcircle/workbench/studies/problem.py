@@ -1,7 +1,7 @@
 """What a back-analysis is asked: which numbers of a scene, over which ranges, and what was observed."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,7 +14,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
-from slipcircle.workbench.common.quantities import OBSERVABLE, REMOVED, Interval, Observed, observable
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
@@ -129,7 +129,8 @@ class SearchProblem:
 def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Values and standard errors of what is observed, and what of it are intervals."""
     found = dict[str, tuple[float, float | None]]()
-    mistakes = _unknown_outcomes(given)
+    unknown = [name for name in given if name not in OBSERVABLE]
+    mistakes = [f"observed.{name}: is no outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
     asked = {name: value for name, value in given.items() if name in OBSERVABLE}
     for name, value in asked.items():
         seen, sigma = _observation(value)
@@ -150,13 +151,6 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
         mistakes.append("standard errors: give them for all observations, or for none")
     raise_all("backanalyse", mistakes)
     return found, {name: value for name, value in asked.items() if isinstance(value, Interval)}
-
-
-def _unknown_outcomes(given: Iterable[str]) -> list[str]:
-    """Return a message for each name that is not an outcome."""
-    unknown = [f"observed.{name}" for name in given if name not in OBSERVABLE]
-    known = f"known are {', '.join(OBSERVABLE)}"
-    return [f"{path}: is no outcome; {REMOVED.get(path, known)}" for path in unknown]
 
 
 def _observation(given: Any) -> tuple[float, float | None]:
