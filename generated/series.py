@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a8b847e9d278a84ffeb4eddae31b031c7ab124aa2ca11449c45fb795f2dcd90d
+# sha256 of the text below: 4507d5e0bd8eea3b4bdfffc29798fe1d8ac154497582f6e38767ff0635205dc2
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "3fc63c410ba41c55b33588121b999ac19b96ae2db68054a66da123371b47bad9"  # of the compiled integrator's source
+DIGEST = "cfaebb9e61cc7238a478f1b339c2833c7e6afc4f351385cdaccd5d1abf1a0e80"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -209,6 +209,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "refusal": ("vaiont-frozen", {"end_time": None}, bool),
     "parameters": ("vaiont", {"friction": [0.1, 0.2]}, lambda motion: motion[0]),
     "sensitivity": ("vaiont", {}, lambda motion: motion.sensitivity()),
+    "plausible": ("vaiont", {"friction": 15.0}, lambda motion: motion),
 }
 
 

@@ -30,6 +30,7 @@ DOORS = {
     "equation": Door("the equation of a scene is asked for", "slipcircle.words.equation"),
     "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),
     "warnings": Door("the warnings of a motion are asked for", "slipcircle.words.warnings"),
+    "plausible": Door("a scene has an unusual number", "slipcircle.words.plausible"),
     "summary": Door("a motion in one line is asked for", "slipcircle.words.summary"),
     "refusal": Door("a single scene has no result", "slipcircle.words.refusal"),
     "velocity": Door("velocity classes are asked for", "slipcircle.words.velocity"),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import raise_all, real_number, shown
 from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
@@ -143,7 +143,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
         else:
             allowed = "a positive number" if is_duration else "a number other than 0"
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
-            mistakes.append(f"{name} = {value!r}: must be {allowed}, {also}")
+            mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
         mistakes.append(f"nothing observed: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
@@ -155,15 +155,13 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
 
 def _observation(given: Any) -> tuple[float, float | None]:
     """A value and its standard error; NaN for what is neither a number nor a pair of them."""
-    try:
-        if isinstance(given, Interval):
-            return given.middle, given.standard_error
-        if isinstance(given, tuple | list):
-            seen, sigma = given
-            return float(seen), float(sigma)
-        return float(given), None
-    except (TypeError, ValueError):
-        return math.nan, None
+    if isinstance(given, Interval):
+        ends = Interval(*map(real_number, given))
+        return ends.middle, ends.standard_error
+    if isinstance(given, tuple | list):
+        seen, sigma = map(real_number, given) if len(given) == 2 else (math.nan, math.nan)
+        return seen, sigma
+    return real_number(given), None
 
 
 def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations) -> SearchProblem:
