@@ -343,8 +343,6 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         needs = Needs("rotation" in effects, "shaking" in effects)
         terms = {"layered_strength": strength.terms(needs)}
         terms |= strength.soil_terms(needs)
-        if self.in_standing_water:
-            terms["pore_pressure"] = {"standing": strength.standing_moment(needs)}
         if "centripetal" not in effects:
             for effect, added in terms.items():
                 without = [name for name in added if not name.endswith("inertia")]

@@ -245,14 +245,16 @@ class ArcStrength(StretchIntegrals):
         return added
 
     def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
-        """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
+        """What standing water and each soil with a friction law of its own add to the balance, over Theta*, by effect.
 
         With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
         normal force on the soil exceeds its share by as the mass turns.
         """
+        terms: dict[str, dict[str, Any]] = {}
+        if self.section.in_standing_water:
+            terms["pore_pressure"] = {"standing": self._standing_moment(needs)}
         if not self._own_laws:
-            return {}
-        terms = {}
+            return terms
         for k, soil in enumerate(self.distinct_soils):
             along = self._is_soil(soil)
             share = self._mean(along)
@@ -332,7 +334,7 @@ class ArcStrength(StretchIntegrals):
             coefficients["standing"] = by_direction / LIKE_WEIGHTS
         return self._function(coefficients, needs.rotates and stays_in_space)
 
-    def standing_moment(self, needs: Needs) -> Any:
+    def _standing_moment(self, needs: Needs) -> Any:
         """The moment of displaced water over Theta*."""
         section = self.section
         inertia = section._moments["inertia"]
