@@ -252,7 +252,8 @@ class ArcStrength(StretchIntegrals):
         """
         terms: dict[str, dict[str, Any]] = {}
         if self.section.in_standing_water:
-            terms["pore_pressure"] = {"standing": self._standing_moment(needs)}
+            moment = self._standing_moment(needs)
+            terms["pore_pressure"] = {"standing": moment}
         if not self._own_laws:
             return terms
         for k, soil in enumerate(self.distinct_soils):
