@@ -25,6 +25,7 @@ from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_out
 from slipcircle.history.phases import Energy, Phase
 from slipcircle.history.states import States, read
 
+_LONG = 1e15  # slip over R, after which every law is at its residual strength
 ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
 
@@ -166,6 +167,21 @@ class History:
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
         return pressing * stress_unit(self.plan.scene.arc) + 0.0
+
+    def residual_factor(self) -> Any:
+        """`Motion.residual_factor_of_safety`."""
+        lanes = np.arange(self.problem.lanes)
+        if self.problem.function is not None:
+            return self.motion._shaped(np.full(lanes.size, np.nan))  # a function of which not all is known
+        nothing = np.zeros(lanes.size)
+        others = len(self.problem.program.states) - 2
+        further = [np.full(lanes.size, _LONG), *[nothing] * others]
+        return self.motion._shaped(self.forces.factor_of_safety(States(nothing, nothing, nothing, further, lanes)))
+
+    def final_factor(self) -> Any:
+        """`Motion.final_factor_of_safety`."""
+        factor = self.forces.factor_of_safety(self._states(np.asarray(self.motion.settling_time)))
+        return self.motion._shaped(np.where(np.ravel(self.motion.arrested), factor, np.nan))
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """`Motion.pore_pressure_at`."""

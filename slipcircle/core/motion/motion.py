@@ -66,6 +66,8 @@ class Motion(Forms, Generic[Numbers]):
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
     factor_of_safety : float
         Available resistance over drive at the start; infinite without a drive.
+    residual_factor_of_safety, final_factor_of_safety : float
+        The same with residual strength on the original geometry, and of a single motion at rest after the slide.
     friction : float
         The friction coefficient at the start.
     error_estimate : float
@@ -326,6 +328,14 @@ class Motion(Forms, Generic[Numbers]):
     @property
     def factor_of_safety(self) -> Any:
         return self._shaped(self._history.forces.statics["factor_of_safety"])
+
+    @property
+    def residual_factor_of_safety(self) -> Any:
+        return self._history.residual_factor()
+
+    @property
+    def final_factor_of_safety(self) -> Any:
+        return self._history.final_factor()
 
     @property
     def yield_coefficient(self) -> Any:
