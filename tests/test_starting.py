@@ -185,11 +185,11 @@ def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weig
         residual = np.tan(np.radians(10.0))
         ratio = scene.arc.dimensionless.limit_friction / np.tan(scene.arc.dip)
         at_rest = abs(ratio * np.tan(scene.arc.dip - motion.end.rotation))
-        assert motion.residual_factor_of_safety == pytest.approx(residual / scene.arc.dimensionless.limit_friction)
-        assert motion.final_factor_of_safety == pytest.approx(residual / at_rest, rel=1e-9)
+        assert motion.further_factors.residual == pytest.approx(residual / scene.arc.dimensionless.limit_friction)
+        assert motion.further_factors.at_rest == pytest.approx(residual / at_rest, rel=1e-9)
     linear = Scene(scene.arc, SOFTENING | {"law": "linear"}, ["rotation"], strength_factor=0.5)
     limit = scene.arc.dimensionless.limit_friction
-    assert solve(linear).residual_factor_of_safety == pytest.approx(0.1 / limit, rel=1e-12)
+    assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)
 
 
 def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:

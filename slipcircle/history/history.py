@@ -37,6 +37,16 @@ class Stresses(NamedTuple):
     effective: Any
 
 
+class FurtherFactors(NamedTuple):
+    """Factors of safety with residual strength on the original geometry, and of a single mass at rest after the slide.
+
+    Both are of the closure, with the strength factor of the start.
+    """
+
+    residual: Any
+    at_rest: Any
+
+
 def of_means(scene: Scene) -> Scene:
     """The same scene, in which stresses are means over the arc, not weighted by the friction of soils."""
     called = scene.arc.effects_of_means(scene.called)
@@ -168,20 +178,22 @@ class History:
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
         return pressing * stress_unit(self.plan.scene.arc) + 0.0
 
-    def residual_factor(self) -> Any:
-        """`Motion.residual_factor_of_safety`."""
+    def further_factors(self) -> FurtherFactors:
+        """`Motion.further_factors`."""
         lanes = np.arange(self.problem.lanes)
-        if self.problem.function is not None:
-            return self.motion._shaped(np.full(lanes.size, np.nan))  # a function of which not all is known
-        nothing = np.zeros(lanes.size)
-        others = len(self.problem.program.states) - 2
-        further = [np.full(lanes.size, _LONG), *[nothing] * others]
-        return self.motion._shaped(self.forces.factor_of_safety(States(nothing, nothing, nothing, further, lanes)))
-
-    def final_factor(self) -> Any:
-        """`Motion.final_factor_of_safety`."""
-        factor = self.forces.factor_of_safety(self._states(np.asarray(self.motion.settling_time)))
-        return self.motion._shaped(np.where(np.ravel(self.motion.arrested), factor, np.nan))
+        unknown = np.full(lanes.size, np.nan)
+        residual = unknown
+        if self.problem.function is None:  # otherwise its values at great slip are not known
+            nothing = np.zeros(lanes.size)
+            further = [nothing] * (len(self.problem.program.states) - 1)
+            further[0] = np.full(lanes.size, _LONG)
+            softened = States(nothing, nothing, nothing, further, lanes)
+            residual = self.forces.factor_of_safety(softened)
+        at_rest = unknown
+        if not self.shape and self.motion.arrested:
+            end = self._states(np.asarray(self.motion.settling_time))
+            at_rest = self.forces.factor_of_safety(end)
+        return FurtherFactors(self.motion._shaped(residual), self.motion._shaped(at_rest))
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """`Motion.pore_pressure_at`."""
