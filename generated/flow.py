@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2e48c83a0c868330e68c368f567b4fce90fbbe3f77beba3dd13f274356eb9318
+# sha256 of the text below: 2d536e087a776c946c303f8938a8aa4fe36dc1b05518ab494cd18ce183717208
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -650,6 +650,28 @@ FRAGMENTS: dict[str, Fragment] = {
         },
         states=(),
         tables=(('soil_lift', 'rotation', 'x', 7),),
+    ),
+    'softening_cohesion': Fragment(
+        inputs=(),
+        optional=(),
+        scalar=(
+            ('mul', 'softening_cohesion.resisting', 'cohesion_law_0', 'softening_cohesion'),
+            ('abs', 'softening_cohesion.resisting_size', 'softening_cohesion.resisting'),
+        ),
+        series=(
+            ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
+            ('lin', 'dsoftening_cohesion', '', (('softening_cohesion.Q1', 'x'), ('softening_cohesion.Q2', 'x^2'),
+                ('softening_cohesion.Q3', 'x^3'), ('softening_cohesion.Q4', 'x^4'), ('softening_cohesion.Q5', 'x^5'),
+                ('softening_cohesion.Q6', 'x^6'), ('softening_cohesion.Q7', 'x^7'))),
+            ('mul', 'dcohesion_law*dsoftening_cohesion', 'dcohesion_law', 'dsoftening_cohesion'),
+        ),
+        adds={
+            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('softening_cohesion',
+                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoftening_cohesion'), ('cohesion_law_0',
+                'dsoftening_cohesion'))),
+        },
+        states=(),
+        tables=(('softening_cohesion', 'rotation', 'x', 7),),
     ),
     'constant': Fragment(
         inputs=('constant.coefficient',),

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 94193074c90dc221999996c67619ec2907d965f3c664119db7040f24deaa6419
+# sha256 of the text below: 805ea1e9014de1fcd90ba648386cff3af3ee6678fb9565b15f286e9e6a775a8b
 """The linker: programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -14,7 +14,8 @@ from generated.layout import CELLS, TABLE
 Names = tuple[str, ...]
 OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
 ZERO, ONE = "=0.0", "=1.0"
-OF_SOIL = "#"  # before the number of a soil, in the names of what is its own
+OF_SOIL = "#"  # before the number of a soil, in the names of its laws, effects, cells and registers
+OF_COHESION = "#c"  # before that of a soil whose cohesion changes with slip
 Lookup = Callable[[str, bool], Sequence[Fragment]]  # fragments of an effect or a law, and whether the mass turns
 
 
@@ -130,16 +131,16 @@ def _include_laws(made: Definitions, laws: Names, fragments: Lookup) -> str:
 
     It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
     """
-    of_soils = [law for law in laws if OF_SOIL in law]
-    shared = [law for law in laws if law not in of_soils]
+    of_soils = [law for law in laws if OF_SOIL in law and OF_COHESION not in law]
+    shared = [law for law in laws if OF_SOIL not in law]
     factors = ["mu"]
     if len(shared) > (0 if of_soils else 1):
         factors = ["slip_mu", "rate_mu"]
         _include(made, fragments("product", False)[0])
     if of_soils:
         _include(made, fragments("soils", False)[0])
-    quantities = [*(factors[0] for _ in of_soils), *factors[-len(shared) :]]
-    for law, quantity in zip((*of_soils, *shared), quantities, strict=False):
+    for law in laws:  # those of soils and of cohesion add to quantities of their own
+        quantity = factors[-1] if law in shared[-1:] else factors[0]
         for fragment in fragments(law, False):
             tables = [name for name, *_ in fragment.tables]
             _include(made, fragment, tables, quantity)

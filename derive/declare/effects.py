@@ -6,7 +6,7 @@ and help.
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -230,6 +230,23 @@ LAWS = (
 )  # fmt: skip
 
 
+def _of_cohesion(p: Parameter) -> Parameter:
+    """The parameter of a law of cohesion for that of a friction law."""
+    if p.unit:
+        return replace(p, help=p.help.replace("friction", "cohesion"))
+    name = "cohesion" if p.name == "coefficient" else p.name
+    words = p.help.replace("friction coefficients", "cohesions").replace("friction coefficient", "cohesion")
+    return replace(p, name=name, unit="Pa", help=words, key=f"{name}_kPa")
+
+
+# Laws of slip, by which cohesion changes as friction does.
+COHESION_LAWS = tuple(
+    replace(law, help=law.help.replace("friction", "cohesion"), parameters=tuple(map(_of_cohesion, law.parameters)))
+    for law in LAWS
+    if {*law.depends_on} <= {"slip"}
+)
+
+
 _COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
@@ -247,6 +264,8 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
 SOIL_MU, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu soil_turning soil_slope", real=True)
+# Of cohesion that changes with slip the law, and the moment that it multiplies, over Theta*.
+COHESION_LAW, _SOFTENING_COHESION = sp.symbols("cohesion_law softening_cohesion", real=True)
 _SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
@@ -378,6 +397,9 @@ SECTION_EFFECTS = (
         _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), equation="2.23",
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
+    Effect("softening_cohesion", "strength without normal stress changes with slip", (
+        _of_section("moment", "resisting moment of a unit of the law", _SOFTENING_COHESION, "rotation"),),
+           equation="3.11", resistance=THETA * _SOFTENING_COHESION * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 

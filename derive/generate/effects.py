@@ -7,6 +7,7 @@ import sympy as sp
 from derive.code.emit import filled
 from derive.declare.effects import (
     ALPHA,
+    COHESION_LAWS,
     DENSITY,
     EFFECTS,
     GRAVITY,
@@ -31,6 +32,7 @@ def module() -> str:
     """The runtime half of the effects: plain data."""
     marks = {"LIMITS": LIMITS, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS, "USUAL_FRICTION": USUAL_FRICTION}
     rows: dict[str, tuple[Effect | Law, ...]] = {"LAWS": LAWS, "EFFECTS": EFFECTS, "SECTION_EFFECTS": SECTION_EFFECTS}
+    rows["COHESION_LAWS"] = COHESION_LAWS
     texts = {mark: "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries) for mark, entries in rows.items()}
     return filled("_effects.py.in", {mark: repr(value) for mark, value in marks.items()} | texts)
 

@@ -137,6 +137,7 @@ class Section(SectionGeometry, Mass):
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
+        effects = super().effects_with_own(effects)
         if self.level is None:
             return effects
         ratio_or_pressure = effects.get("pore_pressure", {})
