@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 805ea1e9014de1fcd90ba648386cff3af3ee6678fb9565b15f286e9e6a775a8b
+# sha256 of the text below: 4d2c10c36a0822fd6806f928490a28c6bc1d3f55f6289d09b134f9f2450c9c98
 """The linker: programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -26,7 +26,8 @@ class Recipe(NamedTuple):
     ----------
     effects : tuple of str
     laws : tuple of str
-        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it.
+        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it,
+        and the laws of cohesion, ``linear#c``.
     moving : tuple of str
         Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
@@ -37,6 +38,11 @@ class Recipe(NamedTuple):
     laws: Names
     moving: Names = ()
     absent: Names = ()
+
+    @property
+    def of_friction(self) -> Names:
+        """Its laws without those of cohesion."""
+        return tuple(law for law in self.laws if OF_COHESION not in law)
 
 
 class OnSeries(NamedTuple):
@@ -106,9 +112,9 @@ class Definitions:
 
 def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
     """Collect the definitions of a recipe's effects and laws, and of ``further`` fragments."""
-    effects, laws, moving, absent = recipe
+    effects, _, moving, absent = recipe
     made = Definitions()
-    slip_factor = _include_laws(made, laws, fragments)
+    slip_factor = _include_laws(made, recipe, fragments)
     for effect in ("gravity", *effects, "balance", *further):
         for fragment in fragments(effect, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
@@ -126,20 +132,20 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     return made
 
 
-def _include_laws(made: Definitions, laws: Names, fragments: Lookup) -> str:
-    """Include the friction laws; return the name of the quantity to which laws of slip add.
+def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
+    """Include all laws; return the name of the quantity to which laws of slip add.
 
     It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
     """
-    of_soils = [law for law in laws if OF_SOIL in law and OF_COHESION not in law]
-    shared = [law for law in laws if OF_SOIL not in law]
+    of_soils = [law for law in recipe.of_friction if OF_SOIL in law]
+    shared = [law for law in recipe.of_friction if law not in of_soils]
     factors = ["mu"]
     if len(shared) > (0 if of_soils else 1):
         factors = ["slip_mu", "rate_mu"]
         _include(made, fragments("product", False)[0])
     if of_soils:
         _include(made, fragments("soils", False)[0])
-    for law in laws:  # those of soils and of cohesion add to quantities of their own
+    for law in recipe.laws:  # those of soils and of cohesion add to quantities of their own
         quantity = factors[-1] if law in shared[-1:] else factors[0]
         for fragment in fragments(law, False):
             tables = [name for name, *_ in fragment.tables]

@@ -17,7 +17,7 @@ from generated import effects as declared
 from slipcircle.base.checks import InputError, plain
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
-from slipcircle.core.scene.effects import without_soil
+from slipcircle.core.scene.effects import declared_parameters, without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene
 from slipcircle.ground.coordinates import changed_fields, replace_unchecked
@@ -92,8 +92,8 @@ def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     every = [*_MOTION]
     every += _parameters_of_arc(scene.arc)
     every += _parameters_of_friction(scene.friction)
-    for name, effect in declared.EFFECTS.items():
-        every += _scalars(name, effect.parameters)
+    for name in declared.EFFECTS:
+        every += _scalars(name, declared_parameters(name, scene.effects.get(name, {})))
     return {parameter.name: parameter for parameter in every}
 
 

@@ -122,7 +122,7 @@ class Mass:
         return []
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Effects with what it adds to them: cohesion by a law, the water level of a section, strengths of its soils."""
+        """Return effects with those of the mass: cohesion by a law, a section's water level, strengths of soils."""
         if not self.cohesion_laws(effects.get("cohesion", {})):
             return effects
         moment = self.moment_coefficients.resistance_factor / self.reference_stress  # of 1 Pa
