@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 89a0d86f3cf8a1b6d9eb1c2761905ebdc6ccf0dc1d842b0876a5948e8dc81514
+# sha256 of the text below: 7cc463fba2ec69c7be7c5939c2eb9f4ff8157cf22c420341e36b68b07f4e58ee
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -23,6 +23,7 @@ from generated.tiers import BOUNDS, DIGEST, LIMIT
 Text = Callable[..., Array]
 CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
 HALF_PI = np.pi / 2
+FREE_THREADED = "wheels have no binary for free-threaded Python; pip install --no-binary slipcircle slipcircle makes it"
 
 
 def binary(name: str, digest: str) -> Any:
@@ -38,8 +39,10 @@ def binary(name: str, digest: str) -> Any:
             raise ImportError("the file is cut short")
         found = import_module(f"generated.{name}")
     except ModuleNotFoundError:
+        if is_free_threaded():
+            _report_free_threads()
         return None
-    except ImportError as error:
+    except (ImportError, OSError) as error:
         fault = f"it cannot be loaded ({error})"
     else:
         if digest != found.DIGEST:
@@ -54,6 +57,17 @@ def binary(name: str, digest: str) -> Any:
         stacklevel=3,
     )
     return None
+
+
+def is_free_threaded() -> bool:
+    """Whether this Python is built without the global interpreter lock: it cannot load the binaries of wheels."""
+    return bool(import_module("sysconfig").get_config_var("Py_GIL_DISABLED"))
+
+
+@cache
+def _report_free_threads() -> None:
+    """Warn, once for all modules, that a free-threaded Python has no binaries."""
+    warnings.warn(f"NumPy serves, some thirty times slower: {FREE_THREADED}", RuntimeWarning, stacklevel=4)
 
 
 def _is_cut_short(spec: ModuleSpec | None) -> bool:

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7f7a62eea760fc1fc1c1d5dcb1cb9ce833a6e409d4060e4c0010ffa337ff370e"
+#define DIGEST "1d8df84d5156dcde24e20fa1e806afb5e5fbe8cd3389f22206ff229ce9e63f6d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = 42, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = 42, CELLS = 32, PARTS = 9, REGISTER_ROLES = 5, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -98,7 +98,12 @@ enum { HEAD = 9, WIDEST = 64 };
 
 static int read_program(Job *job, const int32_t *p, const int32_t *end)
 {
-    if (end - p < HEAD) return -1;
+    int64_t length = HEAD + sizeof(Roles) / 4;
+    if (end - p < length) return -1;
+    for (int k = 0; k < HEAD; k++) if (p[k] < 0) return -1;
+    if (p[0] < CELLS || p[1] > p[0] || p[3] < 2 || p[3] > MOST_STATES || p[4] > MOST_TABLES) return -1;
+    length += (int64_t)p[5] + p[6] + p[7] + 3 * p[3] + 4 * p[4];
+    if (end - p != length || p[2] > length) return -1; /* each register is a state or the result of an operation */
     job->cells = p[0], job->made = p[1], job->registers = p[2], job->states = p[3], job->tables = p[4];
     job->scalar = p + HEAD + sizeof(Roles) / 4;
     job->role = (const Roles *)(p + HEAD);
@@ -113,7 +118,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #else
     job->straight = straight_of(job);
 #endif
-    return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
+    return 0;
 }
 #endif
 
@@ -170,6 +175,57 @@ static int runs(int kind)
     return can[kind];
 }
 
+/* Registers, and after them cells, that an operation on series names, and cells that one on cells reads. */
+static const struct { unsigned char registers, cells; } named[] = { {1, 0}, {1, 1}, {3, 0}, {2, 0}, {7, 0}, {2, 0}, {4, 0}, {4, 0}, {3, 0}, {2, 0}, {3, 1} };
+static const unsigned char arguments[] = { 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3 };
+
+static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
+static int is_cell(const Job *job, int32_t i) { return i >= 0 && i < job->cells; }
+
+/* Whether operations end where they should, and their registers and cells exist. */
+static int series_fit(const Job *job, const int32_t *at, const int32_t *end)
+{
+    while (at < end) {
+        const int code = *at++;
+        if (code < 0 || code >= (int)sizeof named / 2 || end - at < named[code].registers + named[code].cells) return 0;
+        for (int i = 0; i < named[code].registers; i++) if (!is_register(job, *at++)) return 0;
+        for (int i = 0; i < named[code].cells; i++) if (!is_cell(job, *at++)) return 0;
+        if (code != LIN) continue;
+        if (end - at < 2 || (at[0] != -1 && !is_cell(job, at[0])) || at[1] < 0 || at[1] > (end - at - 2) / 2) return 0;
+        const int32_t *const stop = at + 2 + 2 * at[1];
+        for (at += 2; at < stop; at += 2) if (!is_cell(job, at[0]) || !is_register(job, at[1])) return 0;
+    }
+    return 1;
+}
+
+static int program_fits(const Job *job)
+{
+    for (const int32_t *at = job->scalar; at < job->scalar_end;) {
+        const int code = *at++;
+        if (code < 0 || code >= (int)sizeof arguments || job->scalar_end - at < 1 + arguments[code]) return 0;
+        for (int i = 0; i < 1 + arguments[code]; i++) if (!is_cell(job, *at++)) return 0;
+    }
+    for (const State *s = job->state; s < job->state + job->states; s++)
+        if (!is_cell(job, s->cell) || !is_register(job, s->series) || !is_register(job, s->rate)) return 0;
+    for (const Table *t = job->table; t < job->table + job->tables; t++) {
+        const int64_t end = (int64_t)t->cell + PARTS + t->degree;
+        if (t->kind < 0 || t->kind > 3 || t->cell < 0 || t->degree < 0 || t->degree >= STRIDE || end > job->cells ||
+            (t->reg != -1 && !is_register(job, t->reg))) return 0;
+    }
+    const int32_t *const role = (const int32_t *)job->role;
+    for (int i = 0; i < (int)sizeof(Roles) / 4; i++)
+        if (role[i] != -1 && !(i < REGISTER_ROLES ? is_register(job, role[i]) : is_cell(job, role[i]))) return 0;
+    return series_fit(job, job->series, job->series_end) && series_fit(job, job->series_end, job->later_end);
+}
+
+static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
+{
+    const int64_t pieces = d->pieces, across = d->across ? d->across : 1;
+    return pieces > 0 && d->terms > 0 && d->terms <= STRIDE && (across == 1 || across == count) &&
+           buffers[0].len == 8 * pieces * (d->apart ? across : 1) && buffers[1].len == 8 * pieces * d->terms * across &&
+           buffers[2].len == 8 * pieces;
+}
+
 static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
@@ -191,7 +247,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
                           &times, &outputs, &notes, &level)) return NULL;
     const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || PyTuple_Size(tables) != job.tables;
+    const int bad = read_program(&job, code, code + program.len / 4) || !program_fits(&job) ||
+                    PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
         goto done;
@@ -207,20 +264,24 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0;
-    for (int t = 0; t < job.tables; t++) fits = fits && (!job.data[t].across || job.data[t].across == job.count);
-    if (!times.len && outputs.len) fits = fits && outputs.len == 8 * job.registers * job.count;
-    if (!fits) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables or registers are not those of as many lanes");
-        goto done;
-    }
-    if (times.len) {
+    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+    for (int t = 0; t < job.tables; t++) fits = fits && table_fits(job.data + t, held + 3 * t, job.count);
+    if (fits && times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
         job.samples = outputs.len / 8 / job.count / (2 + job.states);
-        job.times_across = times.len / 8 / job.samples;
-    } else if (outputs.len) job.outputs = outputs.buf;
+        job.times_across = job.samples ? times.len / 8 / job.samples : 0;
+        fits = outputs.len == 8 * job.samples * job.count * (2 + job.states) && (job.times_across == 1 ||
+               job.times_across == job.count) && times.len == 8 * job.samples * job.times_across;
+    } else if (fits && outputs.len) {
+        job.outputs = outputs.buf;
+        fits = outputs.len == 8 * (int64_t)job.registers * job.count;
+    }
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
+        goto done;
+    }
     job.notes = notes.buf, job.notes_room = notes.len / 32;
-    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + (int64_t)job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -281,9 +342,9 @@ static PyObject *straight_line(PyObject *self, PyObject *args)
     Job job = {0};
     int level;
     if (!PyArg_ParseTuple(args, "y*i", &code, &level)) return NULL;
-    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && level >= 0 && level < KINDS;
+    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && program_fits(&job);
     PyBuffer_Release(&code);
-    return PyLong_FromLong(fits && levels[level].traits->straight ? job.straight : -1);
+    return PyLong_FromLong(fits && level >= 0 && level < KINDS && levels[level].traits->straight ? job.straight : -1);
 }
 
 static PyMethodDef methods[] = {
@@ -294,7 +355,7 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {
     {Py_mod_exec, fill},
-#ifdef Py_mod_gil
+#ifdef Py_MOD_GIL_NOT_USED
     {Py_mod_gil, Py_MOD_GIL_NOT_USED},
 #endif
     {0, NULL},
@@ -1085,6 +1146,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
 #define LARGEST 0x1.f400000000000p+49
+#define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
 #define SURE 0x1.ffffe00000000p-1
 #define ROUNDINGS 0x1.0000000000000p+27
@@ -1716,12 +1778,15 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the speed with which a phase begins if it is the greatest. */
-static void update_peak(Batch *b, unsigned lane, double rate)
+/* Record the present speed, at a time from the lane's own on, if it is the greatest. Of peaks that differ by
+ * rounding the earliest is recorded, so that every processor reports the same one. A speed that has risen from a
+ * record at the lane's time is compared exactly. */
+static void update_peak(Batch *b, unsigned lane, double rate, double now)
 {
     V *const c = b->c;
-    if (c[OMEGA][lane] > fabs(c[PEAK_OMEGA][lane])) {
-        c[PEAK_TIME][lane] = c[TIME][lane];
+    int rises = c[PEAK_TIME][lane] == c[TIME][lane];
+    if (c[OMEGA][lane] > ((rises ? 1.0 : (1.0 + TIE)) * fabs(c[PEAK_OMEGA][lane]))) {
+        c[PEAK_TIME][lane] = now;
         c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
         c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
         c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
@@ -1798,7 +1863,7 @@ static void start_moving(Batch *b, unsigned lane, double rate)
     if (c[LIFTED][lane] > 0.0) {
         note_lift_off(b, lane);
     }
-    update_peak(b, lane, rate);
+    update_peak(b, lane, rate, c[TIME][lane]);
     c[PENDING][lane] = READY;
 }
 
@@ -2119,9 +2184,9 @@ static void glide(Batch *b, unsigned lane, int t)
         if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
             c[X][lane] = x;
             c[OMEGA][lane] = omega;
+            update_peak(b, lane, net, now);
             stand_before(b, lane, t, piece, now);
             pass_break(b, lane, t);
-            update_peak(b, lane, net);
         }
     }
 }
@@ -2344,11 +2409,13 @@ static void find_events(Batch *b, M here, int top)
     }
 }
 
-/* Record a candidate for the greatest speed where it exceeds the record. */
+/* Record a candidate for the greatest speed, in the present step, where it exceeds the record. Where the record is
+ * not where the step began, it has to do so by more than rounding. */
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 {
     V *const c = b->c;
-    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
+    M rises = c[PEAK_TIME] == c[TIME];
+    M faster = here & (speed > (pick(rises, broadcast(1.0), broadcast(1.0 + TIE)) * magnitude(c[PEAK_OMEGA])));
     if (bits(faster)) {
         c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
         c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
@@ -2444,10 +2511,10 @@ static void make_step(Batch *b, M here)
     }
     M steady = ((magnitude(net[0]) * step) < ((double)STIFF_CHANGE * (b->r + job->role->omega)[0])) & uneventful;
     advance_states(b, here, top);
+    keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + pick(at_limit, broadcast(0.0), pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
-    keep_faster(b, here, c[OMEGA], c[TIME], c[X], rate);
     EACH(lane, bits(here)) {
         settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
     }

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "81482e7a4b99b3d43aedc2d8079c77f341bfdb305d130649d6cce5f4f936824e"
+#define DIGEST "c61d28bbde4fb3b3476f828ebb7b6e9633c926f55a91cb448b04b631aa1b4a86"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -2062,7 +2062,7 @@ static int fill(PyObject *module)
 
 static PyModuleDef_Slot slots[] = {
     {Py_mod_exec, fill},
-#ifdef Py_mod_gil
+#ifdef Py_MOD_GIL_NOT_USED
     {Py_mod_gil, Py_MOD_GIL_NOT_USED},
 #endif
     {0, NULL},

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4efd75101667402bd55cd3cbef0cd19d94b0ffa3315b2912553974418a2da1fa
+# sha256 of the text below: 9f0d749423674c5457ba2e9ba42dfda765dffb36acd146072b6c087f6ca3c045
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -234,6 +234,7 @@ LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
 LARGEST = 1099511627776000.0
+TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
 ROUNDINGS = 134217728.0
@@ -766,18 +767,19 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
     return power_of_two(lowest)
 
 
-def update_peak(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Record the speed with which a phase begins if it is the greatest."""
+def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
+    """Record the present speed, at a time from the lane's own on, if it is the greatest."""
     c = lane.cells
-    holds_1 = c[ix.OMEGA, i] > np.abs(c[ix.PEAK_OMEGA, i])
-    i_1, rate_1 = (i, rate)
-    i, rate = among(holds_1, i_1, rate_1)
+    rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
+    holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
+    i_1, rate_1, now_1, rises_1 = (i, rate, now, rises)
+    i, rate, now, rises = among(holds_1, i_1, rate_1, now_1, rises_1)
     if i.size:
-        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
+        c[ix.PEAK_TIME, i] = now
         c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
         c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
         c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
-    i, rate = (i_1, rate_1)
+    i, rate, now, rises = (i_1, rate_1, now_1, rises_1)
 
 
 def update_reach(lane: Lanes, i: Index) -> None:
@@ -851,7 +853,7 @@ def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
     if i.size:
         note_lift_off(lane, i)
     i, rate = (i_1, rate_1)
-    update_peak(lane, i, rate)
+    update_peak(lane, i, rate, c[ix.TIME, i])
     c[ix.PENDING, i] = ix.READY
 
 
@@ -1218,9 +1220,9 @@ def glide(lane: Lanes, i: Index, t: Table) -> None:
         if i.size:
             c[ix.X, i] = x
             c[ix.OMEGA, i] = omega
+            update_peak(lane, i, net, now)
             stand_before(lane, i, t, piece, now)
             pass_break(lane, i, t)
-            update_peak(lane, i, net)
         i, piece, x, omega, now, net = (i_3, piece_3, x_3, omega_3, now_3, net_3)
     i, rise = (i_1, rise_1)
 
@@ -1446,9 +1448,10 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
 
 
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
-    """Record a candidate for the greatest speed where it exceeds the record."""
+    """Record a candidate for the greatest speed, in the present step, where it exceeds the record."""
     c = s.cells
-    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
+    rises = c[ix.PEAK_TIME] == c[ix.TIME]
+    faster = here & (speed > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
         c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
         c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
@@ -1525,11 +1528,11 @@ def make_step(s: Lanes, here: Mask) -> None:
             read_samples(s, i, c[ix.TIME, i], until[i], 1, top)
     steady = (np.abs(net[0]) * step < ix.STIFF_CHANGE * s.registers[s.roles.omega][0]) & uneventful
     advance_states(s, here, top)
+    keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(at_limit, 0.0, np.where(steady, float(ix.STIFF_STEP), 1.0)),
         c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
-    keep_faster(s, here, c[ix.OMEGA], c[ix.TIME], c[ix.X], rate)
     i = np.flatnonzero(here)
     if i.size:
         settle(s, i, rate[i], at_limit[i], endless[i])

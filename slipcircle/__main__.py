@@ -30,6 +30,7 @@ Three things to try:
   slipcircle run slope.toml --live slope.html  solve it; the page shows the slide in a browser
 `slipcircle --help` lists all commands and scenes.
 """
+DESCRIPTION = "Speed, run-out and time to rest of a mass that failed along a slip circle."
 SILENT = 2.0  # s, at most
 INTERRUPTED = 130
 EPILOG = """\
@@ -89,7 +90,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
     parser = argparse.ArgumentParser(
         "slipcircle",
-        description="\n".join(wrap(str(slipcircle.__doc__).partition("\n")[0], 78)),
+        description=DESCRIPTION,
         epilog=EPILOG.format(names),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

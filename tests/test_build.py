@@ -9,6 +9,7 @@ import subprocess
 import sys
 import zipfile
 from collections.abc import Callable, Iterator
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ import pytest
 from derive import build
 from derive.approximate.programs import variants, variants_of_ends
 from derive.generate import emit_c, write
+from generated import _compiled
 from tests.campaigns import matrix
 from tests.support.golden import SHIPPED
 from tests.support.kernels import COMPILED, LEVELS, needs_binary
@@ -124,6 +126,30 @@ def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
         level, (warning,) = served(tmp_path)
         assert level == "numpy"
         assert "cannot be loaded" in warning
+
+
+def test_a_binary_that_cannot_be_read_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As one of another machine is: with one warning, and NumPy serves."""
+
+    def refuse(*_: Any) -> None:
+        raise PermissionError(13, "Permission denied", "_kernels.so")
+
+    monkeypatch.setattr(_compiled, "open", refuse, raising=False)
+    monkeypatch.setattr(_compiled, "find_spec", lambda _: ModuleSpec("_kernels", None, origin="_kernels.so"))
+    with pytest.warns(RuntimeWarning, match=r"NumPy serves: it cannot be loaded \(.*Permission denied") as caught:
+        assert _compiled.binary("_kernels", "") is None
+    assert len(caught) == 1
+
+
+def test_free_threaded_python_without_a_binary_says_so_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    _compiled._report_free_threads.cache_clear()
+    monkeypatch.setattr(_compiled, "is_free_threaded", lambda: True)
+    with pytest.warns(RuntimeWarning, match="no binary for free-threaded Python; pip install --no-binary") as caught:
+        assert [_compiled.binary(name, "") for name in ("_none", "_neither")] == [None, None]
+    assert len(caught) == 1
+    monkeypatch.setenv("SLIPCIRCLE_COMPILED", "0")
+    _compiled._report_free_threads.cache_clear()
+    assert _compiled.binary("_none", "") is None  # silent: NumPy is asked for
 
 
 UNSAFE = {

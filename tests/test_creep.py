@@ -14,7 +14,7 @@ from mpmath import mpf
 from scipy.integrate import solve_ivp
 
 from generated import walk as in_numpy
-from slipcircle import Arc, Pulse, Scene, solve
+from slipcircle import Arc, Pulse, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.core import Status, numpy_only
 
@@ -167,6 +167,15 @@ def test_the_slow_run_out_is_where_ever_stronger_viscosity_lets_it_creep_to() ->
         crept = [solve(each).run_out for each in viscous]
         assert slow == pytest.approx(crept[-1], rel=1e-13)
         assert crept[0] > 1.05 * slow
+
+
+@pytest.mark.parametrize("name", ["valley-side", "weak-toe"])
+def test_a_mass_below_water_or_in_layers_rests_there_if_it_moves_slowly(name: str) -> None:
+    """Their forces are functions of the rotation; integrated in time through a viscous layer until close to rest."""
+    free = load(name)
+    layer = {"rotation": {}, "viscosity": {"viscosity": 1e8, "thickness": 0.5}}
+    viscous = replace(free, effects=layer, end_time=2e7)
+    assert solve(free).slow_run_out == pytest.approx(solve(viscous).run_out, rel=1e-6)
 
 
 def test_the_slow_run_out_of_constant_friction_is_a_closed_form() -> None:

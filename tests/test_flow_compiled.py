@@ -2,6 +2,7 @@
 
 import platform
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle.core.walk.compiled import encoded
+from slipcircle.tables import Series
 from tests.support.lanes import (
     BACKENDS,
     BINARY,
@@ -141,11 +143,73 @@ def test_friction_that_falls_below_the_smallest_numbers(name: str) -> None:
     assert least + least > 0.0  # for everybody else they are numbers
 
 
+@pytest.mark.parametrize(("last", "pulse"), [(1.0, 0), (1.0 + 1e-11, 11)])
+def test_of_equal_peaks_the_earliest_is_reported(last: float, pulse: int) -> None:
+    """A block under twelve equal pulses, each from rest, in lanes of different friction: rounding decides nothing."""
+    slide: Any = slipcircle.load("vaiont")
+    period = 3.0
+    times = np.add.outer(period * np.arange(12), [0.0, 0.4, 0.9]).ravel()
+    amplitudes = 0.3 * np.repeat([1.0, last], [11, 1])
+    record = Series(times, np.multiply.outer(amplitudes, [0.0, 1.0, 0.0]).ravel(), held=False)
+    friction = np.linspace(0.6, 0.65, 24)
+    bound = posed(slipcircle.Scene(slide.arc, friction, {"shaking": {"horizontal": record}}), 1e-9)
+    unit = float(np.asarray(slide.arc.time_scale))
+    finals = [integrate(bound, level=level) for level in BINARY.LEVELS] + [integrate(bound, name="NumPy")]
+    for final in finals:
+        assert set(final[ix.PEAK_TIME] * unit // period) == {pulse}
+
+
 def test_threads_walk_side_by_side() -> None:
     bound = problem("softening")
     with ThreadPoolExecutor(2) as pool:
         halves = list(pool.map(lambda half: integrate(bound, half), (slice(18), slice(18, None))))
     assert np.array_equal(np.concatenate(halves, axis=1), integrate(bound), equal_nan=True)
+
+
+MALFORMED = {  # integers of a program by their places, and what they become
+    "cells": (0, -1), "no cells": (0, 0), "made": (1, 10**6), "registers": (2, 10**8), "fewer registers": (2, 3),
+    "states": (3, 10**8), "no states": (3, 0), "tables": (4, 10**8), "numbers": (5, -4), "series": (6, 2**31 - 1),
+    "later": (7, 3), "a register of a role": (9, 5), "a cell of a role": (14, 10**7),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["constant", "record", "softening"])
+def test_malformed_integers_are_refused(name: str) -> None:
+    """No size, place or number of lanes leads beyond what there is."""
+    bound = problem(name)
+    code, nothing = np.frombuffer(encoded(bound.program), np.int32), np.empty(0)
+    pieces, cells = compiled._pieces(bound.tables(), LANES), bound.cells()
+
+    def call(code: Any = code, tables: Any = pieces, begin: int = 0, end: int = LANES, times: Any = nothing,
+             outputs: Any = nothing) -> None:  # fmt: skip
+        BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, 0)
+
+    call()
+    for place, value in MALFORMED.values():
+        changed = code.copy()
+        changed[place] = value
+        with pytest.raises(ValueError, match="do not fit"):
+            call(changed)
+        assert BINARY.straight_line(changed.tobytes(), 0) == -1
+    for length in range(len(code)):  # also within the sizes
+        assert BINARY.straight_line(code[:length].tobytes(), 0) == -1
+    rng = np.random.default_rng(56)
+    for _ in range(300):  # whatever it says, nothing outside is read
+        changed = code.copy()
+        changed[rng.integers(9, len(code), 2)] = rng.choice([-(2**31), -1, 0, 3, 41, 42, 10**4, 2**31 - 1], 2)
+        with suppress(ValueError):
+            call(changed)
+    samples, states = np.zeros((5, LANES)), np.zeros((4, 5, LANES))
+    bad: list[dict[str, Any]] = [
+        {"begin": 3, "end": 2}, {"begin": -1}, {"times": samples}, {"times": samples, "outputs": states[:3].copy()},
+        {"times": samples[:, :2].copy(), "outputs": states}, {"outputs": np.zeros(1)},
+    ]  # fmt: skip
+    for table in pieces[:1]:
+        odd = {0: table[0][:1].copy(), 1: table[1][:1].copy(), 2: nothing, 3: 2**31 - 1, 4: 2**62}
+        bad += [{"tables": ((*table[:k], x, *table[k + 1 :]), *pieces[1:])} for k, x in (*odd.items(), (3, -1))]
+    for arguments in bad:
+        with pytest.raises(ValueError, match="not those of as many lanes"):
+            call(**arguments)
 
 
 def test_what_does_not_fit_is_refused() -> None:

@@ -281,9 +281,28 @@ def test_least_factors_of_published_slopes(name: str) -> None:
 def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
     """Archimedes: with water level far above, weights less that of water and no water."""
     section = Section(GROUND, (30, 45), 48.0, 1.0)
-    drowned, buoyant = Slope(GROUND, 5e3, 0.4, 20e3, pond=40.0), Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0)
+    drowned, buoyant = (
+        Slope(GROUND, 5e3, 0.4, 20e3, level=[(-60, 40), (120, 40)]),
+        Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0),
+    )
     factors, expected = (at_circle(slope, section).factor_of_safety for slope in (drowned, buoyant))
     assert factors == pytest.approx(expected, rel=1e-13)
+
+
+@pytest.mark.parametrize("facing", [1.0, -1.0])
+def test_cohesion_of_the_exit_goes_on_beyond_it_alone(facing: float) -> None:
+    """Also where a mass has left its arc of 50 m: a foreland of the constant cohesion at the exit is the same scene."""
+    ends = [(facing * 100.0 * np.sin(t), -100.0 * np.cos(t)) for t in (-0.95, -0.45)]
+    beyond = [(ends[0][0] - 40.0 * facing, ends[0][1]), *ends, (ends[1][0] + facing, -140.0), (300.0 * facing, -150.0)]
+    ground = beyond[:: int(facing)]
+    clay = Soil(20e3, 0.0, 0.15, cohesion_gradient=700.0, datum=-80.0, name="clay")
+    foreland = Soil(20e3, 700.0 * (-80.0 - ends[1][1]), 0.15, name="foreland")
+    grown, constant = (
+        solve(Scene(LayeredSection(ground, (0, 0), 100.0, layers=[(clay, None)], foreland=soil), effects=["rotation"]))
+        for soil in (None, foreland)
+    )
+    assert grown.run_out > 60.0
+    assert grown.run_out == pytest.approx(constant.run_out, rel=1e-11)
 
 
 # --- what is said of layered ground ----------------------------------------------------------------------------------

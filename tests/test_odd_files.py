@@ -65,8 +65,9 @@ MISTAKES: list[tuple[dict[str, Any], str, str]] = [  # other fields of the secti
     (DRY | {"ground": [[-20.0, 10.0], [-5.0, 45.0], [5.0, 5.0], [50.0, 0.0]]},
      "centre", "choose one by .*between.* besides one that an end of the ground cuts short"),
     ({"base": -1.0}, "radius", "22.*below .*base"),
-    *(({"level": [[-50.0, 10.0], [-20.0, 10.0 + up], [0.0, 0.0], [50.0, 0.0]]}, "level", "above the ground at x.*pond")
-      for up in (1e-5, 2.0)),
+    *(({"level": [[-50.0, 10.0], [-20.0, 10.0 + up], [0.0, 0.0], [50.0, 0.0]]}, "level",
+       "varies by .* above the ground.*confined = true")
+      for up in (1.0, 2.0)),
     ({"level": [[51.0, -1.0], [56.0, -1.0]]}, "level", "beside the ground; it must extend over it"),
     ({"radius": np.full(3, 22.0), "centre": np.array([GOOD["centre"]] * 2)}, "shapes do not fit together", ""),
     ({"radius": np.zeros(0)}, "radius", "is empty"),

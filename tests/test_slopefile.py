@@ -168,7 +168,8 @@ def test_what_a_file_says(write: Write) -> None:
     text = (
         "name = 'cut'\n[ground]\nheight_m = 10\nangle_deg = 45\nunit_weight_kN_m3 = 19\n"
         "gravity_m_s2 = 9.8\nwidth_m = 40\n"
-        "[friction]\ncoefficient = 0.5\n[water]\nlevel_m = [[-60, 8], [-10, 6], [0, -1]]\nunit_weight_kN_m3 = 10\n"
+        "[friction]\ncoefficient = 0.5\n[water]\nlevel_m = [[-60, 8], [-10, 6], [0, -1], [9, -1]]\n"
+        "unit_weight_kN_m3 = 10\n"
         "[search]\nk_h = 0.1\nentry_m = [-30, -10]\ndepth_m = 1\n[rotation]\n[circle]\n"
     )  # fmt: skip
     path = write(text + "through_m = [[-14, 10], [0, 0]]\ndepth_m = 3\n")
@@ -179,7 +180,9 @@ def test_what_a_file_says(write: Write) -> None:
     assert (name, slope.cohesion, slope.friction, slope.unit_weight) == ("cut", 0.0, 0.5, 19e3)
     assert (slope.k_h, slope.water_unit_weight) == (0.1, 10e3)
     assert (section.gravity, section.width, section.facing, section.sagitta) == (9.8, 40.0, 1, pytest.approx(3.0))
-    assert np.asarray(section.level).tolist() == np.asarray(slope.level).tolist() == [[-60, 8], [-10, 6], [0, -1]]
+    assert (
+        np.asarray(section.level).tolist() == np.asarray(slope.level).tolist() == [[-60, 8], [-10, 6], [0, -1], [9, -1]]
+    )
     assert found_in(write(text + "critical = 'paper'\n")).limits == {
         "entry": (-30.0, -10.0), "exit": None, "depth": 1.0
     }  # fmt: skip
@@ -198,7 +201,7 @@ def test_what_a_file_says(write: Write) -> None:
         ("[30, 25]", "[30]", "a list of two points or more"),
         ("[[0, 25], [30, 25], [50, 35], [90, 35]]", "[[0, 25]]", "a list of two points or more"),
         ("base_m = 20", "base_m = 35", "ground.base_m = 35: must lie below the highest point of the ground"),
-        ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 26]]\n", "water.level_m: stands"),
+        ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 20]]\n", "level_m: varies by"),
         ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
         ("[cohesion]", "[pore_pressure]\nrecord = 'x.csv'\n[cohesion]", "a pore pressure that is no record"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[circle]\nthrough_m = [[30, 25], [40, 30], [55, 35]]\ndepth_m = 2\n",

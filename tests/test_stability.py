@@ -267,7 +267,16 @@ def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, objec
         ({"pore_ratio": 1.2}, "pore_ratio"),
         ({"k_h": 3.0}, "k_h"),
         ({"base": 35.0}, "below the highest point of the ground"),
-        ({"level": [(0, 30), (90, 30)]}, "standing water needs pond"),
+        (
+            {"level": [(0, 30), (90, 29)]},
+            r"level: varies by 0\.4\d* m from x = 0 to 39\..* horizontal level there, or confined",
+        ),
+        ({"level": [(0, 20), (60, 20)], "confined": 1}, "confined = 1: must be True or False"),
+        ({"ponds": [(0, 20)]}, r"pond\.1 = \(0, 20\): must be x of its left"),
+        ({"ponds": [(20, 25, 27)]}, r"pond\.1\.level: water at this level reaches from x = 0 to 34"),
+        ({"ponds": [(0, 32, 27)]}, r"pond\.1\.level: .* to 34; extend the pond to both shores"),
+        ({"ponds": [(0, 90, 27)], "level": [(0, 26), (90, 26)]}, "ponds: lies in other free water"),
+        ({"ponds": [(0, 90, 24)]}, r"pond\.1\.level: the ground from x = 0 to 90 lies above it"),
         ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "exclude each other"),
         ({"level": [(200, 20), (300, 20)]}, "beside the ground"),
         ({"cohesion": 0.0, "friction": 0.0}, "no strength"),
@@ -282,16 +291,18 @@ def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
-@pytest.mark.parametrize("up", [-0.01, 0.01])
-def test_the_water_level_of_a_pond_goes_into_the_ground_at_the_shore(way: float, up: float) -> None:
-    """The shore is where the ground rises above the pond: ACADS' slope is 27.5 m high at x = 35."""
-    lines: Any = ACADS.ground, [(0, 27.5), (35, 27.5 + up), (40, 29), (90, 30)]
+@pytest.mark.parametrize("up", [-0.07, 0.07, 0.11])
+def test_free_water_is_horizontal_to_a_hundredth_of_the_height(way: float, up: float) -> None:
+    """ACADS' slope is 10 m high, and 27.5 m above the datum at x = 35, where the level enters the ground."""
+    lines: Any = ACADS.ground, [(0, 27.5), (34.9, 27.5 + up), (40, 28), (90, 30)]
     ground, level = ([(way * x, y) for x, y in line][:: int(way)] for line in lines)
-    given: Any = {"ground": ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4, "pond": 27.5}
-    if up < 0.0:
-        Slope(**given, level=level)
+    given: Any = {"ground": ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4}
+    if up < 0.1:
+        ((first, last, height),) = Slope(**given, level=level).free_water.of_one
+        assert height == pytest.approx(27.5 + up / 2, abs=0.02)
+        assert max(way * first, way * last) == pytest.approx(35.0, abs=0.3)
     else:
-        with pytest.raises(ValueError, match=f"stands 0.01 m above the ground at x = {way * 35:g}"):
+        with pytest.raises(ValueError, match=r"level: varies by 0\.1389 m from x = .* free water is horizontal"):
             Slope(**given, level=level)
 
 

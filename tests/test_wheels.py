@@ -117,6 +117,19 @@ def test_the_pure_wheel_needs_no_thread_process_or_file_to_write(pure: Path) -> 
     assert [line.partition("error")[0] for line in told] == [line.partition("error")[0] for line in shown]
 
 
+def test_a_wheel_serves_from_its_zip_file_and_without_docstrings(wheel: Path, tmp_path: Path) -> None:
+    environ = os.environ | {"PYTHONPATH": str(wheel), "SLIPCIRCLE_COMPILED": "0"}
+    printed = ""
+    for words in (["--help"], ["run", "vaiont-frozen", "--live", "slide.html"]):
+        command = [sys.executable, "-P", "-OO", "-m", "slipcircle", *words]
+        done = subprocess.run(command, env=environ, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert not done.returncode, done.stderr
+        printed += done.stdout
+    assert "slip circle" in printed.partition("options:")[0]
+    assert "None" not in printed
+    assert "slide-engine" in (tmp_path / "slide.html").read_text("utf-8")
+
+
 def test_a_wheel_of_a_platform_has_binaries_in_place_of_their_source(pure: Path, tmp_path: Path) -> None:
     folder = tmp_path / "win_amd64"
     folder.mkdir()

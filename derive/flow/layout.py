@@ -180,6 +180,7 @@ def c() -> dict[str, str]:
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
     return {
         "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
-        "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}",
+        "SIZES": f"HIGHEST = {HIGHEST}, STRIDE = {STRIDE}, CELLS = {len(CELLS)}, PARTS = {len(TABLE) - 1}, "
+        f"REGISTER_ROLES = {sum(not x.startswith('cell_') for x in ROLES)}",
         "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",
     }

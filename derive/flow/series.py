@@ -191,18 +191,30 @@ def _c_case(o: Operation) -> str:
 
 
 def c() -> dict[str, str]:
-    """Codes and cases of the operations on series, each returning where the next begins, and on cells."""
+    """Return codes, operands and cases of the operations on series and on cells."""
     codes = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in CELLS])
     enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
+    named = [(1, 0), (1, 1)]
+    for o in OPERATIONS.values():
+        registers = len(o.results) + len(o.arguments)
+        named.append((registers, len(o.numbers)))
+    arguments = []
     cases = ""
     for name, operation in CELLS.items():
         text = operation.vector.format(*"abe")
         others = [(i, x) for i, x in ((3, "b"), (4, "e")) if f"{{{i - 2}}}" in operation.vector]
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in others)
         case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {3 + len(others)}; break; }}"
+        arguments.append(1 + len(others))
         cases += f"        case S_{name.upper()}: {case}\n"
     series = map(_c_case, OPERATIONS.values())
-    return {"CODES": "".join(enums), "SERIES": "".join(series), "CELL_OPERATIONS": cases}
+    return {
+        "CODES": "".join(enums),
+        "NAMED": ", ".join(f"{{{x}, {y}}}" for x, y in named),
+        "ARGUMENTS": ", ".join(map(str, arguments)),
+        "SERIES": "".join(series),
+        "CELL_OPERATIONS": cases,
+    }
 
 
 def _numpy_function(o: Operation) -> str:

@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 from functools import lru_cache
 
-from generated.program import OF_SOIL, Program, Recipe, build
-
 from generated.flow import FRAGMENTS, Fragment
+from generated.program import OF_SOIL, Program, Recipe, build
 from slipcircle.base.kinds import Names
 from slipcircle.core.doors import room
 

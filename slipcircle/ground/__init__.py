@@ -1,19 +1,33 @@
 """Masses cut off from a polygonal ground: geometry, moments, water."""
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.ground.ground import circle_through, circle_touching, continued, pond_errors, simple_slope, slope_errors
+from slipcircle.ground.ground import circle_through, circle_touching, continued, simple_slope, slope_errors
 
 if TYPE_CHECKING:
+    from slipcircle.ground.errors import outside_between
+    from slipcircle.ground.ponds import Ponds, ends_above, free_water, water_fault
     from slipcircle.ground.section import Section
 
-__all__ = ["Section", "circle_through", "circle_touching", "continued", "pond_errors", "simple_slope", "slope_errors"]
+__all__ = [
+    "Ponds",
+    "Section",
+    "circle_through",
+    "circle_touching",
+    "continued",
+    "ends_above",
+    "free_water",
+    "outside_between",
+    "simple_slope",
+    "slope_errors",
+    "water_fault",
+]
+_MODULES = {"Section": "section", "outside_between": "errors"}
 
 
 def __getattr__(name: str) -> Any:
-    """The section, loaded when it is asked for: an arc's plausibility needs bounds of the ground alone."""
-    if name != "Section":
+    """Names loaded when they are used: an arc's plausibility needs bounds of the ground alone."""
+    if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from slipcircle.ground.section import Section
-
-    return Section
+    return getattr(import_module(f"slipcircle.ground.{_MODULES.get(name, 'ponds')}"), name)

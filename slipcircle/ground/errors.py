@@ -11,16 +11,18 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
-from slipcircle.ground.ground import pond_errors
+from slipcircle.ground.ground import AS_PRINTED
+from slipcircle.ground.ponds import ends_above, water_fault
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
     """Lanes that are no sections."""
-    if section.level is not None:
-        yield pond_errors(section._circle[0], section._level)
+    yield water_fault(*section.water)
     yield _not_one_stretch(section)
     yield _below_ground(section)
     yield _one_point(section)
+    if section.level is not None:
+        yield ends_above(section._level, *_x_of_ends(section))
     if section.base is not None:
         yield _below_base(section)
 
@@ -54,6 +56,27 @@ def _not_one_stretch(section: Any) -> Fault:
         return f"{which}: misses the ground, which reaches from {first} to {last}"
 
     return (count != 1) | held, sentence
+
+
+def _x_of_ends(section: Any) -> Any:
+    """x of the left and of the right end of arcs, (2, n)."""
+    _, centre, radius = section._circle
+    left, right = section._ends
+    return centre[:, 0] + radius * [left.x, right.x]
+
+
+def outside_between(section: Any) -> Fault:
+    """Masses that exceed the range of x from which they were chosen."""
+    left, right = _x_of_ends(section)
+    low, high = section.between or (-np.inf, np.inf)
+    rounding = AS_PRINTED * (right - left)
+    given = f"{{between}} = [{low:.6g}, {high:.6g}]"
+    begins_before = left < low - rounding
+    ends_after = right > high + rounding
+    return (
+        begins_before | ends_after,
+        lambda k: f"{given}: does not contain the mass from x = {left[k]:.6g} to {right[k]:.6g}",
+    )
 
 
 def _pairs(numbers: Iterable[Any]) -> list[str]:
@@ -103,8 +126,7 @@ def _below_base(section: Any) -> Fault:
         which = f"{{radius}} = {radius[k]:.10g}"
         return f"{which}: the circle goes down to y = {lowest[k]:.6g}, below {{base}} = {base:.10g}"
 
-    rounding = 1e-9 * radius
-    return lowest < base - rounding, sentence
+    return lowest < base - AS_PRINTED * radius, sentence
 
 
 def motion_errors(section: Any) -> Iterator[Fault]:
@@ -117,6 +139,15 @@ def motion_errors(section: Any) -> Iterator[Fault]:
             "the arc is longer than half a circle: parts of it carry negative normal stress, and the mean normal "
             "stress of the method (2.9) loses its sense"
         ),
+    )
+    left, right = _x_of_ends(section)
+    water = section.free_water
+    first = np.maximum(water.first, left)
+    last = np.minimum(water.last, right)
+    covered = last > first
+    yield (
+        covered.any(axis=0),
+        lambda k: "{level}: free water covers the mass, whose drag and added mass are not known; a motion refuses it",
     )
     normal_load = np.ravel(section.moment_coefficients.normal_load)
     yield (

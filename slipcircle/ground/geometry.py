@@ -10,8 +10,10 @@ import slipcircle.ground.circles as circles
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.circles import Cut
 from slipcircle.ground.coordinates import leading_shape
+from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.ground.plane import Vectors
+from slipcircle.ground.ponds import Given, Ponds, free_water
 from slipcircle.ground.turning import TurningMass
 
 
@@ -20,6 +22,8 @@ class SectionGeometry(TurningMass):
 
     radius: Any
     between: Any
+    confined: Any
+    ponds: Any
     quantities: ClassVar[Mapping[str, int]]
 
     @cached_property
@@ -64,20 +68,25 @@ class SectionGeometry(TurningMass):
         x = centre[lane, 0]
         left = x + r * first.x
         right = x + r * last.x
-        if self.between is None:
-            return lane, number, left, right, held
-        low, high = self.between
-        rounding = 1e-9 * r
-        after_low = left >= low - rounding
-        before_high = right <= high + rounding
-        is_between = after_low & before_high
-        count = np.bincount(lane, is_between, len(radius))
-        none_between = count[lane] == 0
-        middle = (left + right) / 2
-        middle_between = (middle >= low) & (middle <= high)
-        keep = is_between | (none_between & middle_between)
+        width = right - left
+        meant = np.ones_like(width, dtype=bool)
+        if self.between is not None:
+            low, high = self.between
+            rounding = 1e-9 * r
+            after_low = left >= low - rounding
+            before_high = right <= high + rounding
+            is_between = after_low & before_high
+            count = np.bincount(lane, is_between, len(radius))
+            none_between = count[lane] == 0
+            middle = (left + right) / 2
+            middle_between = (middle >= low) & (middle <= high)
+            meant = is_between | (none_between & middle_between)
+            held = np.zeros_like(held)
+        widest = np.zeros_like(radius)
+        np.maximum.at(widest, lane[meant], width[meant])
+        keep = meant & (width >= AS_PRINTED * widest[lane])
         chosen = [column[keep] for column in (lane, number, left, right)]
-        return *chosen, np.zeros_like(held)
+        return *chosen, held
 
     @cached_property
     def _ends(self) -> tuple[Vectors, Vectors]:
@@ -188,6 +197,17 @@ class SectionGeometry(TurningMass):
     @cached_property
     def _level(self) -> Floats:
         return self._lines(self.level)
+
+    @property
+    def water(self) -> tuple[Floats, Floats | None, bool, Given]:
+        """Ground and water level with one axis of lanes, whether the level is confined, and ponds."""
+        level = None if self.level is None else self._level
+        return self._lines(self.ground), level, self.confined, self.ponds
+
+    @cached_property
+    def free_water(self) -> Ponds:
+        """Free water above the ground."""
+        return free_water(*self.water)
 
     @cached_property
     def _water(self) -> HeightIntegrals:

@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Floats, Values
 from slipcircle.ground.coordinates import leading_shape
-from slipcircle.ground.plane import Vectors, each_lane
+from slipcircle.ground.plane import Vectors
 
 FAR = 1e9  # m; coordinates are smaller
+AS_PRINTED = 1e-3  # of a radius or of the width of a mass: rounding of a circle to the digits that are printed of it
 
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
@@ -69,55 +70,6 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
     x[0] = np.minimum(left, x[0] - 1.0)
     x[-1] = np.maximum(right, x[-1] + 1.0)
     return longer
-
-
-def _upper(lines: Floats, x: Floats) -> Floats:
-    """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
-    line = Vectors.of(lines[:, None])
-    start = line.starts
-    edge = line.edges
-    at = x[..., None]
-    beyond = at - start.x
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = beyond / edge.x
-    is_scarp = edge.x <= 0.0
-    rises = edge.y > 0.0
-    share = np.where(is_scarp, rises, share)
-    heights = start.y + share * edge.y
-    to_end = line.ends.x - at
-    on_edge = (beyond >= 0.0) & (to_end >= 0.0)
-    of_edges = np.where(on_edge, heights, -np.inf)
-    return of_edges.max(axis=-1)
-
-
-def pond_errors(grounds: Floats, levels: Floats) -> Fault:
-    """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
-    lanes = max(len(grounds), len(levels))
-    of_grounds = each_lane(grounds, lanes)
-    of_levels = each_lane(levels, lanes)
-    vertices = np.concatenate([of_grounds, of_levels], axis=1)
-    x = vertices[..., 0]
-    ground = _upper(grounds, x)
-    level = _upper(levels, x)
-    over_ground = np.isfinite(ground)
-    both = over_ground & np.isfinite(level)
-    known_level = np.where(both, level, -np.inf)
-    known_ground = np.where(both, ground, 0.0)
-    excess = known_level - known_ground
-    size = np.ptp(grounds, axis=(1, 2))
-
-    def sentence(k: int) -> str:
-        if not both[k].any():
-            return "{level}: lies beside the ground; it must extend over it"
-        above = excess[k]
-        highest = np.argmax(above)
-        water = f"{{level}}: stands {above[highest]:.4g} m above the ground at x = {x[k, highest]:.10g}"
-        return f"{water}; standing water needs {{pond}}, which factors of safety know and motions do not"
-
-    lies_beside = ~both.any(axis=1)
-    rounding = 1e-9 * size
-    stands_above = excess.max(axis=1) > rounding
-    return lies_beside | stands_above, sentence
 
 
 _WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
@@ -197,11 +149,26 @@ def _bounds_of(given: Values) -> dict[str, Bounds]:
 
 
 def _lines_errors(given: Values, many: bool) -> list[str]:
-    """Of the ground, and of a level if there is one."""
+    """Of the ground, a water level if there is one, and ponds."""
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
         errors += points_errors("level", given["level"], many)
+    confined = given["confined"]
+    if not isinstance(confined, bool):
+        errors.append(f"{{confined}} = {confined!r}: must be True or False")
+    for k, pond in enumerate(given["ponds"], 1):
+        errors += _pond_errors(k, pond)
     return errors
+
+
+def _pond_errors(k: int, pond: Any) -> list[str]:
+    """A sentence if a pond, counted from 1, is not three numbers."""
+    numbers = np.asarray(pond)
+    if numbers.shape == (3,) and numbers.dtype.kind in "iuf" and np.all(np.abs(numbers) < FAR):
+        first, last, _ = numbers
+        if first < last:
+            return []
+    return [f"{{pond.{k}}} = {pond!r}: must be x of its left and of its right end, and its level, in m"]
 
 
 def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:

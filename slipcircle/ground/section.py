@@ -3,7 +3,7 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from itertools import chain
@@ -25,7 +25,7 @@ from slipcircle.ground.ground import line_errors, section_errors
 from slipcircle.ground.plane import Vectors
 
 # The fields that the geometry consists of, and what is computed of them alone.
-_GEOMETRY = ("ground", "centre", "radius", "between", "level")
+_GEOMETRY = ("ground", "centre", "radius", "between", "level", "confined", "ponds")
 _OF_GEOMETRY = [name for name, value in vars(SectionGeometry).items() if isinstance(value, cached_property)]
 _OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile"]
 
@@ -49,17 +49,22 @@ class Section(SectionGeometry, Mass):
     between : pair of float, optional
         Range of x that contains the intended mass, or x of its middle, if the circle cuts off several masses.
     level : array_like, optional
-        Points of the water level from left to right, (..., W, 2), m; it continues horizontally beyond them.
+        Points of the water level from left to right, (..., W, 2), m, over the whole mass; it continues horizontally
+        beyond them. Where it lies above the ground there is free water, and it must be horizontal.
     water_unit_weight : float
         N/m^3.
     base : float, optional
         y of a firm layer below which no circle goes, m.
+    confined : bool
+        Whether the water is confined, so that a level above the ground is that of artesian pressure without free water.
+    ponds : sequence of (x1, x2, level)
+        Free water between two shores whose pore pressure is given otherwise, m.
 
     Raises
     ------
     ValueError
         Lists every mistake, one sentence each: a circle that misses the ground, several masses without a choice, points
-        out of order, a centre below the ground, a pond, ...
+        out of order, a centre below the ground, free water that is not horizontal, ...
 
     Notes
     -----
@@ -85,6 +90,8 @@ class Section(SectionGeometry, Mass):
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
     base: float | None = None
+    confined: bool = False
+    ponds: Sequence[tuple[float, float, float]] = ()
     # What scenes vary, with the axes of one section.
     quantities: ClassVar[Mapping[str, int]] = {
         "ground": 2,

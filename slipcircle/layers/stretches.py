@@ -198,10 +198,10 @@ class StretchIntegrals:
         parts = by_direction.sum(axis=1)
         *_, exit_, entry = there
         if not has_foreland:
-            beyond_exit = np.maximum(exit_ - last, 0.0)
+            beyond_exit = np.maximum(exit_ - np.maximum(last, entry), 0.0)  # also once the mass has left its arc
             at_exit = self._held_value(self.stretches.last, last, beyond_exit)
             parts = parts + at_exit
-        above_entry = np.maximum(first - entry, 0.0)
+        above_entry = np.maximum(np.minimum(first, exit_) - entry, 0.0)
         at_entry = self._held_value(self.stretches.first, first, above_entry)
         beyond_both_ends: Floats = parts + at_entry
         return beyond_both_ends

@@ -74,7 +74,7 @@ def may_creep(problem: Problem) -> bool:
 def other_than_position(problem: Problem) -> str:
     """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
     recipe = problem.recipe
-    if recipe.moving:
+    if any(table.kind == "time" and table.name in recipe.moving for table in problem.program.tables):
         return "what changes in time"
     if "thermal_pressurisation" in recipe.effects:
         return "frictional heat"

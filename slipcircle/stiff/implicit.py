@@ -109,16 +109,16 @@ class _Implicit(walk.Lanes):
         start = self._at(self.begin, self.cells[self.state_cells])
         now, event = self._follow(start)
         time = np.array([now.time])
+        rate = now.registers[self.roles.net]
+        x, omega, *_ = now.states
+        walk.keep_faster(self, _HERE, omega, time, x, rate)
         self.stored[:] = self._cells_at(time, now.states)
         uneventful = event == ix.EVENT_NONE
         if uneventful and now.time < self.limit:
             self.cells[ix.STATUS] = ix.TOO_LONG
             return
-        rate = now.registers[self.roles.net]
-        x, omega, *_ = now.states
         self.cells[ix.EVENT] = event
         self.cells[ix.PASSED] = ix.NOTHING
-        walk.keep_faster(self, _HERE, omega, time, x, rate)
         at_limit = np.array([uneventful])
         endless = np.array([False])
         walk.settle(self, _ONE, rate, at_limit, endless)

@@ -28,7 +28,7 @@ def _radau(count: int) -> tuple[Floats, Floats, Floats]:
     """Points c_i in (0, 1], a_ij, and the matrix from values at 0 and at the points to Legendre coefficients."""
     difference = np.zeros(count + 1)
     difference[-2:] = -1.0, 1.0  # P_s - P_(s-1), 1 among its roots
-    points = legendre.legroots(difference)
+    points = legendre.legroots(difference).real  # complex since NumPy 2.5
     points[-1] = 1.0
     polynomials = np.eye(count)  # P_0 to P_(s-1)
     integrals = legendre.legint(polynomials, lbnd=-1, axis=1)

@@ -33,7 +33,7 @@ def solved(case: Mapping[str, Any]) -> Critical:
     slope = Slope(
         ground, layers=list(zip(soils, [None, *tops], strict=True)), surcharge=case.get("loads", ()),
         water_unit_weight=case.get("gamma_w", WATER[case["units"]]), k_h=case.get("kh", 0.0),
-        **{name: case[name] for name in ("level", "base", "pond", "crack", "crack_water") if name in case},
+        **{name: case[name] for name in ("level", "base", "crack", "crack_water") if name in case},
     )  # fmt: skip
     if "circle" in case:
         return at_circle(slope, Section(ground, **case["circle"], unit_weight=1.0))

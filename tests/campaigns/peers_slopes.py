@@ -36,7 +36,7 @@ def slope(rng: np.random.Generator) -> tuple[Slope, float]:
         {}, {"pore_ratio": rng.uniform(0.05, 0.4)}, {"level": ground - [0.0, height * rng.uniform(0.05, 0.5)]},
         {"k_h": rng.uniform(0.02, 0.2)},
     ]  # fmt: skip
-    base = rng.choice([0.0, -height * rng.uniform(0.1, 1.0)]) or None
+    base = float(rng.choice([0.0, -height * rng.uniform(0.1, 1.0)])) or None
     cohesion, friction = unit_weight * height * rng.uniform(0.02, 0.2), np.tan(np.deg2rad(rng.uniform(8, 38)))
     return Slope(ground, cohesion, friction, unit_weight, base=base, **more[rng.integers(4)]), height
 

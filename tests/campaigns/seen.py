@@ -330,8 +330,8 @@ def climb(run: Run, claim: str, starts: Floats) -> tuple[float, float]:
         better = np.take_along_axis(found, k, 1)[:, 0] > worst
         worst = np.where(better, np.take_along_axis(found, k, 1)[:, 0], worst)
         starts = np.where(better, np.take_along_axis(near, k, 1)[:, 0], starts)
-    k = int(np.argmax(worst))
-    return float(worst[k]), float(starts[k])
+    top = int(np.argmax(worst))
+    return float(worst[top]), float(starts[top])
 
 
 def mean(error: Floats, alpha: Floats) -> Mean:

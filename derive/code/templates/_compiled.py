@@ -21,6 +21,7 @@ from generated.tiers import BOUNDS, DIGEST, LIMIT
 Text = Callable[..., Array]
 CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
 HALF_PI = np.pi / 2
+FREE_THREADED = "wheels have no binary for free-threaded Python; pip install --no-binary slipcircle slipcircle makes it"
 
 
 def binary(name: str, digest: str) -> Any:
@@ -36,8 +37,10 @@ def binary(name: str, digest: str) -> Any:
             raise ImportError("the file is cut short")
         found = import_module(f"generated.{name}")
     except ModuleNotFoundError:
+        if is_free_threaded():
+            _report_free_threads()
         return None
-    except ImportError as error:
+    except (ImportError, OSError) as error:
         fault = f"it cannot be loaded ({error})"
     else:
         if digest != found.DIGEST:
@@ -52,6 +55,17 @@ def binary(name: str, digest: str) -> Any:
         stacklevel=3,
     )
     return None
+
+
+def is_free_threaded() -> bool:
+    """Whether this Python is built without the global interpreter lock: it cannot load the binaries of wheels."""
+    return bool(import_module("sysconfig").get_config_var("Py_GIL_DISABLED"))
+
+
+@cache
+def _report_free_threads() -> None:
+    """Warn, once for all modules, that a free-threaded Python has no binaries."""
+    warnings.warn(f"NumPy serves, some thirty times slower: {FREE_THREADED}", RuntimeWarning, stacklevel=4)
 
 
 def _is_cut_short(spec: ModuleSpec | None) -> bool:

@@ -84,7 +84,12 @@ enum { HEAD = 9, WIDEST = 64 };
 
 static int read_program(Job *job, const int32_t *p, const int32_t *end)
 {
-    if (end - p < HEAD) return -1;
+    int64_t length = HEAD + sizeof(Roles) / 4;
+    if (end - p < length) return -1;
+    for (int k = 0; k < HEAD; k++) if (p[k] < 0) return -1;
+    if (p[0] < CELLS || p[1] > p[0] || p[3] < 2 || p[3] > MOST_STATES || p[4] > MOST_TABLES) return -1;
+    length += (int64_t)p[5] + p[6] + p[7] + 3 * p[3] + 4 * p[4];
+    if (end - p != length || p[2] > length) return -1; /* each register is a state or the result of an operation */
     job->cells = p[0], job->made = p[1], job->registers = p[2], job->states = p[3], job->tables = p[4];
     job->scalar = p + HEAD + sizeof(Roles) / 4;
     job->role = (const Roles *)(p + HEAD);
@@ -99,7 +104,7 @@ static int read_program(Job *job, const int32_t *p, const int32_t *end)
 #else
     job->straight = straight_of(job);
 #endif
-    return (const int32_t *)(job->table + job->tables) == end && job->tables <= MOST_TABLES && job->states <= MOST_STATES ? 0 : -1;
+    return 0;
 }
 #endif
 
@@ -135,6 +140,57 @@ static int runs(int kind)
     return can[kind];
 }
 
+/* Registers, and after them cells, that an operation on series names, and cells that one on cells reads. */
+static const struct { unsigned char registers, cells; } named[] = { @NAMED@ };
+static const unsigned char arguments[] = { @ARGUMENTS@ };
+
+static int is_register(const Job *job, int32_t i) { return i >= 0 && i % STRIDE == 0 && i / STRIDE < job->registers; }
+static int is_cell(const Job *job, int32_t i) { return i >= 0 && i < job->cells; }
+
+/* Whether operations end where they should, and their registers and cells exist. */
+static int series_fit(const Job *job, const int32_t *at, const int32_t *end)
+{
+    while (at < end) {
+        const int code = *at++;
+        if (code < 0 || code >= (int)sizeof named / 2 || end - at < named[code].registers + named[code].cells) return 0;
+        for (int i = 0; i < named[code].registers; i++) if (!is_register(job, *at++)) return 0;
+        for (int i = 0; i < named[code].cells; i++) if (!is_cell(job, *at++)) return 0;
+        if (code != LIN) continue;
+        if (end - at < 2 || (at[0] != -1 && !is_cell(job, at[0])) || at[1] < 0 || at[1] > (end - at - 2) / 2) return 0;
+        const int32_t *const stop = at + 2 + 2 * at[1];
+        for (at += 2; at < stop; at += 2) if (!is_cell(job, at[0]) || !is_register(job, at[1])) return 0;
+    }
+    return 1;
+}
+
+static int program_fits(const Job *job)
+{
+    for (const int32_t *at = job->scalar; at < job->scalar_end;) {
+        const int code = *at++;
+        if (code < 0 || code >= (int)sizeof arguments || job->scalar_end - at < 1 + arguments[code]) return 0;
+        for (int i = 0; i < 1 + arguments[code]; i++) if (!is_cell(job, *at++)) return 0;
+    }
+    for (const State *s = job->state; s < job->state + job->states; s++)
+        if (!is_cell(job, s->cell) || !is_register(job, s->series) || !is_register(job, s->rate)) return 0;
+    for (const Table *t = job->table; t < job->table + job->tables; t++) {
+        const int64_t end = (int64_t)t->cell + PARTS + t->degree;
+        if (t->kind < 0 || t->kind > 3 || t->cell < 0 || t->degree < 0 || t->degree >= STRIDE || end > job->cells ||
+            (t->reg != -1 && !is_register(job, t->reg))) return 0;
+    }
+    const int32_t *const role = (const int32_t *)job->role;
+    for (int i = 0; i < (int)sizeof(Roles) / 4; i++)
+        if (role[i] != -1 && !(i < REGISTER_ROLES ? is_register(job, role[i]) : is_cell(job, role[i]))) return 0;
+    return series_fit(job, job->series, job->series_end) && series_fit(job, job->series_end, job->later_end);
+}
+
+static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
+{
+    const int64_t pieces = d->pieces, across = d->across ? d->across : 1;
+    return pieces > 0 && d->terms > 0 && d->terms <= STRIDE && (across == 1 || across == count) &&
+           buffers[0].len == 8 * pieces * (d->apart ? across : 1) && buffers[1].len == 8 * pieces * d->terms * across &&
+           buffers[2].len == 8 * pieces;
+}
+
 static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
@@ -156,7 +212,8 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     if (!PyArg_ParseTuple(args, "y*O!w*nnny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &begin, &end, &budget,
                           &times, &outputs, &notes, &level)) return NULL;
     const int32_t *const code = program.buf;
-    const int bad = read_program(&job, code, code + program.len / 4) || PyTuple_Size(tables) != job.tables;
+    const int bad = read_program(&job, code, code + program.len / 4) || !program_fits(&job) ||
+                    PyTuple_Size(tables) != job.tables;
     if (bad || level < 0 || level >= KINDS || !runs(level)) {
         PyErr_SetString(PyExc_ValueError, "integrate: the program, its tables or level do not fit");
         goto done;
@@ -172,20 +229,24 @@ static PyObject *integrate(PyObject *self, PyObject *args)
     }
     job.all = cells.buf, job.count = cells.len / 8 / job.cells;
     job.begin = begin, job.end = end < job.count ? end : job.count, job.budget = budget;
-    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0;
-    for (int t = 0; t < job.tables; t++) fits = fits && (!job.data[t].across || job.data[t].across == job.count);
-    if (!times.len && outputs.len) fits = fits && outputs.len == 8 * job.registers * job.count;
-    if (!fits) {
-        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables or registers are not those of as many lanes");
-        goto done;
-    }
-    if (times.len) {
+    int fits = job.count > 0 && cells.len == 8 * job.cells * job.count && begin >= 0 && begin <= end;
+    for (int t = 0; t < job.tables; t++) fits = fits && table_fits(job.data + t, held + 3 * t, job.count);
+    if (fits && times.len) {
         job.times = times.buf, job.outputs = outputs.buf;
         job.samples = outputs.len / 8 / job.count / (2 + job.states);
-        job.times_across = times.len / 8 / job.samples;
-    } else if (outputs.len) job.outputs = outputs.buf;
+        job.times_across = job.samples ? times.len / 8 / job.samples : 0;
+        fits = outputs.len == 8 * job.samples * job.count * (2 + job.states) && (job.times_across == 1 ||
+               job.times_across == job.count) && times.len == 8 * job.samples * job.times_across;
+    } else if (fits && outputs.len) {
+        job.outputs = outputs.buf;
+        fits = outputs.len == 8 * (int64_t)job.registers * job.count;
+    }
+    if (!fits) {
+        PyErr_SetString(PyExc_ValueError, "integrate: the cells, tables, times or registers are not those of as many lanes");
+        goto done;
+    }
     job.notes = notes.buf, job.notes_room = notes.len / 32;
-    void *memory = calloc((size_t)(MOST_WORKING + job.cells + job.registers * STRIDE) + 1, WIDEST);
+    void *memory = calloc((size_t)(MOST_WORKING + job.cells + (int64_t)job.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -246,9 +307,9 @@ static PyObject *straight_line(PyObject *self, PyObject *args)
     Job job = {0};
     int level;
     if (!PyArg_ParseTuple(args, "y*i", &code, &level)) return NULL;
-    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && level >= 0 && level < KINDS;
+    const int fits = !read_program(&job, code.buf, (const int32_t *)code.buf + code.len / 4) && program_fits(&job);
     PyBuffer_Release(&code);
-    return PyLong_FromLong(fits && levels[level].traits->straight ? job.straight : -1);
+    return PyLong_FromLong(fits && level >= 0 && level < KINDS && levels[level].traits->straight ? job.straight : -1);
 }
 
 static PyMethodDef methods[] = {
@@ -259,7 +320,7 @@ static PyMethodDef methods[] = {
 };
 static PyModuleDef_Slot slots[] = {
     {Py_mod_exec, fill},
-#ifdef Py_mod_gil
+#ifdef Py_MOD_GIL_NOT_USED
     {Py_mod_gil, Py_MOD_GIL_NOT_USED},
 #endif
     {0, NULL},

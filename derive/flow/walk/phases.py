@@ -26,13 +26,19 @@ from derive.flow.walk.one_lane import (
 from derive.flow.walk.series import evaluate, find_negligible, normal_force
 from derive.flow.walk.tables import begin_pieces, find_pieces, still_changes
 
+TIE = 256.0 * EPS  # relative difference up to which two peaks are equal
 CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero
 
 
-def update_peak(lane: Lane, rate: float) -> None:
-    """Record the speed with which a phase begins if it is the greatest."""
-    if lane.omega > abs(lane.peak_omega):
-        lane.peak_time = lane.time
+def update_peak(lane: Lane, rate: float, now: float) -> None:
+    """Record the present speed, at a time from the lane's own on, if it is the greatest.
+
+    Of peaks that differ by rounding the earliest is recorded, so that every processor reports the same one. A speed
+    that has risen from a record at the lane's time is compared exactly.
+    """
+    rises = lane.peak_time == lane.time
+    if lane.omega > where(rises, 1.0, 1.0 + TIE) * abs(lane.peak_omega):
+        lane.peak_time = now
         lane.peak_rotation = lane.rotation + lane.direction * lane.x
         lane.peak_omega = lane.direction * lane.omega
         lane.peak_rate = lane.direction * rate
@@ -91,7 +97,7 @@ def start_moving(lane: Lane, rate: float) -> None:
     note(lane, Note.BEGINS)
     if lane.lifted > 0.0:
         note_lift_off(lane)
-    update_peak(lane, rate)
+    update_peak(lane, rate, lane.time)
     lane.pending = Pending.READY
 
 

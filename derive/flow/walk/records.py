@@ -145,6 +145,6 @@ def glide(lane: Lane, t: T) -> None:
         if piece > integer(t.piece):
             lane.x = x
             lane.omega = omega
+            update_peak(lane, net, now)
             stand_before(lane, t, piece, now)
             pass_break(lane, t)
-            update_peak(lane, net)

@@ -28,7 +28,7 @@ from derive.flow.walk.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.walk.phases import advance_origin, face, note_lift_off, update_reach
+from derive.flow.walk.phases import TIE, advance_origin, face, note_lift_off, update_reach
 from derive.flow.walk.records import glide
 from derive.flow.walk.roots import falling_root, first_root, increment, margin_of, may_cross, value, value_and_slope
 from derive.flow.walk.series import expand, radius_of_convergence
@@ -204,8 +204,12 @@ def find_events(s: Lanes, here: M, top: N) -> None:
 
 
 def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
-    """Record a candidate for the greatest speed where it exceeds the record."""
-    faster = here and speed > abs(s.peak_omega)
+    """Record a candidate for the greatest speed, in the present step, where it exceeds the record.
+
+    Where the record is not where the step began, it has to do so by more than rounding.
+    """
+    rises = s.peak_time == s.time
+    faster = here and speed > where(rises, 1.0, 1.0 + TIE) * abs(s.peak_omega)
     if any_lane(faster):
         s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
         s.peak_time = where(faster, time, s.peak_time)
@@ -278,9 +282,9 @@ def make_step(s: Lanes, here: M) -> None:
         read_samples(s, s.time, until, 1, top)
     steady = abs(net[0]) * step < Share.STIFF_CHANGE * s.series.omega[0] and uneventful
     advance_states(s, here, top)
+    keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
     s.steps = s.steps + where(at_limit, 0.0, where(steady, number(Limit.STIFF_STEP), 1.0))
     s.passed = number(Passed.NOTHING)
-    keep_faster(s, here, s.omega, s.time, s.x, rate)
     if here:
         settle(s, rate, at_limit, endless)

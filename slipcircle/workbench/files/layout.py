@@ -1,6 +1,6 @@
 """Tables that a scene file may have, depending on its content: an arc or a slope, one soil or layers, which laws.
 
-Tables in lists, [[layers]] and [[surcharge]], are read as tables with numbers for names: ``layers.2.top_m``.
+Tables in lists, [[layers]], [[surcharge]] and [[pond]], are read as tables with numbers for names: ``layers.2.top_m``.
 """
 
 from collections.abc import Mapping
@@ -14,8 +14,12 @@ _BY_SOILS = "is given by the soils beside [[layers]]"
 _IN_SOILS = {
     "friction": "[soils.NAME.friction]",
     "cohesion": "cohesion_kPa in [soils.NAME]",
-    "pore_pressure": "pore_pressure_ratio in [soils.NAME], or by [water] or [pond]",
+    "pore_pressure": "pore_pressure_ratio in [soils.NAME], or by [water]",
 }
+_POND = (
+    "[pond] is not a table any more: level_m of [water] describes free water too; where its pore pressure is given "
+    "otherwise, write [[pond]] with from_m, to_m and level_m"
+)
 
 
 class Layout(NamedTuple):
@@ -38,6 +42,8 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     on_slope = layered or "ground" in content
     whole = WITH_LAYERS if layered else WITH_ONE_SOIL if on_slope else WITH_ARC
     excluded = _excluded(on_slope, layered)
+    if isinstance(content.get("pond"), dict):
+        excluded["pond"] = _POND
     mistakes = [f"{name}: {why}" for name, why in excluded.items() if name in content]
     known = {}
     for name, value in content.items():

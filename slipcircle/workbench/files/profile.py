@@ -153,7 +153,7 @@ def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
     for _, top in layers[1:]:
         line = top if np.ndim(top) else [[left, top], [right, top]]
         lines.append(np.asarray(line))
-    tolerance = 1e-9 * np.ptp(ground)
+    tolerance = 1e-9 * np.ptp(ground, axis=0).max()
     for k, (upper, lower) in enumerate(pairwise(lines), 3):
         vertices = np.concatenate([upper[:, 0], lower[:, 0]])
         x = np.unique(vertices)

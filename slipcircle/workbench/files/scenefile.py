@@ -253,10 +253,10 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
 def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
     """The message of an error in a slope, a section or a search, with the keys of its file."""
     tables: dict[str, Table] = {**SLOPING, **LOADS}
-    about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack", "pond")
+    about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
     of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
     of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
     of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
-    of_slope["pond"] = "[pond]"
+    of_slope["ponds"] = "[[pond]]"
     text = error.worded(lambda name: of_slope.get(name, keys(name)))
     return f"critical: {text}" if error.what == "critical" else text

@@ -4,10 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
-from slipcircle.base.checks import InputError
-from slipcircle.ground import Section, circle_through, circle_touching, simple_slope
+from slipcircle.base.checks import InputError, complaint, raise_all
+from slipcircle.ground import Section, circle_through, circle_touching, outside_between, simple_slope
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.profile import Profile, numbered
 from slipcircle.workbench.stability.search import Critical, at_circle, critical
@@ -48,9 +46,13 @@ class SlopeInput:
 
     @property
     def water(self) -> dict[str, Any]:
-        """Water level and unit weight of water."""
-        water = self.given.get("water", {})
-        return {name if name == "level" else "water_unit_weight": value for name, value in water.items()}
+        """Water level, whether it is confined, unit weight of water, and ponds."""
+        water = dict(self.given.get("water", {}))
+        if "unit_weight" in water:
+            water["water_unit_weight"] = water.pop("unit_weight")
+        return water | {
+            "ponds": [tuple(map(pond.get, ("from", "to", "level"))) for pond in numbered(self.given, "pond")]
+        }
 
     @property
     def limits(self) -> dict[str, Any]:
@@ -60,7 +62,7 @@ class SlopeInput:
     def slope(self) -> Slope:
         """For factors of safety."""
         fields = {name: value for name, value in self.ground.items() if name not in _OF_MOTION}
-        fields |= self.water | self.given.get("pond", {}) | self.given.get("tension_crack", {})
+        fields |= self.water | self.given.get("tension_crack", {})
         fields |= {name: self.limits[name] for name in ("k_h", "k_h_on_surcharge") if name in self.limits}
         soils: Mapping[str, Any] = {"layers": self.profile.layers} if self.profile else self.strength
         return Slope(**fields, **soils, surcharge=self.surcharge)
@@ -75,12 +77,13 @@ class SlopeInput:
                 raise InputError("critical", [needs])
             limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
-            if least.radius > _FLATTEST * float(np.ptp(least.slope.ground)):
+            if least.radius > _FLATTEST * least.slope.size:
                 raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
             return {"centre": least.centre, "radius": least.radius, "between": least.between}, least
         circle = _circle(circle)
         ground = self.ground
-        geometry = Section(ground["ground"], **circle, unit_weight=1.0, base=ground.get("base"))
+        geometry = Section(ground["ground"], **circle, **self.water, unit_weight=1.0, base=ground.get("base"))
+        raise_all("Section", complaint([outside_between(geometry)], ()))
         # The circle is known to be above the base, which may lie higher than ground beside it.
         found = at_circle(replace(self.slope(), base=None), geometry) if known else None
         pushed = "shaking" in self.given or self.given[""].get("initial_velocity")
@@ -114,9 +117,6 @@ def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
     """Tables that factors of safety use but motions do not, and the reason."""
     alone = "is for factors of safety alone (slipcircle search)"
     mistakes = []
-    if "pond" in given:
-        why = "a mass that moves through standing water also has its drag and added mass, which are not known"
-        mistakes.append(f"pond: {alone}: {why}; leave it out")
     if given.get("tension_crack", {}).get("crack_water"):
         why = "a crack opens and empties as soon as the mass moves"
         mistakes.append(f"tension_crack.water_m: {alone}: {why}; leave it out")

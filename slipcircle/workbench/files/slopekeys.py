@@ -120,9 +120,17 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         ),
     ),
     "water": table_of(
-        "its water level, in place of r_u, and the weight of water of ponds and cracks too",
-        [_weight("unit weight of water, by default 9.81", True)],
-        _points("level", "points of the level from left to right"),
+        "its water level, in place of r_u: pore pressure below it, and free water where it is above the ground",
+        [_weight("unit weight of water, of ponds and cracks too, by default 9.81", True)],
+        _points("level", "points of the level from left to right, over the whole mass; horizontal above the ground")
+        | {
+            "confined": Key(
+                "confined",
+                "whether the water is confined: a level above the ground is then artesian pressure without free water",
+                "true or false",
+                kind="flag",
+            )
+        },
     ),
     "search": table_of(
         "what limits the search for the critical circle",
@@ -162,7 +170,10 @@ LOADS: Mapping[str, Table] = {  # beside them
         "a pressure on the ground, linear from one x to the other",
         [_place("from", "x of its left end"), _place("to", "x of its right end"), _PRESSURE],
     )._replace(repeats="numbered"),
-    "pond": table_of("standing water, for factors of safety", [replace(_place("level", "its level"), name="pond")]),
+    "pond": table_of(
+        "free water whose pore pressure is given otherwise, by r_u or by a lower or a confined level of [water]",
+        [_place("from", "x of its left shore"), _place("to", "x of its right shore"), _place("level", "its level")],
+    )._replace(repeats="numbered"),
 }
 
 # --- soils and layers ------------------------------------------------------------------------------------------------

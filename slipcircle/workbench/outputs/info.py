@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import generated
-from generated._compiled import LEVEL
+from generated._compiled import FREE_THREADED, LEVEL, is_free_threaded
 from slipcircle.base import VERSION
 from slipcircle.base.optional import EXTRAS, install
 from slipcircle.words import integrator
@@ -16,7 +16,8 @@ from slipcircle.words import integrator
 
 def facts() -> dict[str, str]:
     """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
-    kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
+    missing = f": {FREE_THREADED}" if is_free_threaded() else ""
+    kernels = f"NumPy, not compiled{missing}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
     found |= {"kernels": kernels, "integrator": integrator()}
     for library in ("numpy", *EXTRAS):

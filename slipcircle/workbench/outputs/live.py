@@ -9,7 +9,6 @@ import gzip
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import resources
-from pathlib import Path
 from string import Template
 from typing import Any
 
@@ -41,7 +40,7 @@ _DIGITS = 8
 INTERPOLATED = 1e-6  # error of inputs that a page may have and show, where a slider is asked for
 _SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
 _LONGEST = 10.0
-_PAGE = Path(__file__).with_name("page")
+_PAGE = resources.files("slipcircle.workbench.outputs") / "page"
 _SHELL = """
 body { margin: 0 auto; max-width: 68rem; padding: 1rem; background: var(--paper); color-scheme: light dark; }
 h1 { margin: 0; font: 600 .95rem/1.4 system-ui, sans-serif; color: var(--soft); }

@@ -10,8 +10,9 @@ from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from slipcircle.base.text import shown
+from slipcircle.base.text import DIGITS, shown
 from slipcircle.core import Motion, Plan
+from slipcircle.ground import Section
 from slipcircle.workbench.common.quantities import (
     OF_MOTION,
     OUTCOMES,
@@ -30,7 +31,7 @@ from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
-from slipcircle.workbench.stability.stability import least_of
+from slipcircle.workbench.stability.stability import Slope, least_of
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
@@ -85,8 +86,8 @@ DIFFERENCE = (
 
 
 def motion_summary(motion: Motion) -> dict[str, str]:
-    """The `summary`, with the factors of safety under the k_h of a search, and the estimated error."""
-    column = summary(motion)
+    """The `summary`, with free water, the factors of safety under the k_h of a search, and the estimated error."""
+    column = summary(motion) | pond_row(motion.plan.scene.arc)
     critical = stability_of(motion.plan.scene)
     if critical is not None:
         if critical.slope.k_h:
@@ -164,15 +165,23 @@ def stability_column(critical: Critical) -> dict[str, str]:
     column = _factors(critical.factor_of_safety, critical.slope.k_h)
     without = critical.factor_of_safety_without_k_h or {}
     column |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
-    entry_and_exit = {"entry": _point(critical.entry), "exit": _point(critical.exit)}
-    return column | entry_and_exit | _circle(critical)
+    size = critical.radius
+    entry_and_exit = {"entry": _point(critical.entry, size), "exit": _point(critical.exit, size)}
+    return column | pond_row(critical.slope) | entry_and_exit | _circle(critical)
+
+
+def pond_row(soil: Any) -> dict[str, str]:
+    """Free water on a slope or on the ground of a single section, by its label."""
+    ponds = soil.free_water.of_one if isinstance(soil, Slope | Section) else []
+    texts = [f"x = {first:.8g} to {last:.8g} m, level {level:.8g} m" for first, last, level in ponds]
+    return {"free water": "; ".join(texts)} if texts else {}
 
 
 def _circle(critical: Critical) -> dict[str, str]:
     """A slip circle of a slope, and how it was found, by labels."""
     column = {
         "circle": least_of(critical.method) if critical.method else "as given",
-        "centre": _point(critical.centre),
+        "centre": _point(critical.centre, critical.radius),
         "radius": f"{shown(critical.radius)} m",
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
@@ -191,8 +200,10 @@ def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> dict[st
     return {f"{factor_label(method)}{condition}": factor_text(factor) for method, factor in by_method.items()}
 
 
-def _point(xy: Sequence[float]) -> str:
-    return ", ".join(map(shown, xy)) + " m"
+def _point(xy: Sequence[float], radius: float) -> str:
+    """Coordinates to the last place of the radius as it is printed."""
+    places = DIGITS - 1 - math.floor(math.log10(radius))
+    return ", ".join(f"{round(value, places) + 0.0:.12g}" for value in xy) + " m"
 
 
 # --- plans and ladders -----------------------------------------------------------------------------------------------

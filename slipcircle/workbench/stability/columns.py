@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import continued
+from slipcircle.ground import Ponds, continued
 from slipcircle.layers import edge_below, line_crossings
 
 
@@ -33,7 +33,7 @@ class Columns(NamedTuple):
     """Columns of ground between vertices and crossings of lines, and surfaces there: (surfaces, 1 or n, columns).
 
     Surfaces are the tops of the layers, each cut off by those above it; with a water level then that, and the tops of
-    the wet parts of layers; with a pond then its level and the part of the ground below it.
+    the wet parts of layers.
     """
 
     bounds: Floats  # x between columns, (1 or n, columns - 1)
@@ -60,7 +60,7 @@ class SlopeArrays:
     water_unit_weight: Any = 9810.0
     pressure: Any = 0.0
     k_h: Any = 0.0
-    pond: Any = None
+    ponds: Ponds | None = None
     surcharge: Any = ()  # from x1 to x2, q1 and q2
     crack: Any = 0.0
     crack_water: Any = 0.0
@@ -79,9 +79,18 @@ class SlopeArrays:
         lines = [self.ground, *self.tops]
         if self.level is not None:
             lines.append(self.level)
-        if self.pond is not None:
-            lines.append(level_line(self.pond, self.ground))
         return [self._over_ground(line) for line in lines]
+
+    @cached_property
+    def _pond_levels(self) -> list[Floats]:
+        """Levels of free water as lines over the whole ground."""
+        if self.ponds is None:
+            return []
+        lines = []
+        for level in np.unique(self.ponds.level, axis=0):
+            line = level_line(level, self.ground)
+            lines.append(self._over_ground(line))
+        return lines
 
     def _over_ground(self, line: Floats) -> Floats:
         x = self.ground[..., 0]
@@ -89,8 +98,8 @@ class SlopeArrays:
 
     @cached_property
     def lines_cut_by_arcs(self) -> list[Floats]:
-        """Boundaries, water level and pond, and the heights below which cohesion increases."""
-        lines = self.lines[1:]
+        """Boundaries, water levels, and the heights below which cohesion increases."""
+        lines = self.lines[1:] + self._pond_levels
         for gradient, datum in zip(self.soils.cohesion_gradient, self.soils.datum, strict=True):
             if np.any(gradient):
                 lines.append(self._over_ground(level_line(datum, self.ground)))
@@ -115,12 +124,16 @@ class SlopeArrays:
         return Columns(bounds, middle, height, gradient)
 
     def _kinks(self) -> Floats:
-        """x of vertices and crossings of lines, and of the ends of surcharges, (1 or n, any), sorted."""
+        """x of vertices and crossings of lines, and of the ends of surcharges and free water, (1 or n, any), sorted."""
         kinks = [line[:, 1:-1, 0] for line in self.lines]
         for one, other in combinations(self.lines, 2):
             kinks.append(line_crossings(one, other))
         for x1, x2, *_ in self.surcharge:
             kinks.append(np.array([[x1, x2]]))
+        for level in self._pond_levels:
+            kinks.append(line_crossings(self.lines[0], level))
+        if self.ponds is not None:
+            kinks += [self.ponds.first.T, self.ponds.last.T]
         slopes = max(map(len, kinks))
         of_slopes = [np.broadcast_to(x, (slopes, x.shape[1])) for x in kinks]
         x = np.concatenate(of_slopes, axis=1)
@@ -138,9 +151,6 @@ class SlopeArrays:
             surfaces.append(level)
             if self.saturates:
                 surfaces += [_lower(top, level) for top in tops]
-        if self.pond is not None:
-            pond = lines[-1]
-            surfaces += [pond, _lower(tops[0], pond)]
         return surfaces
 
 

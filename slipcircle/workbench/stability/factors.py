@@ -10,6 +10,7 @@ from generated import slopes
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.columns import SlopeArrays
+from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
 from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
 
 YIELD = "k_y"  # least yield coefficient, in the place of a method
@@ -89,15 +90,17 @@ def _driven(
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
-    gravity = slices.driving_moment()
+    gravity = slices.driving_moment() + at_shores(slope, arcs)
     negligible = 1e-9 * slices.weight_along_arc()
     is_driven = np.abs(gravity) > negligible
     facing = np.where(is_driven, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
         slices = slices_above(slope, arcs, pieces, nodes)
-        gravity = slices.driving_moment()
+        gravity = slices.driving_moment() + at_shores(slope, arcs)
     slices = slices.facing(facing)
+    if slope.ponds is not None:
+        slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
     upper_end = np.where(facing > 0.0, arcs.first, arcs.last)
     gravity = facing * gravity + _crack_water(slope, radius, upper_end)
     driving = gravity

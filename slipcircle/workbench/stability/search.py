@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import Section
+from slipcircle.ground import Section, ends_above
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
@@ -86,6 +86,7 @@ class Critical:
     def record(self) -> dict[str, Any]:
         """For JSON, in SI units."""
         without = self.factor_of_safety_without_k_h
+        ponds = self.slope.free_water.of_one
         return {
             "method": self.method,
             "facing": self.facing,
@@ -93,6 +94,7 @@ class Critical:
             **({"factor_of_safety_without_k_h": without} if without else {}),
             **({"yield_coefficient": self.yield_coefficient} if self.method == YIELD else {}),
             "circle": {"centre": list(self.centre), "radius": self.radius},
+            **({"free_water": ponds} if ponds else {}),
             "entry": list(self.entry),
             "exit": list(self.exit),
             "tried": self.tried,
@@ -195,6 +197,9 @@ def at_circle(slope: Slope, section: Section) -> Critical:
 
 def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
     """One circle, by arrays of one."""
+    if slope.level is not None:
+        fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
+        raise_all("Slope", complaint([fault], ()))
     circle = centre, radius, left, right
     factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
     without_k_h = None
@@ -246,7 +251,7 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
     ground = np.asarray(slope.ground)
     allowed = [*METHODS, YIELD]
     mistakes = [] if method in allowed else [f"{{method}} = {method!r}: must be one of {', '.join(allowed)}"]
-    if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
+    if not isinstance(depth, int | float) or not 0.0 <= depth < slope.size:
         mistakes.append(f"{{depth}} = {depth!r}: must be at least 0 and below the size of the ground, in m")
     for name, pair in limits.items():
         mistakes += _limit_mistakes(name, pair, ground)
@@ -297,7 +302,7 @@ def _skin(slope: Slope) -> str:
 def _refuse_skin(slope: Slope, circle: Critical) -> None:
     """Raise a ValueError where the search went to ever thinner masses, in a layer without cohesion at the ground."""
     chord = math.dist(circle.entry, circle.exit)
-    if chord < 1e-4 * float(np.ptp(np.asarray(slope.ground))):
+    if chord < 1e-4 * slope.size:
         words = f"the factor decreases towards ever thinner masses near x = {circle.entry[0]:.4g}"
         raise InputError("critical", [f"{{layers}}: {words}, where the soil has no cohesion; give a least depth"])
 

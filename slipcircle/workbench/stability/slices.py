@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
+from slipcircle.ground import Ponds
 from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
@@ -49,12 +50,14 @@ class Stresses(NamedTuple):
     """On the arcs over gamma R, gamma the unit weight of the first layer: (3, intervals), of 1, sine and cosine."""
 
     soil: Floats  # weight of the soil above
-    buoyancy: Any  # minus the weight of a pond's water in the place of the soil below its level
     load: Any  # surcharge
-    pond: Any  # weight of the water above the ground
+    pond: Any  # pressure of free water on the ground
+    displaced: Any  # minus the weight of water in the place of the soil below free water
     pressure: Floats
-    relieved: Any  # pressure of a pond at the height of the arc
     cohesion: Floats
+    buoyancy: Any  # minus the weight of water in the place of the soil below the level at the exit
+    relieved: Any  # pressure of this water at the height of the arc
+    excess: Any  # what the pressure of free water exceeds that of this water by, on the ground
 
     def turned(self, way: Floats) -> Stresses:
         """The same for angles of the opposite sense where ``way`` is -1."""
@@ -82,6 +85,7 @@ class Slices(NamedTuple):
     friction: Floats  # of each interval
     k_h: Floats
     shaken_load: Any  # share of the surcharge on which k_h acts
+    water: Floats  # unit weight over gamma
     steps: Floats  # of the unit weight below each surface, 0 where it is not above the arc, (surfaces, intervals)
     constant: Floats  # height of a surface above the centre is constant + gradient sine
     gradient: Floats
@@ -106,9 +110,9 @@ class Slices(NamedTuple):
         )
 
     def driving_moment(self) -> Floats:
-        """Of gravity about the centre, of each arc."""
+        """Of gravity and of the weight of displaced water about the centre, of each arc."""
         stresses = self.stresses
-        weight = self.at(stresses.soil + stresses.buoyancy + stresses.load)
+        weight = self.at(stresses.soil + stresses.displaced + stresses.load)
         moment = slopes.drive(self.sine, self.cosine, weight, 0.0)
         return self.integral(moment)
 
@@ -137,7 +141,7 @@ class Slices(NamedTuple):
         return np.hypot(self.sine, self.surface(k))
 
     def uplift(self) -> Floats:
-        """Pore pressure less that of a pond."""
+        """Pore pressure less that of the free water at the exit."""
         stresses = self.stresses
         return self.at(stresses.pressure - stresses.relieved)
 
@@ -154,7 +158,9 @@ class Slices(NamedTuple):
         weight = self.at(stresses.soil)
         uplift = self.uplift()
         soil = slopes.ordinary_normal(sine, cosine, weight, uplift, self.k_h)
-        return soil + loads
+        across = self.gradient[0] * sine + cosine
+        pressure = self.at(stresses.excess) * cosine
+        return soil + loads + pressure * across
 
     def radial_normal(self) -> Floats:
         """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
@@ -165,6 +171,10 @@ class Slices(NamedTuple):
         if np.any(self.stresses.load):
             load = self.at(self.stresses.load) * self.cosine
             normal += load * -self.surface(0) / self.distance(0)
+        if np.any(self.stresses.excess):
+            pressure = self.at(self.stresses.excess) * self.cosine
+            across = self.gradient[0] * self.sine - self.surface(0)
+            normal += pressure * across / self.distance(0)
         return normal
 
     def radial_tilt(self) -> Floats:
@@ -218,10 +228,11 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
         friction=base.soil.friction,
         k_h=base.of_slope(slope.k_h),
         shaken_load=base.of_slope(slope.k_h_on_surcharge),
+        water=base.water,
         steps=steps,
         constant=base.constant,
         gradient=base.gradient,
-        shaken=base.shaken(steps),
+        shaken=np.any(steps, axis=1),
     )
 
 
@@ -305,19 +316,7 @@ class _Bases:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
         steps = np.concatenate(rows)
-        steps = steps[:, self.lane] / self.unit_weight
-        if slope.pond is not None:
-            of_soil = np.broadcast_to(steps, (len(steps), len(self.arc)))
-            of_pond = [np.zeros_like(self.water), -self.water]
-            steps = np.concatenate([of_soil, of_pond])
-        return steps * (self.above > 0.0)
-
-    def shaken(self, steps: Floats) -> NDArray[np.bool_]:
-        """The surfaces of soil."""
-        shaken = np.any(steps, axis=1)
-        if self.slope.pond is not None:
-            shaken[-1] = False
-        return shaken
+        return steps[:, self.lane] / self.unit_weight * (self.above > 0.0)
 
     def _above_arc(self, k: int, factor: Any) -> Floats:
         """Height of a surface above the arc times a factor."""
@@ -328,24 +327,28 @@ class _Bases:
     def stresses(self, steps: Floats) -> Stresses:
         """By interval."""
         none = np.zeros((3, 1))
-        buoyancy, pond, relieved = none, none, none
-        of_soil = steps
-        if self.slope.pond is not None:
-            of_soil = steps[:-2]
-            ground = self.above[0]
-            water_level = self.above[-2]
-            buoyancy = self._above_arc(-1, steps[-1])
-            wet = self.water * (water_level > 0.0)
-            relieved = self._above_arc(-2, wet)
-            filled = self.water * (water_level > ground)
-            pond = self._above_arc(-2, filled)
-            pond = pond - self._above_arc(0, filled)
-        soil = self._soil_weight(of_soil)
+        pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
+        soil = self._soil_weight(steps)
         scale = self.unit_weight * self.scale
         pressure = self._pore_pressure(soil, scale)
         load = self._load() / scale
         cohesion = self._cohesion() / scale
-        return Stresses(soil, buoyancy, load, pond, pressure, relieved, cohesion)
+        return Stresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
+
+    def _free_water(self, ponds: Ponds) -> tuple[Floats, Floats]:
+        """Pressure of free water on the ground, and minus the weight of water in the place of the soil below it."""
+        depth = np.zeros((3, len(self.arc)))
+        filled = np.zeros(len(self.arc))
+        for first, last, level, _ in zip(*ponds, strict=True):
+            after_first = self.x > self.of_slope(first)
+            before_last = self.x < self.of_slope(last)
+            inside = after_first & before_last
+            from_centre = self.of_slope(level) - self.centre_y
+            height = from_centre / self.scale
+            depth[0] += inside * (height - self.constant[0])
+            depth[1] -= inside * self.gradient[0]
+            filled += inside
+        return self.water * depth, -self._above_arc(0, self.water * filled)
 
     def _soil_weight(self, steps: Floats) -> Floats:
         """Vertical stress of the soil, the sum of the steps times the heights of their surfaces above the arc."""

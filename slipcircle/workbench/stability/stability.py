@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import Section, pond_errors, slope_errors
+from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
@@ -80,7 +80,8 @@ class Slope:
     unit_weight : float
         gamma, N/m^3.
     level : array_like, optional
-        Points of the water level from left to right, (W, 2), m; it continues horizontally beyond them.
+        Points of the water level from left to right, (W, 2), m, over the whole mass; it continues horizontally beyond
+        them. Where it lies above the ground there is free water, and it must be horizontal.
     water_unit_weight : float
         N/m^3.
     pore_ratio : float
@@ -96,8 +97,10 @@ class Slope:
         weight and pore ratio.
     surcharge : sequence of (x1, x2, q1, q2)
         Pressures on the ground, Pa, linear from x1 to x2.
-    pond : float, optional
-        Level of standing water, m; without a water level also that of the ground water.
+    confined : bool
+        Whether the water is confined, so that a level above the ground is that of artesian pressure without free water.
+    ponds : sequence of (x1, x2, level)
+        Free water between two shores whose pore pressure is given otherwise, m.
     crack, crack_water : float
         Depth of a tension crack at the upper end of an arc, and height of the water in it, m.
     k_h_on_surcharge : bool
@@ -121,7 +124,8 @@ class Slope:
     base: float | None = None
     layers: Sequence[tuple[Soil, Any]] = ()
     surcharge: Sequence[tuple[float, float, float, float]] = ()
-    pond: float | None = None
+    confined: bool = False
+    ponds: Sequence[tuple[float, float, float]] = ()
     crack: float = 0.0
     crack_water: float = 0.0
     k_h_on_surcharge: bool = False
@@ -156,12 +160,7 @@ class Slope:
         """A sentence for each mistake of fields that are valid by themselves."""
         mistakes = []
         ground = np.asarray(self.ground)
-        if self.level is not None:
-            filled = _filled(ground, self.pond)
-            level = np.asarray(self.level)
-            (above,), words = pond_errors(filled[None], level[None])
-            if above:
-                mistakes.append(words(0))
+        mistakes += complaint([water_fault(*self._water)], ())
         if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
@@ -170,34 +169,35 @@ class Slope:
             mistakes.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
         return mistakes
 
+    @property
+    def size(self) -> float:
+        """Greater one of the width and the height of the ground, m."""
+        return float(np.ptp(np.asarray(self.ground), axis=0).max())
+
+    @property
+    def _water(self) -> tuple[Floats, Floats | None, bool, Sequence[Any]]:
+        """Ground, level, whether it is confined, and ponds; lines are of one lane."""
+        level = None if self.level is None else np.asarray(self.level)[None]
+        return np.asarray(self.ground)[None], level, self.confined, self.ponds
+
+    @property
+    def free_water(self) -> Ponds:
+        """Free water above the ground."""
+        return free_water(*self._water)
+
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        names = ("water_unit_weight", "pressure", "k_h", "pond", "crack", "crack_water", "k_h_on_surcharge")
+        names = ("water_unit_weight", "pressure", "k_h", "crack", "crack_water", "k_h_on_surcharge")
         numbers = {name: getattr(self, name) for name in names}
         layers = self.layers
         if not layers:
             assert self.unit_weight is not None
             layers = _one_layer(self.unit_weight, self.cohesion, self.friction, self.pore_ratio)
-        level = self.level
-        if level is None and self.pond is not None:
-            level = level_line(self.pond, np.asarray(self.ground)[None])[0]
-        return _slope_arrays(_of_one_slope, self.ground, level, layers, self.surcharge, numbers)
+        return _slope_arrays(_of_one_slope, self, layers, self.surcharge, numbers)
 
 
-_LAYERED = ("layers", "surcharge", "pond", "crack", "crack_water", "k_h_on_surcharge")
+_LAYERED = ("layers", "surcharge", "crack", "crack_water", "k_h_on_surcharge")
 _OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio")
-
-
-def _filled(ground: Floats, pond: float | None) -> Floats:
-    """The ground with standing water in its hollows."""
-    if pond is None:
-        return ground
-    height = ground[:, 1] - pond
-    crosses = np.flatnonzero(height[:-1] * height[1:] < 0.0)
-    share = height[crosses] / (height[crosses] - height[crosses + 1])
-    shore = ground[crosses] + share[:, None] * np.diff(ground, axis=0)[crosses]
-    whole = np.insert(ground, crosses + 1, shore, axis=0)
-    return np.column_stack([whole[:, 0], np.maximum(whole[:, 1], pond)])
 
 
 def require_drive(section: Section) -> None:
@@ -269,22 +269,25 @@ def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _B
     """The slopes of sections."""
     numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
-        return _slope_arrays(by_lane, section.ground, section.level, section.layers, section.surcharge, numbers)
+        return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers)
     layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
     numbers |= {"pressure": by_lane(strength["pressure"])}
-    return _slope_arrays(by_lane, section.ground, section.level, layers, (), numbers)
+    return _slope_arrays(by_lane, section, layers, (), numbers)
 
 
 def _slope_arrays(
-    by_lane: _ByLane, ground: Any, level: Any, layers: _Layers, surcharge: Sequence[Any], numbers: Mapping[str, Any]
+    by_lane: _ByLane, slope: Slope | Section, layers: _Layers, surcharge: Sequence[Any], numbers: Mapping[str, Any]
 ) -> SlopeArrays:
     """Slopes with their lines, soils and surcharges, and further numbers."""
-    lines = by_lane(ground, 2)
+    lines = by_lane(slope.ground, 2)
+    level = None if slope.level is None else by_lane(slope.level, 2)
+    water = free_water(lines, level, slope.confined, slope.ponds)
     return SlopeArrays(
         ground=lines,
         soils=_soil_arrays(layers, by_lane),
         tops=tuple(_top_line(top, lines, by_lane) for _, top in layers[1:]),
-        level=None if level is None else by_lane(level, 2),
+        level=level,
+        ponds=water if len(water.first) else None,
         surcharge=tuple((x1, x2, by_lane(q1), by_lane(q2)) for x1, x2, q1, q2 in surcharge),
         **numbers,
     )

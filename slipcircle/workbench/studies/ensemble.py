@@ -293,7 +293,7 @@ def _described(design: Design) -> dict[str, Any]:
         "mass": scene.arc,
         "numbers": scene.numbers,
         "friction": scene.friction,
-        "effects": scene.called,
+        "effects": scene.effects,
         "inputs": [u.key for u in design.inputs.values()],
         "drawn": [u.record for u in design.drawn.values()],
         "distributions": [u.given for u in design.drawn.values()],

@@ -1,0 +1,191 @@
+"""Free water: where a water level lies above the ground, and ponds whose pore pressure is given otherwise."""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise, repeat
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.checks import Fault
+from slipcircle.base.kinds import Floats
+from slipcircle.ground.ground import AS_PRINTED
+from slipcircle.ground.plane import each_lane
+
+_LEVEL = 0.01  # of the height of the ground, by which free water may deviate from a horizontal level
+_ROUNDING = 1e-9  # of the size of the ground
+Given = Sequence[tuple[float, float, float]]  # ponds: x of both shores, and the level
+
+
+class Ponds(NamedTuple):
+    """Free water, (ponds, lanes) each, m; without width where a lane has less of it.
+
+    Attributes
+    ----------
+    first, last : ndarray
+        x of both shores.
+    level : ndarray
+        Middle between the highest and the lowest point of the level.
+    fall : ndarray
+        Difference between them.
+    """
+
+    first: Floats
+    last: Floats
+    level: Floats
+    fall: Floats
+
+    @property
+    def of_one(self) -> list[list[float]]:
+        """x of both shores and level of each water on the ground of one lane, from left to right."""
+        of_lane = np.stack(self[:3])[..., 0]
+        rows = of_lane.T.tolist()
+        return sorted(row for row in rows if row[1] > row[0])
+
+    def covering(self, x: Floats, y: Floats) -> Floats:
+        """Level of the water above points (lanes,); -inf where a point is dry."""
+        rounding = _ROUNDING * (self.last - self.first)
+        after_first = x >= self.first - rounding
+        before_last = x <= self.last + rounding
+        below = y < self.level
+        covers = after_first & before_last & below
+        levels = np.where(covers, self.level, -np.inf)
+        return levels.max(axis=0, initial=-np.inf)
+
+
+def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Ponds:
+    """Free water over grounds (n or 1, V, 2): below levels (n or 1, W, 2) unless they are confined, and ponds."""
+    bodies = []
+    for ground, level in _pairs(grounds, levels):
+        bodies.append(_bodies(ground, level, confined, ponds))
+    lanes = len(bodies)
+    count = max(map(len, bodies))
+    x, y = grounds[:, 0].min(axis=0)
+    beside = [x - 1.0, x - 1.0, y, 0.0]  # where a lane has less water
+    padded = [of_lane + [beside] * (count - len(of_lane)) for of_lane in bodies]
+    table: Floats = np.reshape(padded, (lanes, count, 4))
+    return Ponds(*table.T)
+
+
+def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any]]:
+    """Each ground with its level, None without one."""
+    if levels is None:
+        return zip(grounds, repeat(None), strict=False)
+    lanes = max(len(grounds), len(levels))
+    return zip(each_lane(grounds, lanes), each_lane(levels, lanes), strict=True)
+
+
+def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> list[list[float]]:
+    """Shores, mean level and fall of the free water over a ground."""
+    bodies: list[list[float]] = []
+    if level is not None and not confined:
+        bodies += _below(ground, level)
+    for pond in ponds:
+        bodies += _pond(ground, pond)
+    return bodies
+
+
+def _pond(ground: Floats, pond: Sequence[float]) -> list[list[float]]:
+    """The water of a pond, from shore to shore."""
+    first, last, level = pond
+    bodies = _below(ground, np.array([[first, level], [last, level]]))
+    return [body for body in bodies if min(last, body[1]) > max(first, body[0])]
+
+
+def _below(ground: Floats, level: Floats) -> list[list[float]]:
+    """The water between a ground (V, 2) and a level (W, 2) above it."""
+
+    def depth(x: Floats) -> Floats:
+        return np.interp(x, *level.T) - np.interp(x, *ground.T)
+
+    left, right = ground[[0, -1], 0]
+    vertices = np.concatenate([ground[:, 0], level[:, 0]])
+    x = np.unique(np.clip(vertices, left, right))
+    x = np.union1d(x, _roots(depth, x))
+    middle = (x[:-1] + x[1:]) / 2
+    is_wet = depth(middle) > _ROUNDING * (right - left)
+    shores = np.flatnonzero(np.diff(is_wet, prepend=False, append=False))
+    bodies = []
+    for first, last in shores.reshape(-1, 2).tolist():
+        heights = np.interp(x[first : last + 1], *level.T)
+        low = heights.min()
+        high = heights.max()
+        bodies.append([x[first], x[last], (low + high) / 2, high - low])
+    return bodies
+
+
+def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
+    """Roots of a function that is linear between places, within each interval; an end of one without a root."""
+    step = np.diff(x)
+    quarter = step / 4
+    early = linear(x[:-1] + quarter)  # inside intervals, where scarps have one height
+    late = linear(x[1:] - quarter)
+    fall = early - late
+    divisor = np.where(fall == 0.0, np.inf, 2 * fall)
+    share = np.clip(0.25 + early / divisor, 0.0, 1.0)
+    roots: Floats = x[:-1] + share * step
+    return roots
+
+
+# --- mistakes --------------------------------------------------------------------------------------------------------
+
+
+def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
+    """Levels beside the ground, free water that slopes, and ponds on dry land or that end before their shores."""
+    words = [_mistake(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
+    return np.array(words) != "", lambda k: words[k]
+
+
+def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> str:
+    """What is wrong with the water of one ground; empty if nothing is."""
+    left, right = ground[[0, -1], 0]
+    if level is not None:
+        first, last = level[[0, -1], 0]
+        if last < left or first > right:
+            return "{level}: lies beside the ground; it must extend over it"
+    width, height = np.ptp(ground, axis=0)
+    tolerance = max(_LEVEL * height, _ROUNDING * width)
+    for first, last, _, fall in _bodies(ground, level, confined, ()):
+        if fall > tolerance:
+            where = f"from x = {first:.10g} to {last:.10g}, where it is above the ground"
+            remedy = "give a horizontal level there, or {confined} = true for an artesian level without free water"
+            return f"{{level}}: varies by {fall:.4g} m {where}; free water is horizontal: {remedy}"
+    for number, pond in enumerate(ponds, 1):
+        if mistake := _pond_mistake(ground, pond):
+            return f"{{pond.{number}.level}}: {mistake}"
+    bodies = sorted(_bodies(ground, level, confined, ponds))
+    if any(one[1] > other[0] for one, other in pairwise(bodies)):
+        return "{ponds}: lies in other free water; remove one of them"
+    return ""
+
+
+def _pond_mistake(ground: Floats, pond: Sequence[float]) -> str:
+    """What is wrong with a pond; empty if nothing is."""
+    first, last, _ = pond
+    bodies = _pond(ground, pond)
+    if not bodies:
+        return f"the ground from x = {first:.10g} to {last:.10g} lies above it"
+    left, *_ = bodies[0]
+    _, right, *_ = bodies[-1]
+    rounding = AS_PRINTED * (right - left)
+    starts_inside = first > left + rounding
+    ends_inside = last < right - rounding
+    if starts_inside or ends_inside:
+        return f"water at this level reaches from x = {left:.8g} to {right:.8g}; extend the pond to both shores"
+    return ""
+
+
+def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:
+    """Levels (n or 1, W, 2) that end above masses from one x to another, (n,)."""
+    ends = levels[:, [0, -1], 0].T
+    rounding = _ROUNDING * (right - left)
+    after_left = ends > left + rounding
+    before_right = ends < right - rounding
+    inside = after_left & before_right
+
+    def sentence(k: int) -> str:
+        of_lane = ends[:, k % len(levels)]
+        x = of_lane[inside[:, k]][0]
+        mass = f"the mass from x = {left[k]:.6g} to {right[k]:.6g}"
+        return f"{{level}}: ends at x = {x:.10g}, above {mass}; extend it beyond the mass"
+
+    return inside.any(axis=0), sentence

@@ -1,0 +1,71 @@
+"""Free water on the ground above arcs: the moment of its pressure, and what it does to normal stresses."""
+
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.ground import Ponds
+from slipcircle.workbench.stability.columns import SlopeArrays
+from slipcircle.workbench.stability.slices import Arcs, Slices
+
+
+def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
+    """Moment of free water on the ground less that of the weight of the water displaced below the ground it covers.
+
+    On the verticals from its shores to the arc, of height h, its pressure has the moment gamma_w h^2/2 (cos b - h/3).
+    """
+    ponds = slope.ponds
+    if ponds is None:
+        return 0.0
+    x, y = arcs.centre.T
+    sines = (np.stack([ponds.first, ponds.last]) - x) / arcs.radius
+    after_first = sines > np.sin(arcs.first)
+    before_last = sines < np.sin(arcs.last)
+    square = np.maximum(1.0 - sines**2, 0.0)
+    cosine = np.sqrt(square)
+    height = (ponds.level - y) / arcs.radius + cosine
+    moment = height**2 / 2 * (cosine - height / 3)
+    inside = np.where(after_first & before_last, moment, 0.0)
+    at_first, at_last = inside.sum(axis=1)
+    unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
+    return unit_weight * (at_last - at_first)
+
+
+def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
+    """Level of free water above the exits of arcs over R from the centre; -inf where an exit is dry."""
+    place = np.where(facing > 0.0, arcs.last, arcs.first)
+    x, y = arcs.centre.T
+    exit_x = x + arcs.radius * np.sin(place)
+    exit_y = y - arcs.radius * np.cos(place)
+    from_centre = ponds.covering(exit_x, exit_y) - y
+    return np.where(facing == 0.0, -np.inf, from_centre / arcs.radius)
+
+
+def submerged(slices: Slices, level: Floats) -> Slices:
+    """Slices with the reference level of free water at the exit of each arc, over R from the centre.
+
+    What lies below it is buoyant, and pore pressure counts in excess of it; other free water is a load.
+    """
+    of_arc = level[slices.arc]
+    middle = len(slices.sine) // 2
+    above_arc = of_arc + slices.cosine[middle] > 0.0
+    above_ground = of_arc > slices.surface(0)[middle]
+    height = np.where(above_arc, of_arc, 0.0)
+    constant = np.where(above_ground, slices.constant[0], height)
+    gradient = np.where(above_ground, slices.gradient[0], 0.0)
+    water = slices.water * above_arc
+    none = np.zeros_like(water)
+    of_weight = np.stack([constant, gradient, np.ones_like(water)])
+    of_pressure = np.stack([height, none, np.ones_like(water)])
+    relieved = water * of_pressure
+    buoyancy = -water * of_weight
+    on_ground = relieved + buoyancy
+    stresses = slices.stresses
+    return slices._replace(
+        steps=np.concatenate([slices.steps, [-water]]),
+        constant=np.concatenate([slices.constant, [constant]]),
+        gradient=np.concatenate([slices.gradient, [gradient]]),
+        shaken=np.append(slices.shaken, False),
+        stresses=stresses._replace(buoyancy=buoyancy, relieved=relieved, excess=stresses.pond - on_ground),
+    )

@@ -1,0 +1,337 @@
+"""Free water above the ground: statics against plain slices, refusals, and what is printed of it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from slipcircle import Section, Slope, critical
+from slipcircle.__main__ import main
+from slipcircle.base.kinds import Floats
+from slipcircle.ground.ponds import Ponds, free_water
+from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.stability.search import at_circle
+
+WATER = 9810.0
+DAM = [(-40.0, 0.0), (0.0, 0.0), (40.0, 16.0), (50.0, 16.0), (90.0, 0.0), (130.0, 0.0)]
+Pond = tuple[float, float, float]
+
+
+class Truth(NamedTuple):
+    """A slope of one soil with its water, and factors by plain slices; ``reference`` is the level at the exit."""
+
+    ground: list[tuple[float, float]]
+    centre: tuple[float, float]
+    radius: float
+    ends: tuple[float, float]  # x of the arc's ends
+    facing: float
+    head: list[tuple[float, float]] | None = None  # pore pressure below this line, or
+    ratio: float = 0.0
+    ponds: tuple[Pond, ...] = ()
+    reference: float = -math.inf
+    cohesion: float = 8e3
+    friction: float = 0.5
+    unit_weight: float = 2e4
+
+    def factors(self, count: int = 12_000) -> dict[str, float]:
+        """By the definitions of the methods, with pressures of free water on the ground integrated edge by edge."""
+        (x_c, y_c), r = self.centre, self.radius
+        first, last = (math.asin((x - x_c) / r) for x in self.ends)
+        step = (last - first) / count
+        angle = first + step * (np.arange(count) + 0.5)
+        x, y = x_c + r * np.sin(angle), y_c - r * np.cos(angle)
+        dip, length, breadth = self.facing * -angle, r * step, r * step * np.cos(angle)
+        top = np.interp(x, *np.transpose(self.ground))
+        slope = (
+            np.interp(x + 1e-6, *np.transpose(self.ground)) - np.interp(x - 1e-6, *np.transpose(self.ground))
+        ) / 2e-6
+        soil = self.unit_weight * (top - y)
+        pore = self.ratio * soil
+        if self.head:
+            pore = pore + WATER * np.maximum(np.interp(x, *np.transpose(self.head)) - y, 0.0)
+        water = sum((WATER * np.maximum(z - top, 0.0) * ((a < x) & (x < b)) for a, b, z in self.ponds), np.zeros(count))
+        drive = self.facing * float(np.sum(-(x - x_c) * soil * breadth)) + self.facing * self.moment_of_ponds()
+        # Below the reference level weights are those of buoyant soil; other free water is a load normal to the ground.
+        buoyant = WATER * np.maximum(np.minimum(top, self.reference) - y, 0.0)
+        excess = pore - WATER * np.maximum(self.reference - y, 0.0)
+        load = water - WATER * np.maximum(self.reference - top, 0.0)
+        x_load, y_load = load * slope * breadth, -load * breadth
+        to_base = x_load * np.sin(angle) - y_load * np.cos(angle)
+        normal = ((soil - buoyant) * breadth * np.cos(dip) + to_base) / length - excess
+        ordinary = np.sum(self.cohesion + self.friction * normal) * length * r / drive
+        # The paper: every point of the mass presses with its weight times the cosine of its direction (2.23).
+        radial = (
+            self.radial(x, y, top) * self.unit_weight
+            - self.radial(x, y, np.maximum(y, np.minimum(top, self.reference))) * WATER
+        )
+        distance = np.hypot(x - x_c, top - y_c)
+        of_load = (x_load * (x - x_c) + y_load * (top - y_c)) / distance
+        friction = self.friction * (np.sum(radial * breadth + of_load) - np.sum(excess) * length)
+        paper = (self.cohesion * length * count + max(friction, 0.0)) * r / drive
+        factor = 1.0
+        for _ in range(40):
+            lever = np.cos(dip) + np.sin(dip) * self.friction / factor
+            shear = (self.cohesion + self.friction * (soil + water - pore)) * breadth / lever
+            factor = float(np.sum(shear) * r / drive)
+        return {"paper": float(paper), "ordinary": float(ordinary), "bishop": factor}
+
+    def radial(self, x: Floats, low: Floats, high: Floats) -> Floats:
+        """Integral of the cosine of the direction from the centre over heights."""
+        (x_c, y_c) = self.centre
+        return np.hypot(x - x_c, low - y_c) - np.hypot(x - x_c, high - y_c)
+
+    def moment_of_ponds(self) -> float:
+        """Of the pressure on the ground, positive counterclockwise: minus the integral of p d(rho^2/2)."""
+        (x_c, y_c), moment = self.centre, 0.0
+        left, right = self.ends
+        for a, b, z in self.ponds:
+            inner = [p for p, _ in self.ground if max(a, left) < p < min(b, right)]
+            places = np.unique(np.concatenate([np.linspace(u, v, 4001) for u, v in zip(
+                [max(a, left), *inner], [*inner, min(b, right)], strict=True)]))  # fmt: skip
+            heights = np.interp(places, *np.transpose(self.ground))
+            square = (places - x_c) ** 2 + (heights - y_c) ** 2
+            pressure = WATER * np.maximum(z - heights, 0.0)
+            moment -= float(np.sum((pressure[1:] + pressure[:-1]) / 2 * np.diff(square) / 2))
+        return moment
+
+    def slope(self, **more: Any) -> Slope:
+        return Slope(self.ground, self.cohesion, self.friction, self.unit_weight, **more)
+
+    def section(self, **more: Any) -> Section:
+        return Section(self.ground, self.centre, self.radius, self.unit_weight, **more)
+
+
+def through(x: tuple[float, float], ground: Any, radius: float) -> tuple[tuple[float, float], float]:
+    """The circle above two points of the ground."""
+    p, q = (np.array([v, np.interp(v, *np.transpose(ground))]) for v in x)
+    chord = q - p
+    normal = np.array([-chord[1], chord[0]]) / np.hypot(*chord)
+    centre = (p + q) / 2 + normal * math.sqrt(radius**2 - float(chord @ chord) / 4)
+    return (float(centre[0]), float(centre[1])), radius
+
+
+def of(ends: tuple[float, float], radius: float, facing: float, ground: Any = DAM, **more: Any) -> Truth:
+    return Truth(ground, *through(ends, ground, radius), ends, facing, **more)
+
+
+# Upstream at 12 m, downstream at 3 m: from the crest into the pond, from one pond to the other, and dry at the exit.
+SEEPS = [(-40.0, 12.0), (30.0, 12.0), (82.5, 3.0), (130.0, 3.0)]
+BOTH = ((-40.0, 30.0, 12.0), (82.5, 130.0, 3.0))
+ARTESIAN = [(-40.0, 14.0), (130.0, 5.0)]
+WAVES = [(-10.0, 12.0), (0.0, 12.0), (8.0, 6.0), (12.0, 9.0), (20.0, 5.0), (24.0, 8.0), (36.0, 0.0), (60.0, 0.0)]
+LAKES = [(-10.0, 10.0), (4.0, 8.0), (11.0, 8.0), (14.0, 6.5), (22.5, 6.5), (34.5, 1.0), (60.0, 1.0)]
+ON_WAVES = ((16 / 3, 32 / 3, 8.0), (17.0, 22.0, 6.5), (34.5, 60.0, 1.0))
+CASES: dict[str, tuple[Truth, dict[str, Any]]] = {
+    "into the lower pond": (of((42, 95), 45.0, 1.0, head=SEEPS, ponds=BOTH, reference=3.0), {"level": SEEPS}),
+    "from pond to pond": (of((24, 97), 60.0, 1.0, head=SEEPS, ponds=BOTH, reference=3.0), {"level": SEEPS}),
+    "into the upper pond": (of((-6, 46), 40.0, -1.0, head=SEEPS, ponds=BOTH, reference=12.0), {"level": SEEPS}),
+    "dry at the exit": (of((26, 76), 45.0, 1.0, head=SEEPS, ponds=BOTH), {"level": SEEPS}),
+    "r_u below ponds": (
+        of((24, 97), 60.0, 1.0, ratio=0.2, ponds=BOTH, reference=3.0),
+        {"pore_ratio": 0.2, "ponds": [(-40, 30, 12), (82, 130, 3)]},
+    ),
+    "artesian below ponds": (
+        of((24, 97), 60.0, 1.0, head=ARTESIAN, ponds=BOTH, reference=3.0),
+        {"level": ARTESIAN, "confined": True, "ponds": [(-40, 31, 12), (80, 130, 3)]},
+    ),
+    "three lakes": (of((-5, 45), 40.0, 1.0, WAVES, head=LAKES, ponds=ON_WAVES, reference=1.0), {"level": LAKES}),
+    "out of a lake": (of((-5, 21.8), 17.0, 1.0, WAVES, head=LAKES, ponds=ON_WAVES, reference=6.5), {"level": LAKES}),
+    "artesian": (
+        of((42, 95), 45.0, 1.0, head=[(-40, 14), (130, 5)]),
+        {"level": [(-40, 14), (130, 5)], "confined": True},
+    ),
+}
+
+
+def mirrored(value: Any) -> Any:
+    """Lines, ponds or numbers seen from behind."""
+    if np.ndim(value) == 2 and np.shape(value)[1] == 2:
+        return [(-x, y) for x, y in value[::-1]]
+    if np.ndim(value) == 2:
+        return [(-b, -a, z) for a, b, z in value]
+    return value
+
+
+def shifted(value: Any, by: float) -> Any:
+    if np.ndim(value) == 2:
+        return [(*(x + by for x in row[:-1]), row[-1]) for row in value]
+    return value
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_factors_are_those_of_plain_slices(name: str) -> None:
+    """On both sides of a dam, each with its level; seen from behind; and in map coordinates."""
+    truth, water = CASES[name]
+    expected = truth.factors()
+    geometry = truth.section()
+    assert at_circle(truth.slope(**water), geometry).factor_of_safety == pytest.approx(expected, rel=5e-6)
+    x, y = truth.centre
+    behind = Section(mirrored(truth.ground), (-x, y), truth.radius, 1.0)
+    slope = Slope(mirrored(truth.ground), 8e3, 0.5, 2e4, **{key: mirrored(value) for key, value in water.items()})
+    assert at_circle(slope, behind).factor_of_safety == pytest.approx(expected, rel=5e-6)
+    for by in (5e5, 5e6):
+        far = Section(shifted(truth.ground, by), (x + by, y), truth.radius, 1.0)
+        slope = Slope(
+            shifted(truth.ground, by), 8e3, 0.5, 2e4, **{key: shifted(value, by) for key, value in water.items()}
+        )
+        assert at_circle(slope, far).factor_of_safety == pytest.approx(expected, rel=5e-6)
+
+
+def test_lanes_of_levels_have_their_own_ponds() -> None:
+    """Two, one and two; a missing one has no width."""
+    lines = np.array([[(-40.0, low + 9.0), (30.0, low + 9.0), (82.5, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
+    of_lanes = free_water(np.array([DAM]), lines, False, ())
+    assert np.count_nonzero(of_lanes.last > of_lanes.first, axis=0).tolist() == [2, 1, 2]
+    for lane, line in enumerate(lines):
+        alone = free_water(np.array([DAM]), line[None], False, ()).of_one
+        assert Ponds(*(row[:, [lane]] for row in of_lanes)).of_one == alone
+
+
+# --- files -----------------------------------------------------------------------------------------------------------
+
+SLOPE = """[ground]
+points_m = [[0, 10], [20, 10], [40, 0], [80, 0]]
+unit_weight_kN_m3 = 20
+[friction]
+angle_deg = 28
+[cohesion]
+cohesion_kPa = 10
+[circle]
+centre_m = [34, 22]
+radius_m = 26
+[water]
+level_m = LEVEL
+"""
+PIEZOMETRIC = "[[0, 6], [20, 5], [40, 1.5], [80, 1.5]]\nconfined = true\n"
+EARTH_DAM = """[ground]
+points_m = [[-45.72, 69.1896], [0, 69.1896], [82.296, 96.6216], [97.536, 96.6216], [179.832, 69.1896],
+            [225.552, 69.1896]]
+[water]
+level_m = [[-45.72, 92.0496], [84.582, 92.0496], [96.012, 83.82], [104.6988, 73.152], [179.832, 69.1896],
+           [225.552, 69.1896]]
+unit_weight_kN_m3 = 9.8023
+[circle]
+centre_m = [149.352, 152.4]
+radius_m = 92.3544
+[soils]
+shell = { unit_weight_kN_m3 = 19.6359, friction = { angle_deg = 34 } }
+core = { unit_weight_kN_m3 = 19.1647, cohesion_kPa = 4.788, friction = { angle_deg = 26 } }
+clay = { unit_weight_kN_m3 = 19.3218, friction = { angle_deg = 24 } }
+sand = { unit_weight_kN_m3 = 19.9501, friction = { angle_deg = 32 } }
+[[layers]]
+soil = "shell"
+[[layers]]
+soil = "core"
+top_m = [[-45.72, 69.1896], [73.152, 69.1896], [85.344, 93.5736], [94.488, 93.5736], [106.68, 69.1896],
+         [225.552, 69.1896]]
+[[layers]]
+soil = "clay"
+top_m = 69.1896
+[[layers]]
+soil = "sand"
+top_m = 60.0456
+"""  # fmt: skip
+
+
+def found(text: str, tmp_path: Path) -> Any:
+    """The circle of a file and its warnings."""
+    path = tmp_path / "slope.toml"
+    path.write_text(text, "utf-8")
+    return critical_of_file(path, None, lambda line: None)[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "bishop", "ordinary"),
+    [  # of an independent program of slices
+        (EARTH_DAM, 1.563, 1.402),
+        (SLOPE.replace("LEVEL", PIEZOMETRIC), 1.525, None),
+        (SLOPE.replace("LEVEL", PIEZOMETRIC) + "[[pond]]\nfrom_m = 37\nto_m = 80\nlevel_m = 1.5\n", 1.690, None),
+        (SLOPE.replace("LEVEL", "[[0, 6], [25, 5], [30, 5], [40, 0], [80, 0]]"), 1.545, None),
+    ],
+)
+def test_free_water_lies_where_the_level_is_above_the_ground(
+    text: str, bishop: float, ordinary: float | None, tmp_path: Path
+) -> None:
+    """Upstream of a dam alone; nowhere below an artesian level."""
+    factors = found(text, tmp_path).factor_of_safety
+    assert factors["bishop"] == pytest.approx(bishop, abs=5e-4)
+    assert ordinary is None or factors["ordinary"] == pytest.approx(ordinary, abs=5e-4)
+
+
+@pytest.mark.parametrize(
+    ("level", "words"),
+    [
+        (
+            "[[0, 6], [25, 5]]",
+            r"water\.level_m: ends at x = 25, above the mass from x = 10\.9349 to 47\.8564; extend it",
+        ),
+        ("[[0, 6], [25, 5], [40, 5]]", r"water\.level_m: ends at x = 40, above the mass"),
+        ("[[12, 5], [40, 0], [80, 0]]", r"water\.level_m: ends at x = 12, above the mass"),
+        (
+            PIEZOMETRIC.partition("confined")[0],
+            r"level_m: varies by 0\.8\d* m .* level there, or water\.confined = true",
+        ),
+        (
+            "[[0, 6], [80, 0]]\n[pond]\nlevel_m = 1",
+            r"pond: \[pond\] is not a table any more: .*write \[\[pond\]\] with",
+        ),
+    ],
+)
+def test_a_level_of_which_something_would_be_guessed_is_refused(level: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=words):
+        found(SLOPE.replace("LEVEL", level), tmp_path)
+
+
+def test_ponds_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "dam.toml").write_text(EARTH_DAM, "utf-8")
+    assert main(["search", str(tmp_path / "dam.toml")]) == 0
+    ((line,),) = [[x for x in capsys.readouterr().out.splitlines() if "free water" in x]]
+    assert line.split(maxsplit=2)[2] == "x = -45.72 to 68.58 m, level 92.0496 m"
+    assert main(["search", str(tmp_path / "dam.toml"), "--json"]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
+    assert record["free_water"] == [pytest.approx([-45.72, 68.58, 92.0496])]
+
+
+# --- circles and coordinates ------------------------------------------------------------------------------------------
+
+ACADS = "[ground]\npoints_m = [[0, 25], [30, 25], [50, 35], [90, 35]]\nunit_weight_kN_m3 = 20\nbase_m = BASE\n"
+WEAK = "[friction]\nangle_deg = 19.6\n[cohesion]\ncohesion_kPa = 3\n[circle]\n"
+
+
+@pytest.mark.parametrize("base", ["20", "24.5"])
+def test_the_circle_that_search_prints_can_be_pasted(
+    base: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It cuts a sliver off the ground at the toe, or falls below the base that it touches, by rounding."""
+    text = (ACADS + WEAK).replace("BASE", base)
+    path = tmp_path / "slope.toml"
+    path.write_text(text + "critical = 'bishop'\n", "utf-8")
+    assert main(["search", str(path)]) == 0
+    rows = dict(re.findall(r"^(.*?)  +(.*?) m$", capsys.readouterr().out, re.MULTILINE))
+    pasted = f"centre_m = [{rows['centre']}]\nradius_m = {rows['radius']}\n"
+    least = found(text + "critical = 'bishop'\n", tmp_path).factor_of_safety["bishop"]
+    assert found(text + pasted, tmp_path).factor_of_safety["bishop"] == pytest.approx(least, rel=2e-3)
+    ends = sorted(float(rows[name].partition(",")[0]) for name in ("entry", "exit"))
+    found(text + pasted + f"between_m = {ends}\n", tmp_path)
+    with pytest.raises(ValueError, match=r"circle.between_m = \[35, 52\]: does not contain the mass from x = "):
+        found(text + pasted + "between_m = [35, 52]\n", tmp_path)
+
+
+@pytest.mark.parametrize("by", [5e5, -5e6])
+def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
+    """1.1196: `utm-search` of an independent program; also seen from behind."""
+    ground = [(0.0, 10.0), (15.0, 10.0), (35.0, 0.0), (60.0, 0.0)]
+    given: dict[str, Any] = {"cohesion": 5e3, "friction": math.tan(math.radians(20)), "unit_weight": 2e4}
+    circle = critical(Slope(shifted(ground, by), **given))
+    assert circle.factor_of_safety["bishop"] == pytest.approx(1.1196, abs=5e-5)
+    assert critical(Slope(mirrored(shifted(ground, by)), **given), depth=1.0).factor_of_safety == pytest.approx(
+        circle.factor_of_safety, rel=1e-5
+    )
+    with pytest.raises(ValueError, match="below the size of the ground"):
+        critical(Slope(shifted(ground, by), **given), depth=61.0)
