@@ -187,8 +187,9 @@ def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
             if "." in name:
                 yield Parameter(name, "m", -FAR, FAR)
     for name in arc.other_numbers():
-        _, _, quantity = name.rpartition(".")
-        yield Parameter(name, *SOIL_BOUNDS[quantity])
+        path, _, quantity = name.rpartition(".")
+        of_cohesion = path.endswith(".cohesion") and quantity in ("peak", "residual")
+        yield Parameter(name, *SOIL_BOUNDS["cohesion" if of_cohesion else quantity])
 
 
 def _parameters_of_friction(friction: Any) -> Iterator[Parameter]:

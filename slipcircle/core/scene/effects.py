@@ -4,8 +4,6 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
-import numpy as np
-
 from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
 from slipcircle.base.checks import parameter_mistakes, raise_all
@@ -118,18 +116,6 @@ def cohesion_law(given: Any) -> Law | None:
         return None
     parameters = {"coefficient" if name == "cohesion" else name: value for name, value in given.items()}
     return str(parameters.pop("law")), parameters
-
-
-def cohesion_at_start(given: Any) -> Any:
-    """Return a cohesion before any slip."""
-    if isinstance(given, MAPPING) and "law" not in given:  # of an effect
-        given = given.get("cohesion", 0.0)
-    if callable(given):
-        return float(np.ravel(given(0.0))[0])
-    if not isinstance(given, MAPPING):
-        return given
-    value = given.get("peak", given.get("cohesion"))
-    return value[0] if given["law"] == "tabulated" else value
 
 
 def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
