@@ -92,6 +92,7 @@ def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     every = [*_MOTION]
     every += _parameters_of_arc(scene.arc)
     every += _parameters_of_friction(scene.friction)
+    assert isinstance(scene.effects, dict)
     for name in declared.EFFECTS:
         every += _scalars(name, declared_parameters(name, scene.effects.get(name, {})))
     return {parameter.name: parameter for parameter in every}

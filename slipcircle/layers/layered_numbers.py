@@ -108,7 +108,7 @@ class LayeredNumbers:
 def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     """The numbers of a soil by name."""
     start = f"soils.{soil.name}"
-    numbers = {}
+    numbers = dict[str, Any]()
     for name in SOIL_NUMBERS:
         value = getattr(soil, name)
         if isinstance(value, Mapping):

@@ -307,7 +307,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _lasting_share(self) -> Floats:
-        """The share of the cohesion at the start that slip leaves, (soils, lanes); 0 of soils with laws of their own."""
+        """Share of the initial cohesion that slip leaves, (soils, lanes); 0 of soils with laws of their own."""
         if self._own_cohesion:
             laws = [cohesion_law(soil.cohesion) for soil in self.section.soils]
             return np.array([[float(law is None)] for law in laws])
@@ -340,10 +340,10 @@ class ArcStrength(StretchIntegrals):
             return {}
         if not self._own_cohesion:
             _, (name, given) = softening[0]
-            law = name, {**given, "peak": 1.0, "residual": 0.0}
+            of_all: Law = name, {**given, "peak": 1.0, "residual": 0.0}
             cohesion, growth = self._lasting_cohesion
-            return {OF_COHESION: (law, self._peak_cohesion - cohesion, gradient - growth)}
-        found = {}
+            return {OF_COHESION: (of_all, self._peak_cohesion - cohesion, gradient - growth)}
+        found = dict[str, tuple[Law, Floats, Floats]]()
         for k, (soil, law) in enumerate(softening):
             along = self._is_soil(soil)
             peak = np.where(self._peak_cohesion == 0.0, 1.0, self._peak_cohesion)

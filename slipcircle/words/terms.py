@@ -101,7 +101,7 @@ def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
 
 def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
     """Return the moment of a cohesion that changes with slip, and its law."""
-    names = [law for law in laws if law.endswith(OF_COHESION)]  # those of soils are in their sums
+    names = [law for law in laws if law.endswith(OF_COHESION)]
     moment = EquationTerm("T", "lambda cohesion/sigma_ref", "cohesion", latex=r"\lambda \frac{c}{\sigma_{ref}}")
     terms = []
     for name in names:

@@ -14,8 +14,8 @@ from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.effects import declared_parameters, named, resolved
-from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_paths, number_name
+from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
+from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
 
 One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
@@ -169,6 +169,7 @@ class Scene(Generic[Numbers]):
     @cached_property
     def laws(self) -> tuple[Law, ...]:
         """The laws of its friction, which is their product, and of its cohesion, each with its parameters."""
+        assert isinstance(self.effects, dict)
         return (*law_parts(self.law), *self.arc.cohesion_laws(self.effects.get("cohesion", {})))
 
     @property

@@ -58,9 +58,9 @@ def _tables(scene: Any) -> dict[str, Table]:
     if not isinstance(arc, LayeredSection):
         law, *rate = law_names(scene.friction)
         named = {} if law == "callable" else {"law": law}
-        given = {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})}
+        given: dict[str, Any] = {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})}
         return fitted(WITH_ARC, given | {"cohesion": scene.effects.get("cohesion", {})})
-    soils = {}
+    soils = dict[str, Any]()
     for soil in arc.soils:
         soils[soil.name] = {"friction": {"law": law_names(soil.friction)[0]}, "cohesion": soil.cohesion}
     given = {"soils": soils, "slip": {"rate": arc.rate or {}}, "layers": _some(arc.layers)}
