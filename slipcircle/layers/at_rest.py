@@ -38,7 +38,7 @@ def cohesion_at_start(cohesion: Any) -> Any:
     law = cohesion_law(cohesion)
     if law is not None:
         return _at_rest(*law)
-    return cohesion["cohesion"] if isinstance(cohesion, Mapping) and "cohesion" in cohesion else cohesion or 0.0
+    return cohesion.get("cohesion", 0.0) if isinstance(cohesion, Mapping) else cohesion
 
 
 def least_friction(friction: Any) -> float:
