@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "1d8df84d5156dcde24e20fa1e806afb5e5fbe8cd3389f22206ff229ce9e63f6d"
+#define DIGEST "864878e5a75bdb5386adca04798471a031e6f9a5f43fde4606b8b93a4eb17976"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1465,7 +1465,7 @@ static void begin_in_rotation(Batch *b, unsigned lane, int t)
     develop(b, lane, t, local, c[DIRECTION][lane]);
 }
 
-/* The piece of a function of the slip. */
+/* The piece of a function of the slip, which ends ahead also where another function has just broken. */
 static void begin_in_slip(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1473,7 +1473,7 @@ static void begin_in_slip(Batch *b, unsigned lane, int t)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double edge = break_of(b, lane, t, piece);
     double local = fmax((c[SLIP][lane] * c[job->table[t].cell + SCALE][lane]) - edge, 0.0);
-    c[job->table[t].cell + UPPER][lane] = ((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane];
+    c[job->table[t].cell + UPPER][lane] = fmax(((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
     develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
 }
 
