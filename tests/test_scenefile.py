@@ -146,7 +146,9 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
         return "\n".join([*lines, ""])
 
     pulse = "[shaking]\npulse = 'half-sine'\namplitude_g = 0.1\nduration_s = 2\n"  # a pulse needs more than its name
-    effects = [pulse if n == "shaking" else table(n, whole["properties"][n]) for n in EFFECTS]
+    parts = {n: whole["properties"][n] for n in EFFECTS}
+    parts["cohesion"] = definition(parts["cohesion"]["anyOf"][0])
+    effects = [pulse if n == "shaking" else table(n, parts[n]) for n in EFFECTS]
     for law in whole["properties"]["friction"]["anyOf"]:
         text = "\n".join([ARC, table("friction", definition(law)), *effects])
         scene, uncertain = written(file, text), written(file, text.replace(" 0.5\n", f" {drawn}\n"))

@@ -101,6 +101,21 @@ def test_one_soil_in_layers_is_that_soil(law: Any, mu: float) -> None:
         assert motion.factor_of_safety == pytest.approx(alone.factor_of_safety, rel=1e-13)
 
 
+@pytest.mark.parametrize("end", [3.0, 3.0 + 1e-6])
+def test_laws_that_break_at_the_same_slip_all_pass_their_breaks(end: float) -> None:
+    """Two tables of friction, and friction and cohesion that fall over one length, whatever the rounding."""
+    table = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "coefficient": [0.3, 0.2, 0.15, 0.12, 0.1]}
+    other = table | {"slip": [0.0, 0.2, 0.4, 1.0, end]}
+    alone = solve(Scene(Section(unit_weight=19e3, **CIRCLE), table, TURNING))
+    soils = [Soil(19e3, 0.0, law, name=name) for law, name in ((table, "a"), (other, "b"))]
+    section = LayeredSection(layers=[(soils[0], None), (soils[1], 2.0)], strength="mass", **CIRCLE)
+    assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(alone.run_out, rel=1e-11 + (end - 3.0))
+    linear = {"law": "linear", "length": 0.4}
+    soil = Soil(19e3, linear | {"peak": 12e3, "residual": 4e3}, linear | {"peak": 0.08, "residual": 0.05}, name="a")
+    section = LayeredSection(layers=[(soil, None)], **CIRCLE)
+    assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(softening.farthest(section)[0], rel=1e-8)
+
+
 def test_a_constant_law_is_a_number() -> None:
     section = Section(unit_weight=19e3, **CIRCLE)
     number, law = ({"cohesion": 8e3}, {"law": "constant", "cohesion": 8e3})
@@ -116,8 +131,8 @@ def test_arrays_derivatives_and_fits_know_the_numbers_of_the_law() -> None:
     lanes = solve(Scene(section, 0.05, TURNING | {"cohesion": LAW | {"residual": step}}))
     singly = [solve(Scene(section, 0.05, TURNING | {"cohesion": LAW | {"residual": float(x)}})).run_out for x in step]
     np.testing.assert_allclose(lanes.run_out, singly, rtol=1e-9)
-    slope = next(row for row in solve(scene).sensitivity().rows if row.name == "cohesion.residual")
-    assert slope.derivatives["run_out"] == pytest.approx((singly[2] - singly[0]) / 200.0, rel=1e-2)
+    slope = solve(scene).sensitivity().derivative("run_out", "cohesion.residual")
+    assert slope == pytest.approx((singly[2] - singly[0]) / 200.0, rel=1e-2)
     found = backanalyse(scene, run_out=singly[0], field="cohesion.residual_kPa")
     assert found.value == pytest.approx(3.9, rel=1e-6)
 

@@ -236,6 +236,7 @@ def _of_cohesion(p: Parameter) -> Parameter:
         return replace(p, help=p.help.replace("friction", "cohesion"))
     name = "cohesion" if p.name == "coefficient" else p.name
     words = p.help.replace("friction coefficients", "cohesions").replace("friction coefficient", "cohesion")
+    words = words.removesuffix(", tan(phi)")
     return replace(p, name=name, unit="Pa", help=words, key=f"{name}_kPa")
 
 
