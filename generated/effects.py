@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e982aa0b8eaeaf06fd475eee6536b110ab5601ee8de651b2cc8243d2a08f46e6
+# sha256 of the text below: 7d7448226145225f7c0fd1487d23bc76c661ee4c959ac4e139014f73a6e3520b
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -122,8 +122,8 @@ LAWS = {
 
 COHESION_LAWS = {  # of cohesion as a function of slip
     'constant': Law('constant', '1.14', (
-        Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'cohesion, tan(phi)', 'cohesion_kPa', 1000.0, '',
-            lambda value, scales: value, False, 'number'),
+        Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'cohesion', 'cohesion_kPa', 1000.0, '', lambda value,
+            scales: value, False, 'number'),
     ), (), 'cohesion does not change'),
     'exponential': Law('exponential', 'Fig. 4-1', (
         Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
