@@ -42,9 +42,9 @@ A scene file then says ``law = "inverse_square"`` in its table ``[friction]``.
 An effect, with what it adds to the balance of momentum (3.11) and with its parameters: a ``pressure`` adds to the
 pore pressure, a ``resistance`` opposes the motion (the other terms: `effects.Effect`). A parameter has a name and unit,
 help, its key in scene files, which ends in the unit, the symbol that stands for it in the balance, and what makes it
-dimensionless: a formula in VALUE, ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE and THETA and the effect's other
-parameters. It is at least 0 unless ``lower`` and ``upper`` are given; with ``lower=0.0`` it is above 0. At the end of
-``EFFECTS`` in ``derive/declare/effects.py``::
+dimensionless: a formula in VALUE, ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, THETA, STRENGTH (by which a strength is
+multiplied) and the effect's other parameters. It is at least 0 unless ``lower`` and ``upper`` are given; with
+``lower=0.0`` it is above 0. At the end of ``EFFECTS`` in ``derive/declare/effects.py``::
 
     Effect("suction", "suction increases the effective stress", (
         Parameter("suction", "Pa", "mean suction along the slip surface", "suction_kPa",

@@ -51,7 +51,7 @@ def derive_all() -> dict[str, str]:
     timed("flow", "balance", "{0} claims proved", linked.prove)
     timed("flow", "series", "{0} operations proved", recurrences.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
-    # A recorded certificate is valid as long as its operations are unchanged (`prove` proves it again).
+    # A recorded certificate is valid as long as operations and seal are unchanged (`prove` proves it again).
     proved = timed("kernels", "certify", "", certificates.records, variants(), read())
     proved += timed("both ends", "certify", "{0} functions", certificates.of_ends, proved)
     return timed("generated", "emit", "", write.files, proved)
@@ -118,7 +118,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, (words, forms) in COMMANDS.items():
         command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
-        choice = command.add_mutually_exclusive_group()
+        choice = command.add_mutually_exclusive_group() if forms else command
         for form, shown in forms.items():
             choice.add_argument(f"--{form}", dest="form", action="store_const", const=form, default="text", help=shown)
         if name == "verify":

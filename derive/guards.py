@@ -35,12 +35,12 @@ TABLES = (
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
 MODULES = "definitions effects flow generated kernels layout printed program series slopes stable tiers walk"
 ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy"
-KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover"
+KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover strength_factor"
 # Arguments of laws without formula.
 TABLES_OF = (("slip", "m", "list"), ("speed", "m/s", "list"), ("time", "s", "list"))
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
-KINDS = (*NUMBERS, "list", "text", "flag")
+KINDS = (*NUMBERS, "list", "text", "name", "flag")
 # Functions of series, beside powers and minima.
 OF_SERIES: set[type] = {sp.tanh}  # made of exponentials
 for _operation in OPERATIONS.values():
@@ -59,7 +59,13 @@ def _units(by_name: Mapping[str, str]) -> dict[sp.Symbol, sp.Expr]:
 NUMBER = of_unit("")
 MOTION = _units({"slip": "m", "speed": "m/s"})
 SCALES = _units(
-    {"half_angle cover Theta": "", "radius": "m", "gravity": "m/s^2", "density": "kg/m^3", "reference_stress": "Pa"}
+    {
+        "half_angle cover Theta strength_factor": "",
+        "radius": "m",
+        "gravity": "m/s^2",
+        "density": "kg/m^3",
+        "reference_stress": "Pa",
+    }
 )
 LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
 OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope"

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "864878e5a75bdb5386adca04798471a031e6f9a5f43fde4606b8b93a4eb17976"
+#define DIGEST "20c11a4dcb3dd89153b0537d1aa2d9f2502e607d302d6e9fcaf54410bfcb69c2"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2414,9 +2414,9 @@ static void find_events(Batch *b, M here, int top)
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 {
     V *const c = b->c;
-    M rises = c[PEAK_TIME] == c[TIME];
-    M faster = here & (speed > (pick(rises, broadcast(1.0), broadcast(1.0 + TIE)) * magnitude(c[PEAK_OMEGA])));
+    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
     if (bits(faster)) {
+        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
         c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
         c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
         c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c156ac8f7a29d29742903eee0b04fe092a43b0fcad6fdeaf0e29424fd64f6934
+# sha256 of the text below: db1e1fbe5114a27f515f8fdae8a4eb961e84b8e7b20d7ebed53634f1d3d98aa8
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1451,9 +1451,9 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
     """Record a candidate for the greatest speed, in the present step, where it exceeds the record."""
     c = s.cells
-    rises = c[ix.PEAK_TIME] == c[ix.TIME]
-    faster = here & (speed > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA]))
+    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
+        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
         c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
         c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
         c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,

@@ -8,8 +8,11 @@ friction laws: formulas, parameters and bounds; ``notebooks/0_the_method.ipynb``
 those of the package `generated`, which `python -m derive` writes.
 """
 
+import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
+
+from slipcircle.base import loading as loading
 
 try:
     import generated
@@ -52,6 +55,13 @@ if TYPE_CHECKING:
     from slipcircle.workbench.suites.synthetic import synthetic_records
 
 __version__ = VERSION
+_numpy = sys.modules["numpy"].__version__
+for _needed, _least, _version in (
+    ("Python 3.11", (3, 11), sys.version_info[:2]),
+    ("NumPy 2.1", (2, 1), tuple(map(int, _numpy.split(".")[:2]))),
+):
+    if _version < _least:
+        raise ImportError(f"slipcircle needs {_needed} or later, and this is {'.'.join(map(str, _version))}")
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Each is loaded when it is asked for: where it is.
 _PLACES = {

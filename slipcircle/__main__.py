@@ -14,6 +14,7 @@ from textwrap import wrap
 from threading import active_count
 
 import slipcircle
+from slipcircle.base.loading import INTERRUPTED, finish
 from slipcircle.base.progress import say_later
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.commands.common import check_files
@@ -32,7 +33,6 @@ Three things to try:
 """
 DESCRIPTION = "Speed, run-out and time to rest of a mass that failed along a slip circle."
 SILENT = 2.0  # s, at most
-INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
   {}
@@ -48,9 +48,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     if not argv:
         print(TO_TRY, end="")
         return 0
-    options = _parser(argv).parse_args(argv)
-    options.line = shlex.join(["slipcircle", *argv])
+    options = argparse.Namespace()
     try:
+        options = _parser(argv).parse_args(argv)
+        options.line = shlex.join(["slipcircle", *argv])
         check_files(options)
         answer = options.run(options)
         _write(answer, options)
@@ -66,8 +67,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         folder = getattr(options, "resume", None)
         kept = f"; finished blocks are in {folder}, and the same command continues from them" if folder else ""
-        print(file=sys.stderr)
-        say(f"interrupted{kept}")
+        say(f"interrupted{kept}", "\n")
         return INTERRUPTED
     else:
         return 0
@@ -78,6 +78,7 @@ def command() -> None:
     """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
     threads."""
     computing = say_later(SILENT)
+    finish()
     status = main()
     computing.cancel()
     if status == INTERRUPTED and active_count() > 1:
@@ -115,6 +116,8 @@ def _write(answer: Answer, options: argparse.Namespace) -> None:
             contents[path] = content(path)
     for path, written in contents.items():
         files.write(path, written)
+        if options.command != "new" and os.path.isfile(path):
+            say(f"wrote {path}")
 
 
 def _print(answer: Answer, as_json: bool) -> None:

@@ -105,11 +105,12 @@ def records(said: Callable[..., str]) -> Callable[..., list[Any]]:
 
 @pytest.fixture
 def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
-    """The one line of a command that refuses what it is given, and prints nothing else."""
+    """The message of a command that refuses what it is given, a line for each mistake; it prints nothing else."""
 
     def ask(*parts: object) -> str:
         status, out, err = asked(*parts)
-        assert (status, out, err.count("\n"), err[:12]) == (1, "", 1, "slipcircle: ")
+        assert (status, out, err[-1:]) == (1, "", "\n")
+        assert all(line.startswith("slipcircle: ") for line in err.splitlines())
         return err
 
     return ask

@@ -20,7 +20,7 @@ from derive.approximate import certificates, programs
 from derive.approximate.programs import Variant, variants
 from derive.check import certify, ends, losses, midpoints, patches, records, rounding, truth
 from derive.check.proof import ProofError
-from derive.check.records import Record, digest, read
+from derive.check.records import Record, check_goals, digest, read, seal
 from derive.check.truth import SEGMENTS, TOP
 from derive.code.program import Op, Program, walk
 from tests.support import oracle
@@ -213,8 +213,8 @@ def test_bounds_reach_the_goals(r: Record) -> None:
 
 
 def sealed(record: Record) -> Record:
-    """With the digest of what it says now, so that no other check can lean on it."""
-    return record | {"sha256": digest(record)}
+    """With the digest and the seal of what it says now, so that no other check can lean on them."""
+    return seal(record | {"sha256": digest(record)})
 
 
 def refused(record: Record) -> str:
@@ -242,6 +242,26 @@ def test_the_digest_catches_another_constant_or_name() -> None:
     other = find("polar_moment", "1e-6", "plain")
     for key in ("kernel", "definition", "tier", "form"):
         assert refused(find("resistance_factor") | {key: other[key]}) == "digest"
+
+
+@pytest.mark.parametrize("field", ["bound", "bound_to_quarter_pi", "bound_underflow", "assumptions", "witness"])
+def test_the_seal_catches_another_claim(field: str) -> None:
+    """A record whose claims were changed is refused, and proved anew when `derive` writes."""
+    record = find("polar_moment", "1e-6", "plain")
+    changed = {"assumptions": ["none"], "witness": record["witness"] | {"error": 0.0}}.get(field, 2.0 * record["bound"])
+    tampered = record | {field: changed}
+    assert refused(tampered) == "seal"
+    (variant,) = (v for v in variants() if certificates.plain(v)["sha256"] == record["sha256"])
+    assert certificates.records([variant], [record]) == [record]
+    assert certificates.records([variant], [tampered]) == [record]
+
+
+def test_a_bound_below_its_own_witness_is_refused() -> None:
+    record = find("polar_moment", "1e-6", "plain")
+    assert refused(sealed(record | {"bound": 0.9 * record["witness"]["error"]})) in ("bound", "witness")
+    with pytest.raises(ProofError, match="witness") as refusal:
+        check_goals(record | {"bound": 0.99 * record["witness"]["error"]})
+    assert refusal.value.check == "witness"
 
 
 def limit(r: Record) -> int:

@@ -10,6 +10,7 @@ import sys
 import time
 from dataclasses import asdict, fields
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -17,12 +18,14 @@ import pytest
 
 import generated
 import slipcircle
+from derive import __main__ as derive_line
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
+from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.scenefile import find, shipped
 from tests.support.lanes import BINARY, compiled
-from tests.support.outputs import columns
+from tests.support.outputs import COMPUTING, columns
 
 ROOT = Path(__file__).parents[1]
 NAMES = ["vaiont-as-printed", "vaiont-frozen"]
@@ -36,8 +39,10 @@ def fresh(*argv: str, **changes: Any) -> subprocess.CompletedProcess[str]:
     """A fresh interpreter in which every warning is an error, without what would change the tables' look."""
     kept = {k: v for k, v in os.environ.items() if k not in LOOK}
     given: dict[str, Any] = {"env": kept, "stdout": subprocess.PIPE} | changes
-    return subprocess.run([sys.executable, "-W", "error", *argv], cwd=ROOT, stdin=subprocess.DEVNULL, text=True,
+    done = subprocess.run([sys.executable, "-W", "error", *argv], cwd=ROOT, stdin=subprocess.DEVNULL, text=True,
                           encoding="utf-8", check=False, stderr=subprocess.PIPE, **given)  # fmt: skip
+    done.stderr = done.stderr.replace(COMPUTING, "")  # on a busy machine
+    return done
 
 
 # --- run -----------------------------------------------------------------------------------------------------------
@@ -214,11 +219,7 @@ def test_no_environment_variable_makes_a_pipe_wide_or_narrow(monkeypatch: pytest
 def test_no_command_is_silent(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
     """Whatever it computes; and a quick one prints nothing."""
     assert line.SILENT <= 2.0
-    for silent, seconds, expected in (
-        (0.01, 0.5, "slipcircle: computing; Ctrl-C stops it\n"),
-        (3600.0, 0.0, ""),
-        (0.2, 0.0, ""),
-    ):
+    for silent, seconds, expected in ((0.01, 0.5, COMPUTING), (3600.0, 0.0, ""), (0.2, 0.0, "")):
         monkeypatch.setattr(line, "main", lambda seconds=seconds: time.sleep(seconds))
         monkeypatch.setattr(line, "SILENT", silent)
         with pytest.raises(SystemExit):
@@ -271,7 +272,49 @@ def test_a_reader_that_stops_reading(words: str, reads: str, told: str) -> None:
     done = subprocess.run(["bash", "-c", command], cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert (done.returncode, done.stdout) == (1, "")
     assert told in done.stderr
-    assert done.stderr.count("\n") == (told != "")
+    assert done.stderr.replace(COMPUTING, "").count("\n") == (told != "")
+
+
+@pytest.mark.parametrize(("words", "status"), [
+    ("run vaiont >&-", 0), ("run vaiont 2>&-", 0), ("run viaont 2>&-", 1), ("--help >&- 2>&-", 0), ("ruin >&- 2>&-", 2),
+])  # fmt: skip
+def test_closed_streams(words: str, status: int) -> None:
+    """What is printed there is lost, and nothing of it goes to the other stream."""
+    command = f"{sys.executable} -m slipcircle {words}"
+    done = subprocess.run(["bash", "-c", command], cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stderr.replace(COMPUTING, "")) == (status, "")
+    assert bool(done.stdout) == (words == "run vaiont 2>&-")
+
+
+@pytest.mark.parametrize("stream", [None, SimpleNamespace(write=lambda text: None, flush=lambda: None)])
+def test_streams_that_are_absent_or_know_no_terminal(stream: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As in windowed programs and some editors."""
+    monkeypatch.setattr(sys, "stdout", stream)
+    monkeypatch.setattr(sys, "stderr", stream)
+    for words in ("run vaiont", "sweep vaiont --grid friction.angle_deg=8,10", "run viaont"):
+        assert line.main(words.split()) == ("viaont" in words)
+
+
+LOADING = """
+import builtins, os, runpy, signal, sys
+original = builtins.__import__
+def interrupted(name, *rest, **named):
+    if name == {0!r}:
+        os.kill(os.getpid(), signal.SIGINT)
+    return original(name, *rest, **named)
+builtins.__import__ = interrupted
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.argv = ["slipcircle", "run", "vaiont"]
+from slipcircle.__main__ import command
+command()
+"""
+
+
+@pytest.mark.parametrize("module", ["numpy", "argparse", "slipcircle.workbench.outputs.trace"])
+def test_ctrl_c_while_modules_load(module: str) -> None:
+    """Of the package, of the program and of the command."""
+    done = fresh("-c", LOADING.format(module))
+    assert (done.returncode, done.stdout, done.stderr.strip()) == (130, "", "slipcircle: interrupted")
 
 
 def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
@@ -346,7 +389,8 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     worked, loaded, needed = json.loads(done.stdout)
     for words, status, out, err in worked:
         assert (status, out.count("\n") > 5) == (0, True), words
-        assert re.fullmatch(r"(1 of 1 scenes solved.*\n)?", err), words  # where it takes longer than a moment
+        # Where it takes longer than a moment, and what it has written.
+        assert re.fullmatch(r"(1 of 1 scenes solved.*\n)?(slipcircle: wrote .*\n)?", err), words
     assert (tmp_path / "creep.csv").exists()
     assert {*loaded} <= {"numpy", "slipcircle", "generated"}
     for words, status, out, err in needed:
@@ -370,3 +414,34 @@ def test_info(said: Any) -> None:
         assert digest[:23] == facts[f"generated/{path.name}"][:23]
     text = said("info")
     assert all(re.search(rf"{re.escape(key)} +{re.escape(value)}", text) for key, value in facts.items())
+
+
+@pytest.mark.parametrize(
+    ("option", "ending"), [("--csv x.xlsx", ".csv"), ("--npz x.csv", ".npz"), ("--report x.pdf", ".html")]
+)
+def test_files_in_formats_that_are_not_written(option: str, ending: str, tmp_path: Path, refused: Any) -> None:
+    flag, name = option.split()
+    command = "sweep vaiont --samples 2 --uncertain friction.angle_deg=normal:10:1"
+    told = refused(f"{command} {flag}", tmp_path / name)
+    assert told.endswith(f"{name}: cannot be written in this format; give a name that ends in {ending}\n")
+    assert not [*tmp_path.iterdir()]
+
+
+def test_every_file_that_is_written_is_named(tmp_path: Path, asked: Any) -> None:
+    table, page = tmp_path / "a.csv", tmp_path / "a.html"
+    status, _, err = asked("run vaiont --csv", table, "--live", page)
+    assert (status, err.splitlines()) == (0, [f"slipcircle: wrote {table}", f"slipcircle: wrote {page}"])
+    assert asked("run vaiont --csv /dev/null")[2] == ""
+
+
+HELPS = [("slipcircle", ["", *COMMANDS]), ("derive", ["", *derive_line.COMMANDS])]
+
+
+@pytest.mark.parametrize(("program", "name"), [(program, name) for program, names in HELPS for name in names])
+def test_every_command_has_help(program: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """In full words, of its options too."""
+    main = {"slipcircle": line.main, "derive": derive_line.main}[program]
+    with pytest.raises(SystemExit) as leaving:
+        main([*filter(None, [name]), "--help"])
+    assert leaving.value.code == 0
+    assert capsys.readouterr().out.startswith(f"usage: {'python -m ' * (program == 'derive')}{program} {name}".rstrip())

@@ -15,6 +15,7 @@ from flint import arb, ctx
 from slipcircle import Arc, Scene, load, parameters, solve
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import accuracy, golden, oracle, references, taylor
+from tests.support.rays import from_method
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which so many digits are known
 
@@ -86,7 +87,7 @@ def test_a_kink_has_two_slopes() -> None:
 
 def test_a_circle_through_a_vertex_cuts_another_mass_off_beyond_it() -> None:
     """Raising the vertex: the derivative is that of lowering it, and the run-out is another at once."""
-    scene: Scene[Any] = load("layered-slope")
+    scene: Scene[Any] = from_method(load("layered-slope"), "paper")
     found = solve(scene).sensitivity()
     place = list(found.outputs).index("run_out"), list(found.parameters).index("ground.1.y")
     step = 2.0**-10

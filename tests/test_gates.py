@@ -19,11 +19,12 @@ from derive.approximate import certificates, programs, shapes
 from derive.approximate.shapes import Kernel
 from derive.check import certify, truth
 from derive.check.proof import ProofError
-from derive.check.records import TIERS, read
+from derive.check.records import TIERS, read, seal
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta
 from derive.generate import emit_c, write
+from tests.campaigns import mutants
 
 # Quantity, check, the number found and the number wanted.
 SENTENCE = r"^{}: .*{}.*: found \S.*, wanted \S.*$"
@@ -67,7 +68,7 @@ def test_a_bound_above_its_tier_s_goal(tier: str) -> None:
 
 def test_the_checker_knows_the_goals_too() -> None:
     record = next(r for r in read() if (r["kernel"], r["tier"]) == ("resistance_factor", "1e-6"))
-    fires(lambda: certify.prove(record | {"bound": 2e-6}), "resistance_factor", "goal of tier 1e-6 fused")
+    fires(lambda: certify.prove(seal(record | {"bound": 2e-6})), "resistance_factor", "goal of tier 1e-6 fused")
 
 
 @pytest.mark.parametrize(
@@ -125,3 +126,9 @@ def test_without_packages_one_sentence_says_what_to_install(asked: str, missing:
     done = subprocess.run(ask, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'\n"
+
+
+def test_a_campaign_of_mutants_says_why_nothing_was_measured(tmp_path: Path) -> None:
+    """Where pytest-cov is missing, or no test can be run."""
+    with pytest.raises(SystemExit, match=r"no test was measured: .*\w.*; is pytest-cov installed\?"):
+        mutants.measured_tests(tmp_path, 1)

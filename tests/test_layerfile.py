@@ -18,6 +18,7 @@ from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope
 from slipcircle.workbench.studies.ensemble import grid
+from tests.support.rays import from_method
 
 Write = Callable[..., str]
 
@@ -95,9 +96,8 @@ def test_a_file_is_the_section_that_it_describes(write: Write, strength: str, sl
     layers = list(zip(soils, (None, [(-60, 18.5), (10, 18.5), (20, 12)], 2.0), strict=True))
     ground, surcharge = [(-60, 20), (0, 20), (40, 0), (120, 0)], [(-15, -5, 2e4, 4e4)]
     section = LayeredSection(ground, (30, 45), 48.0, strength=strength, surcharge=surcharge, layers=layers)
-    expected, motion = map(slipcircle.solve, (
-        Scene(section, effects=["rotation", "centripetal"]), slipcircle.load(write(SCENE, LOAD, slip))
-    ))  # fmt: skip
+    read = from_method(slipcircle.load(write(SCENE, LOAD, slip)), "paper")
+    expected, motion = map(slipcircle.solve, (Scene(section, effects=["rotation", "centripetal"]), read))
     for name in ("run_out", "factor_of_safety"):
         assert getattr(motion, name) == pytest.approx(getattr(expected, name), rel=1e-13)
     slope = Slope(ground, layers=layers, surcharge=surcharge, ponds=[(30, 120, 3)], crack=1.0, crack_water=0.5, k_h=0.1,

@@ -25,6 +25,7 @@ from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion
+from tests.support.rays import from_method
 
 matplotlib.use("agg")
 
@@ -252,8 +253,9 @@ def test_how_fast_a_slide_is_played(duration: float, seconds: float, words: str)
 
 def test_the_section_names_times_and_ways_and_that_the_circle_goes_on() -> None:
     """How the toe of a slope ends above its ground stands in the tables as well."""
-    m = solve(load("real-slope"))
+    m = solve(from_method(load("real-slope"), "paper"))
     words = " ".join(legend(plots.section(m, drawn((9.0, 6.0)))))
+    assert "10.4 m from the paper's F = 0.942 9.7 m from Bishop's F = 0.985" in words
     assert "peak velocity 2.955 m/s after 3.803 s and 5.393 m" in words
     assert "at rest after 6.477 s and 10.41 m" in words
     hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(getattr(m.plan.scene.arc, "ground")))  # noqa: B009

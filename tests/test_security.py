@@ -1,7 +1,9 @@
 """What SECURITY.md promises of files that somebody else made: each is one sentence, soon, or a text like any other."""
 
 import base64
+import csv
 import hashlib
+import io
 import os
 import re
 import time
@@ -12,6 +14,9 @@ from typing import Any
 import pytest
 
 from slipcircle import LayeredSection, Scene, load, solve
+from slipcircle.base.text import clean
+from slipcircle.workbench.common import files
+from slipcircle.workbench.common.markup import escaped
 from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import live
 from slipcircle.workbench.outputs.report import report
@@ -110,3 +115,35 @@ def test_pages_are_all_that_is_written(tmp_path: Path, said: Any) -> None:
     pages = {tmp_path / "live.html", tmp_path / "report.html"}
     said("run layered-slope", *(part for page in sorted(pages) for part in (f"--{page.stem}", page)))
     assert {*tmp_path.iterdir()} == pages
+
+
+@pytest.mark.parametrize(
+    ("text", "cell"),
+    [
+        ("=1+1", "'=1+1"),
+        ("+cmd|' /C calc'!A0", "'+cmd|' /C calc'!A0"),
+        ("-2+3", "'-2+3"),
+        ("@SUM(A1)", "'@SUM(A1)"),
+        ("\t=1", "' =1"),
+        ("-2.5e-3", "-2.5e-3"),
+        ("-inf", "-inf"),
+        ("clay - wet", "clay - wet"),
+        ("a\x1b[31m\x07\u202eb\x9d", "a\ufffd[31m\ufffd\ufffdb\ufffd"),
+    ],
+)
+def test_texts_in_tables_and_pages_are_neither_formulas_nor_control_characters(text: str, cell: str) -> None:
+    head, row = csv.reader(io.StringIO(files.table([text], [[text]]).decode(), newline=""))
+    assert head == row == [cell]
+    assert files.table(["a"], [[-1.5, None]]) == b"a\n-1.5,\n"
+    assert all(c.isprintable() or c in "\t\n\r" for c in escaped(text))
+    assert clean(text).isprintable()
+
+
+def test_csv_of_scenes_with_names_that_are_formulas(tmp_path: Path, said: Any) -> None:
+    """In the first column where there are several scenes."""
+    paths = [tmp_path / "one.toml", tmp_path / "other.toml"]
+    for path, name in zip(paths, ("=HYPERLINK(1)", "a\\u001bb"), strict=True):
+        path.write_text(find("vaiont").read_text("utf-8").replace('"vaiont"', f'"{name}"', 1), "utf-8")
+    said("run", *paths, "--csv", tmp_path / "a.csv")
+    names = {row.partition(",")[0] for row in (tmp_path / "a.csv").read_text("utf-8").splitlines()[1:]}
+    assert names == {"'=HYPERLINK(1)", "a\ufffdb"}

@@ -230,6 +230,6 @@ def test_synthetic_records_have_the_intensity_and_duration_asked_for() -> None:
     first = records["synthetic 1"].values
     assert np.array_equal(synthetic_records(1, 2.0, 8.0, seed=3)["synthetic 1"].values, first)
     assert not np.array_equal(synthetic_records(1, 2.0, 8.0)["synthetic 1"].values, first)
-    refused = "arias = -1: must be a positive number in m/s; duration = 2000: must be a time in s"
+    refused = "arias = -1: must be a positive number in m/s\nsynthetic records: duration = 2000: must be a time in s"
     with pytest.raises(ValueError, match=refused):
         synthetic_records(2, -1.0, 2000.0, -3)

@@ -14,7 +14,7 @@ from flint import arb, ctx
 
 from derive.approximate.programs import Variant, variants_of_ends
 from derive.check import certify, losses, midpoints, truth
-from derive.check.records import TIERS, Record, assumptions, check_goals, digest
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, seal
 from derive.code.operations import Floats
 from derive.progress import track
 
@@ -60,7 +60,7 @@ def certified(variant: Variant) -> Record:
     if variant.form != "numpy":  # whose logarithm is not the same everywhere
         alpha, error = worst(variant, boxes)
         record["witness"] = {"alpha": alpha.hex(), "error": round_up(error)}
-    return record
+    return seal(record)
 
 
 README = [
@@ -74,6 +74,7 @@ README = [
     "bound_to_quarter_pi: up to pi/4 only. Both from alpha = 2**-320 on; bound_underflow: below, in ulp but at least",
     "2**-1074 (1e-10 and 1e-6: in units of bound times exact plus 2**-1074); 0 where nothing underflows.",
     "Of both ends, within 65536 rad: relative, best too, and 2**-1000 more; a call is of the part with that digest.",
+    "The seal is the digest of all other fields: a record that was changed is proved anew.",
     "The witness is the worst input that a search from the worst boxes found, not a proof. Constants are hexadecimal.",
 ]
 
@@ -116,8 +117,8 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
 
 
 def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
-    """The record of every variant: the known one where its operations are the same, else proved anew."""
-    proved = {record["sha256"]: record for record in known}
+    """The record of every variant: the known one if its operations and its seal are right, else proved anew."""
+    proved = {record["sha256"]: record for record in known if record == seal(record)}
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
     new = {digest: variant for digest, variant in by_digest.items() if digest not in proved}
     if new:
@@ -139,7 +140,7 @@ def of_ends(proved: Iterable[Record]) -> list[Record]:
         record = losses.certificate(v.kernel, v.definition, v.tier, v.form, of_part)
         record["bound"] = round_up(record["bound"])
         check_goals(record)
-        certified.append(record)
+        certified.append(seal(record))
     return certified
 
 

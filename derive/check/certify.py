@@ -25,7 +25,18 @@ from flint import arb
 from derive.check import losses, midpoints, rounding
 from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
-from derive.check.records import TIERS, Record, assumptions, check_goals, digest, of_both_ends, read, rejected, unit
+from derive.check.records import (
+    TIERS,
+    Record,
+    assumptions,
+    check_goals,
+    digest,
+    of_both_ends,
+    read,
+    rejected,
+    seal,
+    unit,
+)
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import TOP, working
 
@@ -167,10 +178,12 @@ def prove(record: Record) -> float:
     tiers best and float32 they are in ulp of the exact value, and the ulp is never less than the format's least number;
     of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074). That the
     double of tier float32 is rounded correctly is proved by `derive.check.midpoints`. Raises `ProofError` with the
-    name of a check: digest, assumptions, program, zero, bound, underflow or goal.
+    name of a check: digest, seal, witness, assumptions, program, zero, bound, underflow or goal.
     """
     if record["sha256"] != digest(record):
         raise rejected("digest", record, digest(record), record["sha256"])
+    if record != seal(record):
+        raise rejected("seal", record, record.get("seal"), seal(record)["seal"])
     stated = record["assumptions"]
     if stated != assumptions(record):
         raise rejected("assumptions", record, stated, assumptions(record))

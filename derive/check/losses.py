@@ -15,7 +15,7 @@ from derive.check import truth
 from derive.check.ends import LIMIT, PASSES, PI, TERMS, Step, cotangent, result, sinc
 from derive.check.patches import ideal
 from derive.check.proof import ProofError
-from derive.check.records import Record, check_goals, digest, rejected
+from derive.check.records import Record, check_goals, digest, rejected, seal
 from derive.check.rounding import ROUNDING_BITS, Tape, above, below, rounding_sum, specialise
 from derive.check.truth import BITS, SEGMENTS, TOP, Definition, ball, working
 
@@ -177,7 +177,7 @@ def certificate(kernel: str, definition: Definition, tier: str, form: str, part:
         "assumptions": part["assumptions"],
         "bound": bound,
     }
-    return record | {"sha256": digest(record)}
+    return seal(record | {"sha256": digest(record)})
 
 
 def prove(record: Record, parts: Iterable[Record]) -> float:
@@ -193,7 +193,7 @@ def prove(record: Record, parts: Iterable[Record]) -> float:
     bound = float(proved.pop("bound"))
     if not bound <= record["bound"]:
         raise rejected("bound", record, bound, f"at most {record['bound']}")
-    if record != proved | {"bound": record["bound"]}:
-        raise rejected("program", record, "other operations", "those of the checker")
     check_goals(record)
+    if record != seal(proved | {"bound": record["bound"]}):
+        raise rejected("program", record, "other operations", "those of the checker")
     return bound

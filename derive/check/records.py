@@ -51,7 +51,10 @@ def rejected(check: str, record: Record, found: object, wanted: object) -> Proof
 
 
 def check_goals(record: Record) -> None:
-    """Raise `ProofError` where a bound is above what its tier promises."""
+    """Raise `ProofError` where a bound is above what its tier promises, or below the error of the worst input seen."""
+    seen = record.get("witness", {}).get("error", 0.0)
+    if not seen <= record["bound"]:
+        raise rejected("witness", record, f"an error of {seen:.4g}", f"at most {record['bound']:.4g}")
     goal = TIERS[record["tier"]].goal(record)
     if not record["bound"] <= goal:
         raise rejected("goal", record, f"{record['bound']:.4g}", f"at most {goal:g}")
@@ -61,6 +64,13 @@ def digest(record: Record) -> str:
     """sha256 of what is certified: kernel, definition, tier, form, operations and output."""
     certified = [record[key] for key in ("kernel", "definition", "tier", "form", "operations", "output")]
     return hashlib.sha256(json.dumps(certified, separators=(",", ":")).encode()).hexdigest()
+
+
+def seal(record: Record) -> Record:
+    """Return a record with the sha256 of all its other fields, which shows that a claim or a bound was changed."""
+    fields = {key: value for key, value in record.items() if key != "seal"}
+    text = json.dumps(fields, sort_keys=True, separators=(",", ":"))
+    return fields | {"seal": hashlib.sha256(text.encode()).hexdigest()}
 
 
 def assumptions(record: Record) -> list[str]:

@@ -25,6 +25,7 @@ DRIVING_MOMENT_SLOPE, NORMAL_LOAD_SLOPE = sp.symbols("driving_moment_slope norma
 ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
     "half_angle gravity radius density reference_stress cover value", real=True
 )
+STRENGTH = sp.Symbol("strength_factor", real=True)  # multiplies friction and cohesion of every law
 SLIP, SPEED = sp.symbols("slip speed", real=True)
 DEGREE = 7  # of the pieces of tabulated functions
 
@@ -60,7 +61,8 @@ class Parameter:
     stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
     effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of
     numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section
-    gives), "text", "flag" or one of several words, "this|that". What has no ``key`` cannot be written in a file.
+    gives), "text", "name" (a text or a number), "flag" or one of several words, "this|that". What has no ``key``
+    cannot be written in a file.
     """
 
     name: str
@@ -279,13 +281,16 @@ def _optional(
     return Parameter(name, unit, help, key, symbol, lower=-_INFINITY, optional=True, kind=kind)
 
 
-def _of_section(name: str, help: str, symbol: sp.Symbol, kind: str = "number") -> Parameter:
-    """What a layered section gives, over Theta*: no file and no user does."""
-    return _optional(name, help, "", "", kind, symbol)
+def _of_section(
+    name: str, help: str, symbol: sp.Symbol, kind: str = "number", dimensionless: sp.Expr = VALUE
+) -> Parameter:
+    """Declare a parameter that a layered section provides, over Theta*; it cannot be given by a file or a user."""
+    return replace(_optional(name, help, "", "", kind, symbol), dimensionless=dimensionless)
 
 
 _OF_A_RECORD = (
-    _optional("column", "name of the record's column, where there is a choice", kind="text"),
+    _optional("column", "name or number of the record's column, where there is a choice", kind="name"),
+    _optional("columns", "roles of all columns of a table in place of its header: time,acceleration,skip", kind="text"),
     _optional("step", "time between samples of a record without times", "s", "step_s"),
     _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
 )
@@ -315,7 +320,7 @@ EFFECTS = (
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "the slip surface has strength without normal stress", (
         Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",
-                  _COHESION, VALUE / REFERENCE),),
+                  _COHESION, STRENGTH * VALUE / REFERENCE),),
            equation="3.11", resistance=LAMBDA * _COHESION),
     Effect("drag", "turbulent resistance, which grows with the square of the speed", (
         Parameter("xi", "m/s^2", "turbulence coefficient of Voellmy", "xi_m_s2",
@@ -338,11 +343,11 @@ EFFECTS = (
         _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
         _optional("holds", "content of the record, positive down-slope whichever way the slope faces: acceleration of "
                   "the ground, or its opposite, which drives the mass", kind="ground|driving"),
-        _optional("units", "unit of the record's values, if the file does not give it: g, m/s2, cm/s2, gal, mm/s2",
+        _optional("units", "unit of the record's values, if the file does not state it, such as g, m/s2, gal, ft/s2",
                   kind="text"),
         _optional("vertical_record", "file of the vertical acceleration, positive upwards for that of the ground",
                   kind="text"),
-        _optional("vertical_column", "name of its column, by default in the same file", kind="text"),
+        _optional("vertical_column", "name or number of its column, by default in the same file", kind="name"),
         _optional("scale", "factor on the record's values, by default 1"),
         _optional("peak", "greatest horizontal acceleration to which a record is scaled, in place of a factor",
                   key="peak_g"),
@@ -368,6 +373,7 @@ EFFECTS = (
 _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
 _EXCESS_PRESS = (1 - K_V) * _EXCESS_NORMAL + K_H * _EXCESS_SLOPE + _INERTIA * OMEGA_2
+_STRONG = STRENGTH * VALUE
 _LEFT_PRESS = (1 - K_V) * _LEFT_NORMAL + K_H * _LEFT_SLOPE + _REMAINING_INERTIA * OMEGA_2
 _SOIL_PRESS = (1 - K_V) * SOIL_TURNING + K_H * SOIL_SLOPE + _SOIL_INERTIA * OMEGA_2
 SECTION_EFFECTS = (
@@ -379,14 +385,16 @@ SECTION_EFFECTS = (
         _of_section("normal_slope", "its derivative by the dip", _NORMAL_SLOPE, "rotation"),
         _of_section("inertia", "what the square of the angular velocity adds to it", _INERTIA, "rotation"),
         _of_section("lift", "what water takes from it", _LIFT, "rotation"),
-        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING),
-        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE),
-        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation"),
-        _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation"),
+        _of_section("remaining", "excess of the friction that slip leaves, of strength with the mass", REMAINING,
+                    dimensionless=_STRONG),
+        _of_section("remaining_slope", "its derivative by the dip", REMAINING_SLOPE, dimensionless=_STRONG),
+        _of_section("remaining_normal", "the same of strength with the base", _REMAINING, "rotation", _STRONG),
+        _of_section("remaining_normal_slope", "its derivative by the dip", _REMAINING_SLOPE, "rotation",
+                    _STRONG),
         _of_section("remaining_inertia", "what the square of the angular velocity adds to it", _REMAINING_INERTIA,
-                    "rotation"),
-        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation"),
-        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation")), equation="2.23",
+                    "rotation", _STRONG),
+        _of_section("remaining_lift", "what water takes from it", _REMAINING_LIFT, "rotation", _STRONG),
+        _of_section("strength", "strength without normal stress", _COHESIVE, "rotation", _STRONG)), equation="2.23",
            normal_load=THETA * (_EXCESS_PRESS + _LEFT_PRESS / SLIP_MU),
            pressure=THETA / LAMBDA * (_LIFT + _REMAINING_LIFT / SLIP_MU), resistance=THETA * _COHESIVE),
     Effect("soil_friction",

@@ -73,19 +73,19 @@ class InputError(ValueError):
     def __init__(self, what: str, messages: Iterable[str]) -> None:
         self.what = what
         self.messages = tuple(map(Message.of, messages))
-        sentences = "; ".join(self.messages)
-        if what:
-            sentences = f"{what}: {sentences}"
-        super().__init__(sentences)
+        super().__init__(_lines(self.messages, what))
 
     def __reduce__(self) -> tuple[Any, ...]:
         templates = [message.template for message in self.messages]
         return InputError, (self.what, templates)
 
-    def worded(self, name_of: Callable[[str], str]) -> str:
-        """The sentences with other names of arguments."""
-        sentences = [message.worded(name_of) for message in self.messages]
-        return "; ".join(sentences)
+    def worded(self, name_of: Callable[[str], str], what: str = "") -> str:
+        """The sentences with other names of arguments, a line each, after the name of what they are about."""
+        return _lines([message.worded(name_of) for message in self.messages], what)
+
+
+def _lines(sentences: Iterable[str], what: str) -> str:
+    return "\n".join(f"{what}: {sentence}" if what else sentence for sentence in sentences)
 
 
 def plain(value: Any) -> Any:
@@ -174,6 +174,7 @@ def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> 
 
 _KINDS = {
     "text": "a text",
+    "name": "a name or a number",
     "flag": "True or False",
     "number": "a number",
     "list": "a list of numbers",
@@ -242,7 +243,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
             return hasattr(value, "kinks")
         case "flag":
             return isinstance(value, bool)
-        case "text":
+        case "text" | "name":
             return isinstance(value, str | int | PathLike)
     return value in kind.split("|")
 

@@ -14,6 +14,11 @@ _OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first l
 _CLEAR = "\r\x1b[K"  # the line of a terminal
 
 
+def is_terminal(stream: Any) -> bool:
+    """Return whether a stream is a terminal; it may be closed, or unable to tell."""
+    return bool(getattr(stream, "isatty", bool)())
+
+
 class Progress:
     """Things done of a total, their rate and the time left; of several at work, one within the other, the outermost.
 
@@ -33,7 +38,7 @@ class Progress:
         self.total, self.things, self.stream = total, things, stream or sys.stderr
         self.done = self.kept = 0
         self.start = self.shown = time.monotonic()
-        self.is_terminal = self.stream is not None and self.stream.isatty()
+        self.is_terminal = is_terminal(self.stream)
         self.pause = _OFTEN if self.is_terminal else _SELDOM
         self.bar: Any = None
 
@@ -120,5 +125,5 @@ def say_later(seconds: float) -> Timer:
 
 
 def _say_computing() -> None:
-    if not Progress.is_shown:
+    if not Progress.is_shown and sys.stderr is not None:
         print("slipcircle: computing; Ctrl-C stops it", file=sys.stderr, flush=True)

@@ -21,3 +21,16 @@ def digits_left(error: float) -> int:
         return DIGITS
     known = math.floor(-math.log10(min(2 * error, 1.0)))
     return max(1, min(DIGITS, known))
+
+
+def clean(text: str, kept: str = "") -> str:
+    """Text with a replacement character for each control character, except for those to be kept."""
+    cleaned = []
+    for character in text:
+        if character.isprintable() or character in kept:
+            cleaned.append(character)
+        elif character.isspace():
+            cleaned.append(" ")
+        else:
+            cleaned.append("\N{REPLACEMENT CHARACTER}")
+    return "".join(cleaned)

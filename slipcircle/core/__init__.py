@@ -15,12 +15,13 @@ from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import ARC_BOUNDS, GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
-from slipcircle.core.scene.scene import Scene, checked
+from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
 from slipcircle.core.walk.compiled import numpy_only, program_integers
 
 __all__ = [
     "ANSWERED",
     "ARC_BOUNDS",
+    "AS_ENTERED",
     "GRAVITY",
     "RATE_LAWS",
     "STATUS_OF_END",

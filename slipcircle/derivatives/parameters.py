@@ -84,6 +84,7 @@ _, _GREATEST_SPEED = declared.LIMITS["m/s"]
 _MOTION = (
     Parameter("initial_velocity", "m/s", -_GREATEST_SPEED, _GREATEST_SPEED),
     Parameter("end_time", "s", *declared.LIMITS["s"]),
+    Parameter("strength_factor", "", *declared.LIMITS[""]),
 )
 
 
@@ -256,7 +257,9 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     some = replace_unchecked(scene, {"arc": of_lane})
     changed = _fields_with(some, chosen)
     arc = replace_unchecked(of_lane, changed["arc"])
-    return replace_unchecked(some, changed | {"arc": arc})
+    factor = of_lanes(scene.strength_factor)
+    factors = {name: factor for name, value in vars(scene).items() if value is scene.strength_factor}
+    return replace_unchecked(some, changed | factors | {"arc": arc})
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
@@ -282,7 +285,9 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
         faults = () if none_valid or arc is scene.arc else arc.geometry_errors()
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
         if impossible is None:
-            return replace_unchecked(scene, changed | {"arc": arc}), invalid
+            lanes: Scene = replace_unchecked(scene, changed | {"arc": arc})
+            lanes.start_anew()
+            return lanes, invalid
         if impossible.size > 1:
             impossible = impossible.reshape(invalid.shape)
         invalid = invalid | impossible

@@ -80,13 +80,19 @@ class Forces:
     # --- in any states -----------------------------------------------------------------------------------------------
 
     def outputs(self, states: States) -> dict[str, Floats]:
-        """Registers of `OUTPUTS`: total and effective normal force over Theta*, and friction."""
+        """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered."""
         places = [self._with_outputs.program.roles[name] for name in OUTPUTS]
         parts = []
         for part in states.parts():
             _, registers = begin(self._with_outputs, part, np.where(part.omega < 0.0, -1.0, 1.0))
             parts.append(registers[places])
-        return dict(zip(OUTPUTS, np.concatenate(parts, axis=1), strict=True))
+        outputs = dict(zip(OUTPUTS, np.concatenate(parts, axis=1), strict=True))
+        return outputs | {"mu": outputs["mu"] / self._strength(states.lane)}
+
+    def _strength(self, lanes: Any) -> Any:
+        """Return the factor of lanes by which friction in the program exceeds friction as entered."""
+        factor = self.problem.start["strength_factor"]
+        return factor[lanes] if np.ndim(factor) else factor
 
     def holding_friction(self, states: States) -> Floats:
         """Friction coefficient required for equilibrium of the mass where it is; NaN where nothing presses.
@@ -110,7 +116,8 @@ class Forces:
         pull = cells[program.roles["cell_driving_moment"]]
         goes_down = (pull > 0.0) | ((pull == 0.0) & (side > 0.0))
         may_start = (cells[ix.ONE_WAY] == 0.0) | goes_down
-        return np.where(contact & may_start, np.maximum(friction, 0.0), np.nan)
+        entered = np.maximum(friction, 0.0) / self._strength(at_rest.lane)
+        return np.where(contact & may_start, entered, np.nan)
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
@@ -154,7 +161,9 @@ class Forces:
         mu = cells[program.roles["cell_mu"]].copy()  # so that the cells may go
         limit = cells[program.roles["cell_limit"]]
         with np.errstate(all="ignore"):
-            return equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
+            found = equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
+        factor = self._strength(which)
+        return found | {name: found[name] / factor for name in ("friction", "limit_friction")}
 
 
 def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> dict[str, Floats]:

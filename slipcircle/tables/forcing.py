@@ -14,7 +14,7 @@ _FITTING = {  # to each way to say what shakes
     "pulse": {*_FACTORS[:2], "start", "duration", "cycles"},
 }
 STRONGEST = 5.0  # g, beyond which no ground has shaken
-_OF_RECORDS = ("record", "units", "column", "step", "start", "gaps")
+_OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 

@@ -11,8 +11,12 @@ SWING = 1e-6  # of the run-out: a mass that ends farther from it has swung back
 
 
 def standing(motion: Any) -> str:
-    """That a single mass does not move, with its factor of safety."""
-    return f"does not move, factor of safety {shown(float(motion.factor_of_safety))} by the paper's method"
+    """Return words for a single mass that does not move, with the factor of safety that its motion would start from."""
+    factor = shown(float(motion.factor_of_safety))
+    by_closure = ""
+    if motion.plan.scene.strength_factor == 1.0:
+        by_closure = " by the paper's method"
+    return f"does not move, factor of safety {factor}{by_closure}"
 
 
 def summary(motion: Any) -> str:

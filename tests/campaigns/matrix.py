@@ -1,10 +1,14 @@
 """Machines and installations that users reach: ``python -m tests.campaigns.matrix [CASE ...]`` runs tests in each.
 
 Without a compiled binary, with the loops of the least processors in ours or in NumPy, with a home that cannot be
-written, without a locale, in a path with spaces, with NumPy's oldest allowed version, and with every Python here that
-the package allows. The last two make environments of their own in a temporary folder, from the package index. Each case
-runs the tests that own the values of scenes, what the command line prints, and scene files, and those of the documents
-where only the processor differs; its line says what came of them.
+written, without a locale, in a path with spaces, with the oldest allowed version of every dependency, with the newest
+versions on every Python here that the package allows, with every GCC and Clang here, and with the sanitizers of GCC.
+Cases with versions make environments of their own in a temporary folder, from the package index.
+
+Each case runs the tests that own the values of scenes, what the command line prints, and scene files; those of the
+documents where only the processor differs; those of the compiled code with other versions and compilers. Its line
+gives the outcome. Pythons and compilers that the machine's own packages lack can be installed in a newer Debian, in a
+folder made by `debootstrap` with this checkout mounted in it, where the same command finds them.
 """
 
 import argparse
@@ -24,6 +28,9 @@ ROOT = Path(__file__).parents[2]
 TESTED = ("accuracy", "ensemble_states", "scenefile", "cli", "records")
 PRINTED = ("golden", "notebooks", "readme")  # the same digits on every processor
 TESTS, DOCUMENTS = ([f"tests/test_{name}.py" for name in names] for names in (TESTED, PRINTED))
+COMPILED = [f"tests/test_{name}.py" for name in ("flow_compiled", "compiled", "walk", "golden", "creep")]
+TYPES = ["tests/test_house.py::test_mypy_is_silent"]
+SANITIZED = [*COMPILED[:1], "tests/test_compiled.py"]
 COPIED = ("derive", "generated", "slipcircle", "tests", "notebooks")
 _UMATH = getattr(np, "_core")._multiarray_umath  # noqa: B009 (private, and without a type)
 _WIDE = [name for name in _UMATH.__cpu_dispatch__ if _UMATH.__cpu_features__[name]]
@@ -37,8 +44,17 @@ SETTINGS: dict[str, dict[str, str]] = {
     "read-only home": {"HOME": "/dev/null", "XDG_CACHE_HOME": "", "XDG_CONFIG_HOME": "", "MPLCONFIGDIR": ""},
     "no locale": {"LC_ALL": "C", "LANG": "", "LC_CTYPE": "", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
 }
-OLDEST_NUMPY = "oldest NumPy"
+OLDEST = "oldest versions"
 SPACES = "path with spaces"
+SANITIZERS = "sanitizers"
+EXTRAS = ("derive", "scenes", "plot", "dask", "dxf", "test")
+# The integrator under the sanitizers, with little optimisation: its straight-line programs take minutes otherwise.
+SANITIZE = """
+from pathlib import Path
+from derive import build
+for name in build.MODULES:
+    build.build(Path("generated").resolve(), ("-O1", *build.FLAGS[1:]), name)
+"""
 
 
 def pythons() -> dict[str, Path]:
@@ -55,6 +71,21 @@ def pythons() -> dict[str, Path]:
         if working:
             found[name] = working[-1]
     return found
+
+
+def compilers() -> list[str]:
+    """GCC and Clang of this machine, by the names of their versions."""
+    numbers = range(9, 30)
+    names = [f"gcc-{k}" for k in numbers] + [f"clang-{k}" for k in numbers]
+    return [name for name in names if shutil.which(name)]
+
+
+def oldest_versions() -> list[str]:
+    """The lower bound of every dependency of the package and its extras as a pin, tools of the tests apart."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    optional = project["optional-dependencies"]
+    every = [*project["dependencies"], *(x for name in EXTRAS if name != "test" for x in optional[name])]
+    return sorted({x.replace(">=", "==") for x in every if ">=" in x})
 
 
 def tested(folder: Path, python: Path | str, settings: Mapping[str, str], tests: Sequence[str]) -> tuple[bool, str]:
@@ -77,17 +108,46 @@ def copied(folder: Path) -> Path:
     return folder
 
 
-def environment(folder: Path, python: Path, numpy: str = "") -> Path:
-    """The interpreter of a new environment with the checkout in it, by pinned versions; NumPy's if one is named."""
-    constraints = folder / "constraints.txt"
-    if numpy:
-        pinned = constraints.read_text("utf-8").splitlines(keepends=True)
-        constraints.write_text("".join(x for x in pinned if not x.startswith("numpy==")) + f"numpy=={numpy}\n", "utf-8")
+def environment(folder: Path, python: Path, pins: Sequence[str] = ()) -> Path:
+    """The interpreter of a new environment with the checkout in it, by these pins and otherwise the newest versions."""
+    constraints = folder / "pins.txt"
+    constraints.write_text("\n".join(pins), "utf-8")
     subprocess.run([python, "-m", "venv", folder / ".venv"], check=True)
     inside = folder / ".venv" / "bin" / "python"
     install: list[str | Path] = [inside, "-m", "pip", "install", "-q", "--disable-pip-version-check", "-c", constraints]
-    subprocess.run([*install, "-e", ".[derive,scenes,plot,dask,test]"], cwd=folder, check=True)
+    subprocess.run([*install, "-e", f".[{','.join(EXTRAS)}]"], cwd=folder, check=True)
     return inside
+
+
+def compiled_by(folder: Path, compiler: str) -> tuple[bool, str]:
+    """Whether the tests of the compiled code pass with a compiler, and whose binaries they ran."""
+    checkout = copied(folder / "checkout")
+    settings = {"CC": compiler, "PYTHONPATH": str(checkout)}
+    version = "from slipcircle.core.walk import compiled; print(compiled.module().COMPILER)"
+    for command in (["-m", "derive.build"], ["-c", version]):
+        done = subprocess.run([sys.executable, *command], cwd=checkout, env=os.environ | settings, capture_output=True,
+                              text=True)  # fmt: skip
+        if done.returncode or "NumPy serves" in done.stdout:
+            return False, (done.stderr or done.stdout).strip()
+    passed, line = tested(checkout, sys.executable, settings, COMPILED)
+    return passed, f"{line}; {done.stdout.strip()}"
+
+
+def sanitized(folder: Path) -> tuple[bool, str]:
+    """Whether the tests of the compiled code pass with memory and arithmetic checked."""
+    checkout = copied(folder / "checkout")
+    libraries = [
+        subprocess.run(["gcc", f"-print-file-name=lib{name}.so"], capture_output=True, text=True).stdout.strip()
+        for name in ("asan", "ubsan")
+    ]
+    settings = {
+        "CC": "gcc -fsanitize=address,undefined -fno-sanitize-recover=undefined",
+        "LD_PRELOAD": " ".join(libraries),
+        "ASAN_OPTIONS": "detect_leaks=0",
+        "PYTHONPATH": str(checkout),
+    }
+    subprocess.run([sys.executable, "-c", SANITIZE], cwd=checkout, env=os.environ | settings, check=True)
+    return tested(checkout, sys.executable, settings, SANITIZED)
 
 
 def case(name: str, folder: Path) -> tuple[bool, str]:
@@ -95,6 +155,10 @@ def case(name: str, folder: Path) -> tuple[bool, str]:
     if name in SETTINGS:
         tests = TESTS + DOCUMENTS if name in PROCESSORS else TESTS
         return tested(ROOT, sys.executable, SETTINGS[name], tests)
+    if name == SANITIZERS:
+        return sanitized(folder)
+    if name in compilers():
+        return compiled_by(folder, name)
     if name == SPACES:
         checkout = copied(folder / "a path with späces")
         compiling = subprocess.run([sys.executable, "-m", "derive.build"], cwd=checkout, capture_output=True, text=True)
@@ -102,15 +166,14 @@ def case(name: str, folder: Path) -> tuple[bool, str]:
         return passed, f"{line}; {compiling.stdout.strip()}"
     checkout = copied(folder / "checkout")
     interpreters = pythons()
-    if name == OLDEST_NUMPY:
-        project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
-        numpy = project["dependencies"][0].removeprefix("numpy>=") + ".*"
-        return tested(checkout, environment(checkout, next(iter(interpreters.values())), numpy), {}, TESTS)
-    return tested(checkout, environment(checkout, interpreters[name]), {}, TESTS)
+    if name == OLDEST:
+        inside = environment(checkout, next(iter(interpreters.values())), oldest_versions())
+        return tested(checkout, inside, {}, TESTS + COMPILED)
+    return tested(checkout, environment(checkout, interpreters[name]), {}, TESTS + COMPILED + TYPES)
 
 
 def main() -> int:
-    names = [*SETTINGS, SPACES, OLDEST_NUMPY, *pythons()]
+    names = [*SETTINGS, SPACES, OLDEST, *pythons(), *compilers(), SANITIZERS]
     parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
     parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(names)}; default: all")
     chosen = parser.parse_args().cases or names

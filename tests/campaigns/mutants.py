@@ -151,12 +151,17 @@ def copied(folder: Path) -> Path:
 
 
 def run(folder: Path, limit: float | None, *argv: str | Path) -> str | None:
-    """Output of a Python in the copy; none if it hangs. All that it started is ended too."""
+    """Output of a Python in the copy, or else its errors; none if it hangs. All that it started is ended too."""
     env = os.environ | {"PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
     limited = ["timeout", "-k", "1", str(limit)] if limit else []
     command = [*limited, sys.executable, *argv]
     done = subprocess.run(command, cwd=folder, env=env, capture_output=True, text=True, errors="replace", check=False)
-    return None if limit and done.returncode in (124, 137) else done.stdout
+    return None if limit and done.returncode in (124, 137) else done.stdout or done.stderr
+
+
+def _last(printed: str | None) -> str:
+    """The last line of an output."""
+    return (printed or "").strip().rpartition("\n")[2]
 
 
 def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
@@ -165,8 +170,10 @@ def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
     cover = [*(f"--cov={package}" for package in PACKAGES), "--cov-context=test", "--cov-report="]
     pytest = ("-m", "pytest", "-q", "-p", "no:cacheprovider", "-n", f"{jobs}", "--durations=0", "--durations-min=0.0")
     printed = run(folder, None, *pytest, *cover, *ignored, "tests") or ""
-    print(printed.strip().rpartition("\n")[2], file=sys.stderr)
-    run(folder, None, "-m", "coverage", "json", "--show-contexts", "-o", "map.json")
+    print(_last(printed), file=sys.stderr)
+    told = run(folder, None, "-m", "coverage", "json", "--show-contexts", "-o", "map.json")
+    if not (folder / "map.json").exists():
+        sys.exit(f"no test was measured: {_last(told) or _last(printed)}; is pytest-cov installed?")
     seconds: dict[str, float] = {}
     for duration, test in re.findall(r"^([\d.]+)s \w+ +(tests/\S+?)(?:\[.*)?$", printed, re.MULTILINE):
         seconds[test] = seconds.get(test, 0.0) + float(duration)

@@ -7,6 +7,8 @@ from xml.etree import ElementTree
 
 from PIL import Image
 
+COMPUTING = "slipcircle: computing; Ctrl-C stops it\n"  # which a busy machine prints
+
 
 def words_of(png: bytes) -> list[str]:
     """What titles, axes and legends of a picture say, as the program writes it into the file."""

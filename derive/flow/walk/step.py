@@ -208,9 +208,9 @@ def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
 
     Where the record is not where the step began, it has to do so by more than rounding.
     """
-    rises = s.peak_time == s.time
-    faster = here and speed > where(rises, 1.0, 1.0 + TIE) * abs(s.peak_omega)
+    faster = here and speed > abs(s.peak_omega)
     if any_lane(faster):
+        faster = faster and (s.peak_time == s.time or speed > (1.0 + TIE) * abs(s.peak_omega))
         s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
         s.peak_time = where(faster, time, s.peak_time)
         s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)

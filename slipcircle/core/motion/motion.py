@@ -102,7 +102,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def status(self) -> Any:
-        status = statuses(self._final, self.invalid)
+        status = statuses(self._final, self.invalid, plain(self.plan.scene.strength_factor))
         return status if self.shape else Status(status)
 
     @property

@@ -43,6 +43,8 @@ class Status(IntEnum):
         "invalid",
         ("its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground"),
     )
+    #: no result, not a scene either: the method from which it starts gives its circle no factor of safety
+    UNSTARTED = 9, "no starting factor", "the starting method gives this circle no factor of safety"
 
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED, Status.CREEPS)
@@ -58,8 +60,8 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
 )
 
 
-def statuses(final: Any, invalid: Any) -> Any:
-    """The status of each lane, as a number, by its final cells."""
+def statuses(final: Any, invalid: Any, strength_factor: Any) -> Any:
+    """Return the status of each lane, as a number, from its final cells."""
     ended = final[ix.STATUS]
     has_shape = isinstance(ended, np.ndarray)
     status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
@@ -70,6 +72,7 @@ def statuses(final: Any, invalid: Any) -> Any:
     still = final[ix.PHASES] == 0.0
     stays = still & (ended != ix.STOPPED)
     status = choose(answered & stays, int(Status.STAYS), status)
+    status = choose(strength_factor != strength_factor, int(Status.UNSTARTED), status)
     return choose(invalid, int(Status.INVALID), status)
 
 

@@ -21,6 +21,7 @@ from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
+from slipcircle.core.scene.friction import law_paths
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -103,15 +104,18 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     """The problem that a plan poses; ``invalid`` says which lanes are no scenes."""
     scene = plan.scene
     lanes = math.prod(scene.shape)
-    numbers = Numbers(scene.arc, scene.shape)
+    numbers = Numbers(scene.arc, scene.shape, plain(scene.strength_factor))
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
     farther = numbers.add_rotations(plan, lanes)
-    for name, parameters in scene.laws:
-        numbers.add_law(name, parameters)
+    for path, (name, parameters) in zip(law_paths(scene.law), scene.laws, strict=True):
+        numbers.add_law(path, name, parameters)
     numbers.add_start(scene.initial_velocity, scene.until)
-    if invalid is not False:
-        numbers.start["STATUS"] = plain(np.where(invalid, float(ix.FAILED), 0.0))
+    factor = numbers.start["strength_factor"]
+    is_unknown = factor != factor
+    if invalid is not False or is_unknown is not False:
+        failed = np.logical_or(invalid, is_unknown)
+        numbers.start["STATUS"] = plain(np.where(failed, float(ix.FAILED), 0.0))
     start = _flat(numbers.start, scene.shape)
     start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes)
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
@@ -156,12 +160,14 @@ class Numbers:
     tables : dict of Data
     """
 
-    def __init__(self, mass: Mass, shape: tuple[int, ...]) -> None:
+    def __init__(self, mass: Mass, shape: tuple[int, ...], strength_factor: Any) -> None:
         self.mass = mass
         self.shape = shape
         self.radius = plain(mass.radius)
         balance = mass.moment_coefficients
         self.start: dict[str, Any] = {name: getattr(balance, name) for name in INPUTS}
+        self.start["strength_factor"] = strength_factor
+        self.scales = {**mass.scales, "strength_factor": strength_factor}
         self.tables: dict[str, Data] = {}
 
     def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
@@ -177,7 +183,7 @@ class Numbers:
         if not symbols:
             return
         declared = ALL_EFFECTS[without_soil(effect)].parameters
-        scales = dict(self.mass.scales)
+        scales = self.scales.copy()
         for p in declared:
             if p.kind == "number":  # a symbol may take several
                 scales[p.name] = plain(parameters.get(p.name, 0.0))
@@ -207,15 +213,23 @@ class Numbers:
             self.add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])
         return farther
 
-    def add_law(self, name: str, parameters: Parameters) -> None:
-        """Add a friction law: a table, or dimensionless numbers by its name."""
+    def add_law(self, path: str, name: str, parameters: Parameters) -> None:
+        """Add a friction law: a table, or dimensionless numbers by its name; a law of speed beside it is a factor."""
         law = without_soil(name)
-        units = {"": 1.0, "m": self.radius, "m/s": self.radius / self.mass.time_scale, "s": self.mass.time_scale}
+        strength = 1.0 if path == "friction.rate" else self.start["strength_factor"]
+        units = {
+            "": 1.0 / strength,
+            "m": self.radius,
+            "m/s": self.radius / self.mass.time_scale,
+            "s": self.mass.time_scale,
+        }
         if law == "callable":
-            self.add_table(name, room("functions").first_table(parameters["function"], self.radius), self.radius)
+            self.add_table(
+                name, room("functions").first_table(parameters["function"], self.radius), self.radius, strength
+            )
         elif FRAGMENTS[law].tables:
             table, scale, unit = room("tables").of_law(law, parameters, self.shape)
-            self.add_table(name, table, units[unit] / scale)
+            self.add_table(name, table, units[unit] / scale, strength)
         else:
             for p in LAWS[law].parameters:
                 self.start[f"{name}.{p.name}"] = plain(parameters[p.name]) / units[p.unit]

@@ -19,8 +19,12 @@ from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, n
 from slipcircle.core.scene.mass import Mass
 
 One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
+AS_ENTERED = 1.0  # strength factor
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
-START: Mapping[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
+START: Mapping[str, Bounds] = {
+    "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
+    "strength_factor": (0.0, INFINITY, "a positive number"),
+}
 PLAIN = frozenset((float, str, type(None)))
 END: Mapping[str, Bounds] = {"end_time": (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")}
 MAPS = {"uncertain": "from numbers to their distributions", "observed": "from outcomes to what was seen of them"}
@@ -62,6 +66,9 @@ class Scene(Generic[Numbers]):
         What was observed of the motion, for `backanalyse`, by ``"run_out"``, ``"end_displacement"`` (where
         it rests), ``"peak_velocity"``, ``"duration"`` or ``"toe_rise"``: a number, one with its standard error, or an
         `Interval`; m, m/s, s. No motion depends on it.
+    strength_factor : float or array_like, optional
+        Factor of all friction and cohesion during the motion, so that it starts from another factor of safety than that
+        of the closure. Scene files with a ground set it from ``[circle] start``; other scenes have 1.
 
     Notes
     -----
@@ -84,6 +91,7 @@ class Scene(Generic[Numbers]):
     note: str = ""
     uncertain: Values = field(default_factory=dict)
     observed: Values = field(default_factory=dict)
+    strength_factor: Numbers | float = AS_ENTERED
 
     if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
 
@@ -100,6 +108,7 @@ class Scene(Generic[Numbers]):
             note: str = ...,
             uncertain: Values = ...,
             observed: Values = ...,
+            strength_factor: float = ...,
         ) -> None: ...
         @overload
         def __init__(
@@ -120,6 +129,7 @@ class Scene(Generic[Numbers]):
             note: str = ...,
             uncertain: Values = ...,
             observed: Values = ...,
+            strength_factor: ArrayLike = ...,
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
@@ -148,6 +158,9 @@ class Scene(Generic[Numbers]):
             faults += shape_mistakes(self.numbers)
         if faults:
             raise_all(f"Scene {self.name}".rstrip(), faults)
+
+    def start_anew(self) -> None:
+        """Set what follows from other fields, which have changed."""
 
     def _field_faults(self) -> list[str]:
         """What is wrong with how the scene starts and ends, and with what it asks for."""
@@ -191,6 +204,8 @@ class Scene(Generic[Numbers]):
         if self.arc.friction is None:  # otherwise its soils have the numbers of friction
             numbers |= _friction_numbers(self.friction)
         numbers["initial_velocity"] = self.initial_velocity
+        if type(self.strength_factor) is not float or self.strength_factor != 1.0:
+            numbers["strength_factor"] = self.strength_factor
         if self.end_time is not None:
             numbers["end_time"] = self.end_time
         assert isinstance(self.effects, dict)
@@ -209,7 +224,7 @@ class Scene(Generic[Numbers]):
     def _has_plain_numbers(self) -> bool:
         """Whether it is given floats alone, as most single scenes are, so that `numbers` need not be asked."""
         friction = self.friction
-        values: list[Any] = [self.initial_velocity, self.end_time]
+        values: list[Any] = [self.initial_velocity, self.end_time, self.strength_factor]
         values += friction.values() if type(friction) is dict else [friction]
         assert isinstance(self.effects, dict)
         for parameters in self.effects.values():

@@ -46,7 +46,6 @@ def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
     try:
         return work(scene)
     except InputError as error:
-        message = error.worded(lambda name: {"end_time": "end_time_s"}.get(name, name))
-        raise ValueError(f"{scene.name}: {message}") from error
+        raise ValueError(error.worded(lambda name: {"end_time": "end_time_s"}.get(name, name), scene.name)) from error
     except ValueError as error:
         raise ValueError(f"{scene.name}: {error}") from error

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.text import shown
 from slipcircle.core import Scene, numpy_only, solve
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs.info import facts
@@ -35,4 +36,4 @@ def _speed() -> str:
     here = min(timed())
     with numpy_only():
         in_numpy = min(timed())
-    return f"{here / 2_000 * 1e6:.2g} us a scene of 2,000; NumPy takes {in_numpy / here:.2g} times as long"
+    return f"{shown(here / 2_000 * 1e6, 2)} us a scene of 2,000; NumPy takes {shown(in_numpy / here, 2)} times as long"

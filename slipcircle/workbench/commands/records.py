@@ -5,12 +5,18 @@ from pathlib import Path
 from typing import Any
 
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.units import ACCELERATION
 from slipcircle.workbench.outputs.tables import Answer, Part
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
 HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
-FORMATS = "files and folders of records: AT2, ESM, K-NET, COSMOS, CSMIP, SMC, and tables of numbers, mixed"
+FORMATS = (
+    "files and folders of records, in mixed formats: AT2, ESM, K-NET, COSMOS, CSMIP, GeoNet, SMC, AFAD, JMA, CWA, "
+    "UNAM, and tables of numbers"
+)
+
+_READING = ("strict", "holds", "columns", "vertical", "units", "step")
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -27,9 +33,16 @@ def options(parser: argparse.ArgumentParser) -> None:
 def add_reading(parser: Any) -> None:
     """Options of what files do not say."""
     ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
-    parser.add_argument("--strict", action="store_true", help="stop if a file is no record, and do not go on without")
+    strict = "fail if any file or column is not used"
+    roles = "roles of all columns of tables, in place of their headers: time,acceleration,vertical,skip, or wrapped if "
+    roles += "each line holds values of one series"
+    vertical = "vertical components by their names, such as '*_Z', in place of what headers and names say"
+    units = f"unit of files that do not state theirs: {ACCELERATION.choice}".replace("%", "%%")
+    parser.add_argument("--strict", action="store_true", help=strict)
     parser.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
-    parser.add_argument("--units", help="unit of files that do not name theirs: g, m/s2, cm/s2, gal, mm/s2")
+    parser.add_argument("--columns", metavar="ROLES", default=(), help=roles)
+    parser.add_argument("--vertical", metavar="PATTERN", help=vertical)
+    parser.add_argument("--units", help=units)
     parser.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
 
 
@@ -52,7 +65,7 @@ def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
     if bool(options.records) == bool(options.synthetic):
         raise ValueError(f"{options.command}: give either files and folders of records, or --synthetic")
     if not options.synthetic:
-        reading = {name: getattr(options, name) for name in ("strict", "holds", "units", "step")}
+        reading = {name: getattr(options, name) for name in _READING}
         return read_suite(options.records, gravity=gravity, **reading)
     count, arias, duration = options.synthetic
     return Suite.of(synthetic_records(count, arias, duration, options.seed or 0, gravity))
@@ -68,7 +81,7 @@ def run(options: argparse.Namespace) -> Answer:
         write_records({entry.name: entry.record() for entry in suite}, options.out)
     rows = record["records"]
     written = {"csv": lambda _: files.table(rows[0], [row.values() for row in rows])}
-    return Answer(lambda: record, [records_part(suite)], suite.not_used, written)
+    return Answer(lambda: record, [records_part(suite)], suite.warnings, written)
 
 
 def _check_folder(options: argparse.Namespace) -> None:

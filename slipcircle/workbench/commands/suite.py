@@ -85,7 +85,7 @@ def _by_record_part(study: SuiteStudy, scale: int) -> Part:
     """Displacements and the like of each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
-    rows = zip(*columns.values(), strict=True)
+    rows = [*zip(*columns.values(), strict=True)]
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
     others = f", one of {study.scales.size} (--csv has all)" if study.scales.size > 1 else ""
@@ -124,7 +124,7 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
             notes.append(f"{c.name} holds for {c.valid}")
         if not math.isnan(c.negligible):
             shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
-            notes.append(f"{c.name}: no displacement (at most 1 cm) for {shares}")
+            notes.append(f"{c.name} counts displacements above 1 cm only; at most 1 cm for {shares}")
     k_y = shown(study.yield_coefficient)
     title = f"displacement at {study.scale_text(scale)} over that of a rigid block with k_y = {k_y} by regressions"
     return Part(head, rows, title, "; ".join(notes))

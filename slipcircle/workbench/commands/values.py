@@ -64,7 +64,7 @@ def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], A
         except ValueError:
             errors.append(f"--{option} {text}: must be {form}")
     if errors:
-        raise ValueError("; ".join(errors))
+        raise ValueError("\n".join(errors))
     return values
 
 

@@ -10,6 +10,10 @@ from pathlib import Path
 from typing import IO, Any
 
 from slipcircle.base.checks import raise_all
+from slipcircle.base.text import clean
+
+_HTML, _CSV = (".html", ".htm", ".xhtml", ""), (".csv", ".txt", "")
+ENDINGS = {"--report": _HTML, "--live": _HTML, "--csv": _CSV, "--fragility": _CSV, "--npz": (".npz", "")}
 
 
 def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
@@ -34,6 +38,10 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
             found.append(f"{option} {name}: may not be written")
         elif str(path) in taken:
             found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
+        elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
+            found.append(
+                f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"
+            )
         taken[str(path)] = option
     raise_all(command, found)
 
@@ -87,12 +95,25 @@ def write(name: str | os.PathLike[str], content: bytes) -> None:
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
-    """A table as CSV, in full precision; an empty cell for None."""
+    """A table as CSV, in full precision; an empty cell for None.
+
+    A text that a spreadsheet would take for a formula begins with an apostrophe.
+    """
     text = io.StringIO()
     out = csv.writer(text, lineterminator="\n")
-    out.writerow(head)
-    out.writerows(rows)
+    for row in (head, *rows):
+        out.writerow([_cell(value) if isinstance(value, str) else value for value in row])
     return text.getvalue().encode()
+
+
+def _cell(text: str) -> str:
+    """A text as a cell of a table."""
+    text = clean(text)
+    try:
+        float(text)
+    except ValueError:
+        return f"'{text}" if text.lstrip().startswith(("=", "+", "-", "@")) else text
+    return text
 
 
 def arrays(named: Mapping[str, Any]) -> bytes:
@@ -107,3 +128,13 @@ def arrays(named: Mapping[str, Any]) -> bytes:
 def _is_device(name: str | os.PathLike[str]) -> bool:
     """Whether a path cannot be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)
+
+
+def files_in(paths: Iterable[str | os.PathLike[str]]) -> Sequence[Path]:
+    """Return files and the files of folders, in the order of their names, each once and without hidden ones."""
+    files: dict[Path, None] = {}
+    for path in map(Path, paths):
+        inside = sorted(path.rglob("*")) if path.is_dir() else [path]
+        hidden = [any(part.startswith(".") for part in file.relative_to(path).parts) for file in inside]
+        files |= dict.fromkeys(file for file, is_hidden in zip(inside, hidden, strict=True) if not is_hidden)
+    return [path for path in files if not path.is_dir()]

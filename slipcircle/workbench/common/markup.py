@@ -3,8 +3,9 @@
 import base64
 import hashlib
 import html
-import re
 from collections.abc import Iterable, Sequence
+
+from slipcircle.base.text import clean
 
 
 class Raw(str):
@@ -14,8 +15,8 @@ class Raw(str):
 
 
 def escaped(text: str) -> str:
-    """Text with HTML escaped and characters invalid in XML replaced."""
-    return html.escape(re.sub(r"[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text))
+    """Text with HTML escaped and without control characters, except for those of preformatted text."""
+    return html.escape(clean(text, "\t\n\r"))
 
 
 def tag(name: str, text: str) -> Raw:

@@ -18,6 +18,7 @@ from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
 from slipcircle.words import VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
@@ -95,9 +96,6 @@ def _not_slow(motion: Any) -> str:
     return motion.no_slow_run_out and f"not given: {motion.no_slow_run_out}"
 
 
-OF_MOTION = "paper"  # of `METHODS`, that whose factor of safety a motion starts from
-
-
 def factor_label(method: str) -> str:
     """A factor of safety with its method."""
     return f"factor of safety by {METHODS[method][0]}"
@@ -114,7 +112,7 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
-    Quantity("factor_of_safety", "", factor_label(OF_MOTION), "factor_of_safety", key=True),
+    Quantity("factor_of_safety", "", "factor of safety at the start", "factor_of_safety"),
     Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
     Quantity("friction", "", "friction angle", "friction", degrees=True),
     Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
@@ -187,8 +185,11 @@ def end_words(motion: Any) -> dict[str, str]:
 
 
 def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
-    """Factors of safety at the start by method: the motion's, and on a ground others where the strength is known."""
-    found = {OF_MOTION: of_motion}
+    """Return factors of safety at the start by method, on a ground all of them where the strength is known.
+
+    That of the closure is the motion's, ``of_motion``, without the strength factor.
+    """
+    found = {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
     if "ground" in scene.arc.quantities and soil(scene.friction, scene.called):
         by_method = factors_of_safety(scene)
         found |= {method: by_method[method] for method in METHODS if method not in found}
@@ -204,8 +205,6 @@ def summary(motion: Any) -> dict[str, str]:
     column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
     for name, seen in motion.plan.scene.observed.items():
         column[f"observed {OBSERVABLE[name].label}"] = observed_text(motion, name, seen)
-    if known[OF_MOTION] < 1.0 <= known.get("bishop", 0.0):
-        column["at the start"] = "stable by Bishop, moves by the paper's method"
     return column
 
 

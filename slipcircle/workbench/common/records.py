@@ -5,7 +5,8 @@ from dataclasses import asdict
 from typing import Any
 
 from slipcircle.layers import LayeredSection, stretches
-from slipcircle.workbench.common.quantities import OF_MOTION, RESULTS, plain, results
+from slipcircle.workbench.common.quantities import RESULTS, plain, results
+from slipcircle.workbench.common.starting import method_of, starts
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 
 
@@ -25,7 +26,8 @@ def record(motion: Any) -> dict[str, Any]:
             "dimensionless": scene.arc.dimensionless,
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
-        | {"factor_of_safety_method": OF_MOTION}
+        | {"factor_of_safety_method": method_of(motion), "strength_factor": scene.strength_factor}
+        | {"starts": [start.record() for start in starts(motion) or ()]}
         | states
         | ({"observed": scene.observed} if scene.observed else {})
         | ({"stability": stability.record()} if stability else {})

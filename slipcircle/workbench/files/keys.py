@@ -70,9 +70,9 @@ class Number:
 class Key(NamedTuple):
     """A key of a scene file: its argument, meaning and allowed values.
 
-    ``kind`` is "text", "flag", "number", "fixed" (a number that no scene varies), "list" (of numbers), "series" (a
-    number or a list), "pair" and "points" (of two numbers), "line" (a number or points), "load" (a number or two),
-    "seen" (a number or an interval), or words: "this|that".
+    ``kind`` is "text", "name" (a text or a whole number), "flag", "number", "fixed" (a number that no scene varies),
+    "list" (of numbers), "series" (a number or a list), "pair" and "points" (of two numbers), "line" (a number or
+    points), "load" (a number or two), "seen" (a number or an interval), or words: "this|that".
     """
 
     name: str
@@ -92,12 +92,14 @@ class Key(NamedTuple):
             "load": self._number(value) or self._pair(value),
             "seen": self._number(value) or (self._pair(value) and value[0] < value[1]),
             "text": isinstance(value, str),
+            "name": type(value) in (str, int),
             "flag": isinstance(value, bool),
             "pair": self._pair(value),
             "list": False,
             "points": False,
         }
-        return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
+        is_word = isinstance(value, str) and value.lower() in self.kind.split("|")
+        return [] if right.get(self.kind, is_word) else [("", value)]
 
     def convert(self, value: Any) -> Any:
         """A valid value as an argument, in SI units."""
@@ -108,7 +110,7 @@ class Key(NamedTuple):
         if self.kind == "seen":
             return Interval(*map(float, value)) if isinstance(value, list) else float(value)
         if self.kind not in ("number", "fixed", "list", "series", "line", "load"):
-            return value
+            return value.lower() if "|" in self.kind else value
         return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
 
     def _number(self, value: Any) -> bool:
@@ -264,10 +266,11 @@ def _bounds_in_words(p: Parameter, number: Number) -> str:
 
 def _keys(p: Parameter) -> dict[str, Key]:
     """The keys of a parameter; friction has two, for its angle and for the coefficient itself."""
-    words = {"flag": "true or false", "text": "text"}.get(p.kind, f"one of {p.kind.replace('|', ', ')}")
+    plain = {"flag": "true or false", "text": "text", "name": "text or a number"}
+    words = plain.get(p.kind, f"one of {p.kind.replace('|', ', ')}")
     if not p.key:
         return {}
-    if p.kind in ("flag", "text") or "|" in p.kind:
+    if p.kind in plain or "|" in p.kind:
         return {p.key: Key(p.name, p.help, words, not p.optional, p.kind)}
     if not p.unit and p.key.endswith("_deg"):
         angle = _number(p, f"{p.help}, as an angle", "deg", tangent=True)

@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from slipcircle.base.kinds import Numbers
-from slipcircle.core import Motion, Scene, room
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import InputError
+from slipcircle.base.kinds import Numbers, cached_property
+from slipcircle.core import AS_ENTERED, Motion, Scene, room
 from slipcircle.workbench.files.numbers import by_name
+from slipcircle.workbench.stability.starting import OF_CLOSURE, strength_factor
 
 if TYPE_CHECKING:
     from slipcircle.workbench.stability.search import Critical
 
+_NO_START = (
+    "circle.start: by {} this circle has no factor of safety to start from; give another circle, or another method in "
+    '[circle], such as start = "ordinary" or "paper"'
+)
+
 
 @dataclass(frozen=True)
 class SlopeScene(Scene[Numbers]):
-    """A scene with the factors of safety of its circle, as returned by `load`; its motion does not depend on them.
+    """A scene with the factors of safety of its circle, as returned by `load`.
 
     Attributes
     ----------
@@ -23,10 +33,42 @@ class SlopeScene(Scene[Numbers]):
         Factors of safety of the section's circle, and how it was found.
     remarks : tuple of str
         Interpretations of the file that may not be intended.
+    start : str
+        Method from whose factor of safety the motion starts. It sets `strength_factor`, and again in every scene that
+        is derived from this one, unless that has another strength factor explicitly.
+    set_by_start : float or array
+        The strength factor that ``start`` has set.
     """
 
     stability: Critical | None = None
     remarks: tuple[str, ...] = ()
+    start: str = OF_CLOSURE
+    set_by_start: Any = AS_ENTERED
+
+    def __post_init__(self) -> None:
+        if self.strength_factor is self.set_by_start:
+            self._start_with(AS_ENTERED)  # until all fields are known to be valid
+        super().__post_init__()
+        self.start_anew()
+        if not self.shape and self.strength_factor != self.strength_factor:
+            raise InputError("", [_NO_START.format(self.start)])
+
+    def start_anew(self) -> None:
+        if self.strength_factor is self.set_by_start:
+            self._start_with(strength_factor(self, self.start))
+
+    def _start_with(self, factor: Any) -> None:
+        """Set the strength factor."""
+        for name in ("strength_factor", "set_by_start"):
+            object.__setattr__(self, name, factor)
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """All numbers that may be arrays; the strength factor follows from the others unless it is explicit."""
+        numbers = super().numbers
+        if self.strength_factor is not self.set_by_start:
+            return numbers
+        return {name: value for name, value in numbers.items() if name != "strength_factor"}
 
 
 def stability_of(scene: Scene) -> Critical | None:

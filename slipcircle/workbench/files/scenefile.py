@@ -51,14 +51,18 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability, remarks = parts.pop("stability"), parts.pop("remarks")
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
-        parts["effects"] = with_records(parts["effects"], gravity, parts["uncertain"])
-        if stability:
-            scene: Scene[float] = SlopeScene(**parts, stability=stability.without_map(), remarks=remarks)
+        parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
+        remarks = (*remarks, *of_records)
+        scene: Scene[float]
+        if of_records and "start" not in parts:
+            parts["set_by_start"] = None  # an arc starts as it is
+        if "start" in parts or of_records:
+            scene = SlopeScene(**parts, stability=stability and stability.without_map(), remarks=remarks)
         else:
             scene = Scene(**parts)
         return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
     except InputError as error:
-        raise ValueError(f"{file}: {error.worded(keys)}") from error
+        raise ValueError(error.worded(keys, file)) from error
 
 
 def find(name: str | PathLike[str]) -> Any:
@@ -75,8 +79,9 @@ def find(name: str | PathLike[str]) -> Any:
         raise ValueError(f"{path}: is a folder; give a scene's file")
     near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
-    said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
-    raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
+    known = f"scene {str(name)!r} is unknown; known are {', '.join(names)}"
+    said = f"{path}: there is no such file" if is_path else known
+    raise ValueError(said + "".join(f"; did you mean {n}?" for n in near))
 
 
 def critical_of_file(
@@ -106,6 +111,12 @@ def critical_of_file(
     return parts["name"], parts.get("note", ""), parts["stability"], warnings
 
 
+_ADVICE = (
+    "; `slipcircle new slope.toml` writes a scene: put points of the ground into points_m of [ground], the name of "
+    "an earthquake record into record of [shaking]"
+)
+
+
 def _content(source: Any, file: str) -> dict[str, Any]:
     """Content of a TOML file; an error in one sentence if it cannot be read."""
     try:
@@ -120,9 +131,10 @@ def _content(source: Any, file: str) -> dict[str, Any]:
     except OSError as error:
         raise ValueError(f"{file}: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
+        advice = "" if file.endswith(".toml") else _ADVICE
+        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}{advice}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise ValueError(f"{file}: is not TOML: {error}") from error
+        raise ValueError(f"{file}: is not TOML: {error}{'' if file.endswith('.toml') else _ADVICE}") from error
 
 
 def _check_depth(content: Mapping[str, Any], file: str) -> None:
@@ -179,6 +191,7 @@ def _parts(
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
+        parts["start"] = slope.start
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
     document.arguments[""].pop("format", None)  # read by this version, as it is no mistake
@@ -216,7 +229,7 @@ def _along_slope(
     try:
         return slope.moving(tell) if moving else (None, slope.stability(tell)[1])
     except InputError as error:
-        raise ValueError(f"{file}: {_slope_message(error, keys)}") from error
+        raise ValueError(_slope_message(error, keys, file)) from error
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
@@ -224,7 +237,7 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
     try:
         return Arc(**given["arc"], given=given.get("arc.given")), []
     except InputError as error:
-        return None, ["; ".join(message.within("arc").worded(keys) for message in error.messages)]
+        return None, [message.within("arc").worded(keys) for message in error.messages]
 
 
 def _friction(given: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
@@ -254,7 +267,7 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
     return effects
 
 
-def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
+def _slope_message(error: InputError, keys: Callable[[str], str], file: str) -> str:
     """The message of an error in a slope, a section or a search, with the keys of its file."""
     tables: dict[str, Table] = {**SLOPING, **LOADS}
     about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
@@ -262,5 +275,5 @@ def _slope_message(error: InputError, keys: Callable[[str], str]) -> str:
     of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
     of_slope |= {"friction": "friction.coefficient", "cohesion": "cohesion.cohesion_kPa"}
     of_slope["ponds"] = "[[pond]]"
-    text = error.worded(lambda name: of_slope.get(name, keys(name)))
-    return f"critical: {text}" if error.what == "critical" else text
+    what = f"{file}: critical" if error.what == "critical" else file
+    return error.worded(lambda name: of_slope.get(name, keys(name)), what)

@@ -81,6 +81,7 @@ def _schema_of_key(key: Key) -> dict[str, Any]:
     either = [number, *_DISTRIBUTIONS]
     kinds: dict[str, dict[str, Any]] = {
         "text": {"type": "string"},
+        "name": {"type": ["string", "integer"]},
         "flag": {"type": "boolean"},
         "number": {"anyOf": either},
         "fixed": number,

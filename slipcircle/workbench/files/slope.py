@@ -9,7 +9,7 @@ from slipcircle.ground import Section, circle_through, circle_touching, outside_
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.profile import Profile, numbered
 from slipcircle.workbench.stability.search import Critical, at_circle, critical
-from slipcircle.workbench.stability.stability import Slope, require_drive
+from slipcircle.workbench.stability.stability import METHODS, Slope, require_drive
 
 Arguments = Mapping[str, dict[str, Any]]
 _FLATTEST = 1e5  # radius over the size of the ground, beyond which a mass is a thin skin
@@ -59,6 +59,13 @@ class SlopeInput:
         """Limits of the search, and seismic coefficient."""
         return self.given.get("search", {})
 
+    @property
+    def start(self) -> str:
+        """Return the method from which the motion starts, by default that of the search, or Bishop's."""
+        circle = self.given.get("circle", {})
+        named = circle.get("critical")
+        return str(circle.get("start", named if named in METHODS else "bishop"))
+
     def slope(self) -> Slope:
         """For factors of safety."""
         fields = {name: value for name, value in self.ground.items() if name not in _OF_MOTION}
@@ -69,7 +76,7 @@ class SlopeInput:
 
     def stability(self, tell: Callable[[str], None]) -> tuple[dict[str, Any], Critical | None]:
         """The given or the critical circle with its factors; None without strength."""
-        circle = dict(self.given.get("circle", {}))
+        circle = {name: value for name, value in self.given.get("circle", {}).items() if name != "start"}
         known = self.profile is not None or bool(self.strength)
         if "critical" in circle:
             if not known:

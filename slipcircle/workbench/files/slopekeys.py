@@ -108,7 +108,13 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
                 "method by which the critical circle is searched",
                 f"one of {', '.join(METHODS)}, or {YIELD}: least yield coefficient",
                 kind="|".join((*METHODS, YIELD)),
-            )
+            ),
+            "start": Key(
+                "start",
+                "method from whose factor of safety the motion starts, by default that of critical, or bishop",
+                f"one of {', '.join(METHODS)}",
+                kind="|".join(METHODS),
+            ),
         },
     )._replace(
         required=True,

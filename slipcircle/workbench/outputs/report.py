@@ -44,6 +44,10 @@ ASSUMED = (
     "Nothing holds it at its sides.",
 )
 TITLE = "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method"
+NO_INTERVAL = (
+    "Sobol sequences: no interval in the tails, for fewer than 256 samples, and where the sequences differ by less "
+    "than a sample; use monte-carlo for intervals everywhere"
+)
 PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 
 # --- pages -----------------------------------------------------------------------------------------------------------
@@ -292,6 +296,7 @@ def _moments(study: Study, heads: Sequence[str]) -> Part:
             propagated = [study.linear[outcome][moment] for outcome in OUTCOMES]
             rows.append([f"linear {name}", *propagated])
     note = f"no linear propagation: {study.no_linear}" if study.no_linear else "linear: derivatives at the means"
+    note += "; standard deviations have no interval, as their errors depend on few samples in the tails"
     return Part(["", *heads], rows, "Mean and standard deviation", note)
 
 
@@ -311,6 +316,8 @@ def _indices(study: Study) -> Part:
 
 
 def _quantile_notes(study: Study) -> Iterator[str]:
+    if study.design.replicates > 1:
+        yield NO_INTERVAL
     if study.without_result:
         yield f"{BEYOND}: among the {study.without_result} samples that move without a result, so beyond any value"
     if not study.samples:

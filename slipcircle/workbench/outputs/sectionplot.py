@@ -11,6 +11,7 @@ from slipcircle.core import Arc, Motion
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
 from slipcircle.words import swings_back
+from slipcircle.workbench.common.starting import start_words, starts
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.layerplot import draw_stretches
 from slipcircle.workbench.outputs.plotstyle import (
@@ -165,6 +166,8 @@ def _notes(motion: Motion, magnification: float) -> Iterator[str]:
     """Notes: factors of safety, frozen geometry, magnified displacements."""
     if factors := factors_in_words(stability_of(motion.plan.scene)):
         yield factors
+    if both := starts(motion):
+        yield start_words(motion, both).replace("; ", "\n")
     # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
         yield "frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start"

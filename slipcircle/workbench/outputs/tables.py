@@ -10,11 +10,11 @@ from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from slipcircle.base.text import DIGITS, shown
+from slipcircle.base.progress import is_terminal
+from slipcircle.base.text import DIGITS, clean, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.workbench.common.quantities import (
-    OF_MOTION,
     OUTCOMES,
     factor_label,
     factor_text,
@@ -27,11 +27,13 @@ from slipcircle.workbench.common.quantities import (
     words,
 )
 from slipcircle.workbench.common.records import foreland_words, stretch_records
+from slipcircle.workbench.common.starting import start_rows
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
@@ -44,7 +46,7 @@ _LEAST = 22  # width of a column of long cells
 _GAP = 2  # between columns
 BOLD = "\x1b[1;36m"  # head of a table in a terminal
 PLAIN = "\x1b[0m"
-Rows = Iterable[Sequence[Any]]
+Rows = Sequence[Sequence[Any]]  # not an iterator: a table may be shown more than once
 
 
 class Part(NamedTuple):
@@ -81,13 +83,13 @@ COEFFICIENTS = {
 
 DIFFERENCE = (
     "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight; its factor, from which the motion starts, is"
+    "paper's method uses the mean normal stress under the weight; its factor is"
 )
 
 
 def motion_summary(motion: Motion) -> dict[str, str]:
     """The `summary`, with free water, the factors of safety under the k_h of a search, and the estimated error."""
-    column = summary(motion) | pond_row(motion.plan.scene.arc)
+    column = summary(motion) | start_rows(motion) | pond_row(motion.plan.scene.arc)
     critical = stability_of(motion.plan.scene)
     if critical is not None:
         if critical.slope.k_h:
@@ -100,7 +102,7 @@ def motion_summary(motion: Motion) -> dict[str, str]:
 def difference_words(motion: Motion) -> str:
     """How far the factor of safety of a motion is from Bishop's, and why; empty where Bishop's is not known."""
     known = factors(motion.plan.scene, motion.factor_of_safety)
-    gap = 100.0 * (known[OF_MOTION] / known.get("bishop", math.nan) - 1.0)
+    gap = 100.0 * (known[OF_CLOSURE] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
     return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""
 
@@ -272,9 +274,10 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 # --- the screen ------------------------------------------------------------------------------------------------------
 
 
-def say(message: str) -> None:
-    """Print a message on stderr."""
-    print(f"slipcircle: {clean(message)}", file=sys.stderr)
+def say(message: str, before: str = "") -> None:
+    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    for text in message.splitlines() if sys.stderr is not None else ():
+        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr)
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
@@ -283,7 +286,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
     Long cells are wrapped; columns that do not fit follow below the others. ``NO_COLOR`` and dumb terminals disable
     colour.
     """
-    terminal = sys.stdout.isatty()
+    terminal = is_terminal(sys.stdout)
     width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
     lines = [*_layout(head, rows, title, note, width)]
     coloured = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
@@ -326,9 +329,9 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
 
 
 def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of its width; the interval alone if there is no value."""
-    if all(map(math.isnan, e)):
-        return "-"
+    """A value and its interval, to two digits of its width; one of them alone if the other is unknown."""
+    if math.isnan(e.low) and math.isnan(e.high):
+        return value_text(e.value)
     if e.low == math.inf:
         return BEYOND
     width = e.high - e.low if e.high < math.inf else max(e.value - e.low, 0.0)
@@ -367,8 +370,3 @@ def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool
         if headed and number == 0:
             gaps = _GAP * (len(widths) - 1)
             yield "-" * (sum(widths) + gaps)
-
-
-def clean(text: str) -> str:
-    """Text without control characters."""
-    return "".join(c if c.isprintable() else " " if c.isspace() else "\N{REPLACEMENT CHARACTER}" for c in text)

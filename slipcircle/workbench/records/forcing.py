@@ -4,26 +4,31 @@ from collections.abc import Mapping
 from typing import Any
 
 from slipcircle.base.checks import InputError, Message
-from slipcircle.workbench.records.records import read_pore_pressure, read_record
+from slipcircle.workbench.common.units import ACCELERATION, PORE_PRESSURE, Quantity
+from slipcircle.workbench.records.recordfiles import Options, Samples
+from slipcircle.workbench.records.records import pressure_of, read_samples, shaking_of
+from slipcircle.workbench.suites.intensities import drift_warning
 
-_OF_WATER = ("units", "column", "step", "start", "gaps")
-_OF_RECORDS = ("holds", "units", "step", "start", "gaps")
 _BESIDE_RECORDS = ("two_way", "scale", "peak")
 
 
 def with_records(
     effects: Mapping[str, Mapping[str, Any]], gravity: float, uncertain: Mapping[str, Any]
-) -> dict[str, Mapping[str, Any]]:
-    """Effects with the series of their records instead of file names; gravity in m/s^2.
+) -> tuple[dict[str, Mapping[str, Any]], list[str]]:
+    """Return effects with the series of their records instead of file names, and remarks about the records.
 
-    Gravity must not be among the uncertain keys.
+    Gravity is in m/s^2, and must not be among the uncertain keys.
 
     Raises
     ------
     ValueError
         If a file cannot be read as it is described; names the effect.
     """
-    readers = {"shaking": lambda settings: _shaking(settings, gravity), "pore_pressure": _pore_pressure}
+    remarks: list[str] = []
+    readers = {
+        "shaking": lambda settings: _shaking(settings, gravity, remarks),
+        "pore_pressure": lambda settings: _pore_pressure(settings, remarks),
+    }
     read = dict(effects)
     for name in readers:
         if "record" in effects.get(name, {}):
@@ -40,39 +45,51 @@ def with_records(
     gravities = [key for key in ("arc.gravity_m_s2", "ground.gravity_m_s2") if key in uncertain]
     if gravities and "record" in effects.get("shaking", {}):
         raise InputError("", [f"{gravities[0]}: must be one number with a record, which is read over gravity"])
-    return read
+    return read, remarks
 
 
-def _pore_pressure(settings: Mapping[str, Any]) -> dict[str, Any]:
+def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], remarks: list[str]) -> Samples:
+    """Samples of a record with the settings of an effect; remarks are added about columns that are not used."""
+    options = Options(**{key: settings[key] for key in Options._fields if key in settings})
+    samples, unused = read_samples(quantity, file, options)
+    remarks += unused
+    return samples
+
+
+def _pore_pressure(settings: Mapping[str, Any], remarks: list[str]) -> dict[str, Any]:
     """A ratio or a pressure from a record."""
-    reading = {k: settings[k] for k in _OF_WATER if k in settings}
-    series = read_pore_pressure(settings["record"], **reading)
+    file = settings["record"]
+    series = pressure_of(_samples(PORE_PRESSURE, file, settings, remarks), file)
     other = next((k for k in ("time", *series) if k in settings), None)
     if other is not None:
         raise InputError("", [f"{{{other}}} and {{record}} exclude each other; remove one"])
-    of_record = {"record", *_OF_WATER}
+    of_record = {"record", *Options._fields}
     others = {k: v for k, v in settings.items() if k not in of_record}
     return others | series
 
 
-def _shaking(settings: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+def _shaking(settings: Mapping[str, Any], gravity: float, remarks: list[str]) -> dict[str, Any]:
     """k_h(t) and k_v(t) from a record, over gravity."""
     for way in ("horizontal", "pulse"):
         if way in settings:
             raise InputError("", [f"{{{way}}} and {{record}} exclude each other; remove one"])
-    known = {"record", "column", "vertical_record", "vertical_column", *_OF_RECORDS, *_BESIDE_RECORDS}
+    known = {"record", "holds", "vertical_record", "vertical_column", *Options._fields, *_BESIDE_RECORDS}
     if strange := [k for k in settings if k not in known]:
         raise InputError("", [f"{{{strange[0]}}}: does not belong to a record; leave it out"])
     if "holds" not in settings:
         missing = '{holds}: is missing: a record must say whether it holds "ground" or "driving" acceleration'
         raise InputError("", [missing])
     scaled = "scale" in settings or "peak" in settings
-    common = {k: settings[k] for k in _OF_RECORDS if k in settings}
-    common |= {"gravity": gravity, "scaled": scaled}
-    horizontal = read_record(settings["record"], column=settings.get("column"), **common)
-    series: dict[str, Any] = {"horizontal": horizontal}
+    chosen = {"horizontal": settings}
     if "vertical_record" in settings or "vertical_column" in settings:
-        path = settings.get("vertical_record", settings["record"])
-        series["vertical"] = read_record(path, column=settings.get("vertical_column"), **common)
+        of_vertical = {"record": settings.get("vertical_record", settings["record"])}
+        chosen["vertical"] = {**settings, **of_vertical, "column": settings.get("vertical_column")}
+    series: dict[str, Any] = {}
+    for name, of_record in chosen.items():
+        file = of_record["record"]
+        samples = _samples(ACCELERATION, file, of_record, remarks)
+        series[name] = shaking_of(samples, file, settings["holds"], gravity, scaled)
+        if drift := drift_warning(series[name], gravity):
+            remarks.append(f"{file}: {drift}")
     factor = {} if "peak" in settings else {"scale": 1.0}
     return series | factor | {k: settings[k] for k in _BESIDE_RECORDS if k in settings}

@@ -1,29 +1,34 @@
-"""Files of samples, with a header of a known kind or as a table: times, values and their unit."""
+"""Files of samples, with a header of a known format or as a table: times, values and their unit."""
 
-import io
 import re
-from array import array
-from collections.abc import Iterator
-from itertools import repeat
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Floats
-from slipcircle.workbench.records.headers import (
-    ACCELERATION,
-    Header,
-    Quantity,
-    channels,
-    fixed_columns,
-    header_of,
-    unit_of,
+from slipcircle.workbench.common.textfiles import (
+    CLOCK,
+    Lines,
+    cells_of,
+    check_count,
+    is_even,
+    numbers_of,
+    plain_numbers,
+    text_of,
 )
+from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
+from slipcircle.workbench.records.columns import Column
+from slipcircle.workbench.records.headers import Header, channels, header_of
+from slipcircle.workbench.records.tables import Table, table_of
 
 MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
+_LONGEST_STEP = 0.5  # s, of two columns without names that are time and acceleration by convention
+WRAPPED = "wrapped"  # the role of all columns, where the values of one record run along the lines
+SKIP = "skip"
+_CLOCK, _COUNTER = "has times of day or dates", "counts the samples"
 
 
 class Samples(NamedTuple):
@@ -32,352 +37,240 @@ class Samples(NamedTuple):
     time: Floats
     values: Floats
     units: str
-    lines: NDArray[np.int64]
+    lines: Lines
 
 
-def _text(quantity: Quantity, path: Path, name: str) -> str:
-    try:
-        size = path.stat().st_size
-        if not path.is_file():  # but a folder, a device, or a pipe that never ends
-            raise ValueError(f"{name}: is not a file; give the file of a record")
-        if size > MOST_BYTES:
-            most = f"must be at most {MOST_BYTES / 1e6:.0f} MB; cut or resample the record"
-            raise ValueError(f"{name}: has {size / 1e6:.4g} MB: {most}")
-        data = path.read_bytes()
-    except OSError as error:
-        raise ValueError(f"{name}: {error.strerror}") from error
-    is_blank = np.frombuffer(data, np.uint8) <= ord(",")
-    count = np.count_nonzero(is_blank[1:] & ~is_blank[:-1])
-    if count > MOST_NUMBERS:
-        raise ValueError(f"{name}: holds {count:.2g} numbers: must be at most {MOST_NUMBERS:.2g}; cut or resample it")
-    if b"\0" in data[:4096]:
-        raise ValueError(f"{name}: is not text; save the record as {quantity.kinds}")
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError:  # old headers
-        text = data.decode("latin-1")
-    if not text.strip():
-        raise ValueError(f"{name}: is empty; a record has two samples at least")
-    return text.replace("\r\n", "\n").replace("\r", "\n")
+class Options(NamedTuple):
+    """Statements of the user about a file, as arguments of `read_record`; the unit and step are by default its own."""
+
+    columns: str | Sequence[str] = ()
+    column: int | str | None = None
+    step: float | None = None
+    units: str | None = None
+    start: float | None = None
+    gaps: str = "refuse"
+    of_all: bool = True  # whether the roles are those of every table, and not only of tables of their width
+
+    def roles(self, quantity: Quantity) -> tuple[str, ...]:
+        """Return the roles of the columns, which a text separates by commas."""
+        parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
+        roles = tuple(str(part).strip().lower() for part in parts)
+        known = ("time", quantity.role, "vertical", SKIP)
+        if roles != (WRAPPED,) and (not {*roles} <= {*known} or roles.count("time") > 1):
+            rule = f"must be {', '.join(known)} for each column, one time at most, or {WRAPPED} alone"
+            raise InputError("", [f"{{columns}} = {','.join(roles)!r}: {rule}"])
+        return roles
 
 
-def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, step: float | None) -> Samples:
-    """Read a file of the kind that its first lines indicate."""
-    parts = channels(_text(quantity, path, name))
-    chosen = 0
-    if len(parts) > 1:
-        chosen = _column(quantity, name, column, [component for component, _ in parts], [*range(len(parts))])
-        name, column = f"{name}, channel {chosen + 1}", None
-    _, text = parts[chosen]
-    return _of_header(quantity, name, text, column, step) or _of_table(quantity, name, text, column, step)
+class Channel(NamedTuple):
+    """A channel or column of a file: its place from 1, name and role, and samples, or the reason without them."""
+
+    place: int
+    name: str
+    role: str = ""
+    reason: str = ""
+    samples: Samples | None = None
+
+    def __str__(self) -> str:
+        return f"column {self.place}{f' ({self.name})' * bool(self.name)}: {self.reason}"
 
 
-def _of_header(quantity: Quantity, name: str, text: str, column: Any, step: float | None) -> Samples | None:
-    """Samples below a header of a known kind; None without one."""
-    first_lines = text[:20000].split("\n")
-    headed = header_of(name, first_lines) if quantity is ACCELERATION else None
-    if headed is None:
-        return None
-    kind, header = headed
-    for argument, value in (("column", column), ("step", step)):
-        if value is not None:
-            rule = f"{kind} has one column and its own step; leave it out"
-            raise InputError("", [f"{name}: {{{argument}}} = {value!r}: {rule}"])
-    return _wrapped(name, text, header)
+def contents(quantity: Quantity, name: str, path: Path, options: Options) -> list[Channel]:
+    """Return the channels of a file, or the columns other than times and those that the user skips.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read; names the file, the line, and the remedy.
+    """
+    text = text_of(path, name, MOST_BYTES, MOST_NUMBERS, quantity.kinds)
+    parts = list(channels(text)) if quantity is ACCELERATION else [text]
+    names = [f"{name}, channel {k}" if len(parts) > 1 else name for k in range(1, len(parts) + 1)]
+    headers = list(map(header_of, names, parts)) if quantity is ACCELERATION else [None]
+    if headers[0] is None:
+        return _of_table(quantity, name, text, options)
+    components = {k: header.component for k, header in enumerate(headers, 1) if header}
+    chosen = _chosen(name, components, options.column)
+    return [
+        Channel(k, header.component, samples=_of_format(names[k - 1], parts[k - 1], header))
+        for k, header in enumerate(headers, 1)
+        if header and k in chosen
+    ]
 
 
-def _several(name: str, samples: Samples) -> Samples:
-    """Samples, of which a record has two at least."""
-    count = samples.time.size
+def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> list[int]:
+    """Places of the columns or channels that the user names, or gives by the number from 1; by default all."""
+    wanted = str(column).strip().lower()
+    named = [place for place, other in names.items() if other.lower() == wanted]
+    chosen = named or [place for place in names if column is None or wanted == str(place)]
+    if not chosen or len(named) > 1:
+        raise InputError("", [f"{name}: {{column}} = {column!r}: must be one of {choice(names.items())}"])
+    return chosen
+
+
+def choice(names: Iterable[tuple[int, str]]) -> str:
+    """Places and names of columns, for a message."""
+    shown = [f"{place} ({name})" if name else str(place) for place, name in names]
+    return ", ".join(shown)
+
+
+def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> Samples:
+    """Samples, of which a record has two at least, at times or with a step."""
+    count = len(fields)
     if count < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
+    times = time if isinstance(time, np.ndarray) else time * np.arange(float(count))
+    return Samples(times, numbers_of(name, fields, lines), units, lines)
+
+
+def _of_format(name: str, text: str, header: Header) -> Samples:
+    """Values without times, however many are on a line."""
+    below = text.split("\n")[header.lines :]
+    if header.fields.get("pair"):
+        below = [line.rpartition(" ")[2] for line in map(str.strip, below)]
+    is_block = "block" in header.fields
+    if is_block or "width" in header.fields:
+        width = int(header.fields.get("width") or (8 if is_block else 10)) or 1
+        ends = (k for k, row in enumerate(below) if re.match(r"[\s/&-]*(?:end|\d+ points of )", row, re.IGNORECASE))
+        end = -(-header.samples // 10) if is_block else next(ends, len(below))
+        below = [" ".join(row[k : k + width] for k in range(0, len(row), width)) for row in below[:end]]
+    fields, lines = cells_of(name, below, header.lines, None)
+    check_count(name, len(fields), header.samples)
+    samples = _samples(name, header.step, fields, lines, _unit(ACCELERATION, name, header.units))
+    if header.scale:
+        with np.errstate(invalid="ignore", over="ignore"):  # numbers that are not finite are refused later
+            return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
     return samples
 
 
-class Component(NamedTuple):
-    """One record of a file: its name in a table of several, and the arguments with which `parse` reads it."""
-
-    name: str = ""
-    column: int | None = None
-    step: float | None = None
+# --- tables --------------------------------------------------------------------------------------------------------
 
 
-def components(name: str, path: Path, step: float | None) -> Iterator[tuple[Component, Samples]]:
-    """The records of acceleration in a file, which is read once; the step is for files without times."""
-    parts = channels(_text(ACCELERATION, path, name))
-    for place, (component, text) in enumerate(parts, 1):
-        is_one = len(parts) == 1
-        of_part = name if is_one else f"{name}, channel {place}"
-        samples = _of_header(ACCELERATION, of_part, text, None, None)
-        if samples is None:
-            yield from _components_of_table(of_part, text, step)
-        else:
-            yield Component() if is_one else Component(component, place), samples
+def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> list[Channel]:
+    """The columns of a table other than its times."""
+    table = table_of(quantity, name, text)
+    roles = _roles(quantity, name, table, options)
+    width = 1 if roles == (WRAPPED,) else table.width
+    fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
+    cells, lines = [fields[k::width] for k in range(width)], lines[::width]
+    if table.stated:
+        check_count(name, len(lines), float(table.stated))
+    columns = _only(quantity, name, _with_roles(quantity, table.columns, cells, roles), options.column)
+    time = _times(quantity, name, columns, cells, lines, table.step or options.step)
+    found = []
+    for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
+        if column.role in (quantity.role, "vertical"):
+            unit = _unit(quantity, name, column.unit or table.unit)
+            samples = _samples(name, time, of_column, lines, unit)
+            label = table.component * (width == 1) or column.name
+            role = column.role if roles or column.role == "vertical" else ""
+            found.append(Channel(k, label, role, "", samples))
+        elif column.role not in ("time", SKIP):
+            found.append(Channel(k, column.name, "", column.reason if any(of_column) else "is empty"))
+    return found
 
 
-def _components_of_table(name: str, text: str, step: float | None) -> Iterator[tuple[Component, Samples]]:
-    """The records in the columns of a table."""
-    head = _table_head(ACCELERATION, name, text)
-    runs_along_lines = False
-    if not head.fields:
-        _, lines = _values(name, text, head.lines, head.separator)
-        runs_along_lines = _along_lines(lines)
-    if head.width == 1 or runs_along_lines:
-        yield Component(step=step), _of_table(ACCELERATION, name, text, None, step)
-        return
-    rows = _rows(name, text, head)
-    clock = _clock(name, head.fields, head.names, head.width, None)
-    columns = [k for k in range(head.width) if k != clock and not _is_other(head, k)]
-    names = [""]
-    if len(columns) > 1:
-        names = [head.names[k] if head.names else str(k + 1) for k in columns]
-    for label, k in zip(names, columns, strict=bool(columns)):
-        column = k + 1
-        yield Component(label, column), _of_column(ACCELERATION, name, head, rows, column, None)
+def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> tuple[str, ...]:
+    """The roles of the columns by option; none if the option is about other tables."""
+    roles = options.roles(quantity)
+    has_names = any(column.name for column in table.columns)
+    if roles == (WRAPPED,) and (options.of_all or not has_names):
+        return roles
+    if len(roles) == table.width:
+        return roles
+    if roles and options.of_all:
+        raise InputError("", [f"{name}: {{columns}} = {','.join(roles)!r}: the file has {table.width} columns"])
+    return ()
 
 
-def _is_other(head: "_TableHead", column: int) -> bool:
-    """Whether a column is not an acceleration by its name or its unit."""
-    if not head.fields:
-        return False
-    unit = re.search(head.suffix, head.fields[column])
-    is_other_unit = unit is not None and unit_of(unit.group(1) or unit.group(2) or "") is None
-    return is_other_unit or re.match("vel|dis", head.names[column], re.IGNORECASE) is not None
-
-
-def _wrapped(name: str, text: str, header: Header) -> Samples:
-    """Values without times, however many are on a line."""
-    values, lines = _fixed(name, text, header) if header.width else _values(name, text, header.lines, None)
-    if values.size != header.samples:
-        raise ValueError(
-            f"{name}: holds {values.size} values, but its header says {header.samples}; is the file cut short, or "
-            "another's header on it?"
-        )
-    if header.about_mean:
-        values = values - np.mean(values)
-    time = header.step * np.arange(float(header.samples))
-    return _several(name, Samples(time, values * header.scale, header.units, lines))
-
-
-def _fixed(name: str, text: str, header: Header) -> tuple[Floats, NDArray[np.int64]]:
-    """Values as of `_values` from columns of fixed width, up to the line that ends the samples."""
-    below = text.split("\n")[header.lines :]
-    ends = (k for k, line in enumerate(below) if re.match(r"\s*(?:end|\d+ points of )", line, re.IGNORECASE))
-    end = next(ends, len(below))
-    if any(" acceleration pts" in line.lower() for line in below[end:]):
-        raise ValueError(f"{name}: holds several channels; save each in a file")
-    fields = [fixed_columns([row], header.width) for row in below[:end]]
-    apart = map(" ".join, fields)
-    above = header.lines * [""]
-    separated = "\n".join([*above, *apart])
-    return _values(name, separated, header.lines, None)
-
-
-class _TableHead(NamedTuple):
-    """The header of a table: number of lines, separator, number of columns, and fields of its last line."""
-
-    lines: int
-    separator: str | None
-    width: int
-    fields: list[str]  # of each column with its unit; empty if there are none
-    names: list[str]  # the same without units
-    suffix: str  # expression of a unit in a field
-
-
-def _table_head(quantity: Quantity, name: str, text: str) -> _TableHead:
-    lines, separator, width = _first_row(quantity, name, text)
-    fields = _fields(text.split("\n", lines)[:lines], separator, width)
-    suffix = rf"\s*[(\[]([^)\]]*)[)\]]\s*$|_({quantity.suffix})$"
-    names = [re.sub(suffix, "", f) for f in fields]
-    return _TableHead(lines, separator, width, fields, names, suffix)
-
-
-_Rows = tuple[Floats, NDArray[np.int64]]  # numbers of a table, (rows, columns), and their lines
-
-
-def _of_table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Samples:
-    """Numbers in columns after any header lines."""
-    head = _table_head(quantity, name, text)
-    if step is not None and column is None and not head.fields and head.width > 1:
-        samples = _row_by_row(name, text, head.lines, head.separator, step)
-        if samples is not None:
-            return samples
-    return _of_column(quantity, name, head, _rows(name, text, head), column, step)
-
-
-def _rows(name: str, text: str, head: _TableHead) -> _Rows:
-    """The numbers of a table, and the line of each row."""
-    values, lines = _values(name, text, head.lines, head.separator, head.width)
-    if any(map(_is_number, head.fields)) and head.width > 1:  # not a header but a damaged sample
-        _values(name, text, head.lines - 1, head.separator, head.width)
-    return values.reshape(-1, head.width), lines[:: head.width]
-
-
-def _of_column(
-    quantity: Quantity, name: str, head: _TableHead, rows: _Rows, column: int | str | None, step: float | None
-) -> Samples:
-    """The samples in a column of a table."""
-    numbers, lines = rows
-    clock = _clock(name, head.fields, head.names, head.width, step)
-    chosen = _column(quantity, name, column, head.names, [k for k in range(head.width) if k != clock])
-    unit = re.search(head.suffix, head.fields[chosen]) if head.fields else None
-    units = unit_of(unit.group(1) or unit.group(2) or "", quantity) if unit else None
-    if clock is None:
-        time = float(step or 0.0) * np.arange(float(len(numbers)))
-    else:
-        time = numbers[:, clock].copy()
-    return _several(name, Samples(time, numbers[:, chosen].copy(), units or "", lines))
-
-
-def _row_by_row(name: str, text: str, head: int, separator: str | None, step: float) -> Samples | None:
-    """Values along lines that are not rows of columns."""
-    values, lines = _values(name, text, head, separator)
-    if not _along_lines(lines):
-        return None
-    return Samples(step * np.arange(float(values.size)), values, "", lines)
-
-
-def _clock(name: str, fields: list[str], names: list[str], width: int, step: float | None) -> int | None:
-    """The column of times; None if they follow from a step."""
-    timed = (k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower()))
-    clock = next(timed, None)
-    if step is not None and clock is not None:
-        why = f"its column {names[clock]!r} holds the times; leave it out"
-        raise InputError("", [f"{name}: {{step}} = {step!r}: {why}"])
-    if step is None and width == 1:
-        raise InputError("", [f"{name}: has one column and no times; give {{step}}, the time between samples in s"])
-    if step is None:
-        clock = clock or 0
-    unit = re.search(_OTHER_CLOCK, fields[clock], re.IGNORECASE) if fields and clock is not None else None
-    if unit is not None and clock is not None:
-        raise ValueError(f"{name}: its column {fields[clock]!r} says {unit.group(1)}: must be s; convert the times")
-    return clock
-
-
-def _without_comment(line: str) -> str:
-    """A line without comment and surrounding blanks."""
-    for mark in "#%!":
-        if mark in line:
-            line = line.partition(mark)[0]
-    return line.strip()
-
-
-def _split(line: str, separator: str | None) -> list[str]:
-    """The fields of a line, without their quotes."""
-    return [f.strip().strip('"') for f in line.split(separator)]
-
-
-def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | None, int]:
-    """Number of lines above the first row of numbers, its separator, and its number of columns.
-
-    A row of numbers followed by two rows of another length, such as a date, belongs to the header.
-    """
-    rows: list[tuple[int, str | None, int]] = []
-    for k, line in enumerate(map(_without_comment, io.StringIO(text))):
-        if line:
-            row = _row(k, line)
-            if row is None and ";" in line and all(_is_number(f.replace(",", ".")) for f in line.split(";")):
-                raise ValueError(f"{name}, line {k + 1}: {line[:60]!r}: decimal commas; write points instead")
-            rows += [row] if row else []
-            if rows and (row is None or len(rows) == 3):
-                break
-    if not rows:
-        raise ValueError(
-            f"{name}: has no line of numbers; a record has a line of time and {quantity.name} for each sample"
-        )
-    widths = [row[2] for row in rows]
-    return rows[1] if len(rows) == 3 and widths[1] == widths[2] != widths[0] else rows[0]
-
-
-def _row(k: int, line: str) -> tuple[int, str | None, int] | None:
-    """The separator and number of columns of a line of numbers."""
-    for separator in (";", ",", None):
-        fields = _split(line, separator)
-        if len(fields) > 1 and not fields[-1]:  # a separator ends the line
-            fields.pop()
-        if (separator is None or separator in line) and all(map(_is_number, fields)):
-            return k, separator, len(fields)
-    return None
-
-
-def _along_lines(lines: NDArray[np.int64]) -> bool:
-    """Whether values run along lines: more than three on each, a single line, or a shorter last one."""
-    _, counts = np.unique(lines, return_counts=True)
-    first = counts[0]
-    last = counts[-1]
-    is_even = np.all(counts[:-1] == first) and last <= first
-    is_single = len(counts) == 1
-    return bool(is_even and (first > 3 or is_single or last < first))
-
-
-def _is_number(field: str) -> bool:
-    try:
-        _number("", 0, field)
-    except ValueError:
-        return False
-    return True
-
-
-def _fields(above: list[str], separator: str | None, width: int) -> list[str]:
-    """Names of columns in the last line of the header, with units; empty if their number is wrong."""
-    for line in filter(None, (x.strip() for x in reversed(above))):
-        plain = line.lstrip("#% \t")
-        pattern = r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
-        parts = _split(plain, separator) if separator else [p.strip('"') for p in re.findall(pattern, plain)]
-        parts = parts[:-1] if separator and parts[-1:] == [""] else parts
-        comment = not _without_comment(line)
-        if len(parts) == width and not (comment and (line[0] == "!" or any(map(_is_number, parts)))):
-            return parts
-        if not comment:
-            break
-    return []
-
-
-_OTHER_CLOCK = r"(?:[(\[,_ ])\s*(ms|min(?:ute)?s?|h|hrs?|hours?|d|days?|weeks?|years?)\s*[)\]]?\s*$"
-
-
-def _column(quantity: Quantity, name: str, column: int | str | None, names: list[str], choice: list[int]) -> int:
-    shown = ", ".join(f"{k + 1} ({names[k]})" if names else str(k + 1) for k in choice)
+def _only(quantity: Quantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
+    """The columns, of which the user may name the only one to read beside the times."""
     if column is None:
-        if len(choice) == 1:
-            return choice[0]
-        raise ValueError(f"{name}: has several columns of {quantity.name}; give column, one of {shown}")
-    requested = str(column).strip().lower()
-    matches = [k for k in choice if names and names[k].lower() == requested]
-    if not matches and requested.isdecimal():
-        matches = [k for k in choice if k == int(requested) - 1]
-    if len(matches) != 1:
-        raise ValueError(f"{name}: column = {column!r}: must be one of {shown}")
-    return matches[0]
+        return columns
+    others = {place: other.name for place, other in enumerate(columns, 1) if other.role != "time"}
+    (chosen,) = _chosen(name, others, column)
+    roles = dict.fromkeys(others, SKIP) | {chosen: quantity.role}
+    return [other._replace(role=roles.get(place, "time")) for place, other in enumerate(columns, 1)]
 
 
-def _values(name: str, text: str, head: int, separator: str | None, width: int = 0) -> tuple[Floats, NDArray[np.int64]]:
-    """Numbers below a header and their lines: of a table with so many columns, or all in sequence."""
-    fields, lines = list[str](), array("q")
-    for k, line in enumerate(map(_without_comment, io.StringIO(text)), 1):
-        if k <= head or not line:
-            continue
-        row = line.split(separator)
-        if not row[-1] and len(row) != width:
-            row.pop()
-        if width and len(row) != width:
-            raise ValueError(
-                f"{name}, line {k}: has {len(row)} field{'s' * (len(row) != 1)}, where the first row has "
-                f"{width}; mend the line"
-            )
-        fields += row
-        lines.extend([k] * len(row))
-    try:
-        values = array("d", map(float, fields))
-    except ValueError:  # quotes, Fortran's exponents, or an invalid number
-        values = array("d", map(_number, repeat(name), lines, fields))
-    return np.array(values), np.array(lines)
+def _unit(quantity: Quantity, name: str, stated: str) -> str:
+    """The unit that a column or header states; empty if it states none."""
+    unit = unit_of(stated, quantity) if stated else ""
+    if unit is None:
+        raise ValueError(f"{name}: its header says the unit {stated!r}: must be one of {quantity.choice}")
+    return unit
 
 
-def _number(name: str, line: int, field: str) -> float:
-    try:
-        return float(field.strip().strip('"').replace("d", "E").replace("D", "E"))  # Fortran's exponents
-    except ValueError:
-        raise ValueError(
-            f"{name}, line {line}: {field.strip()[:40]!r}: must be a number; mend or remove the line"
-        ) from None
+def _with_roles(
+    quantity: Quantity, named: list[Column], cells: Sequence[list[str]], roles: Sequence[str]
+) -> list[Column]:
+    """The columns of a table with their roles by option, header or convention."""
+    width = len(cells)
+    columns = list(named) or [Column("")] * width
+    if roles == (WRAPPED,) or (width == 1 and not named):
+        return [Column("", "", quantity.role)]
+    if roles:
+        return [column._replace(role=role) for column, role in zip(columns, roles, strict=True)]
+    first = plain_numbers(cells[0])
+    is_time = is_even(first, _LONGEST_STEP)
+    for k, (first_cell, *_) in enumerate(cells):
+        if CLOCK.fullmatch(first_cell):
+            columns[k] = columns[k]._replace(role="", reason=_CLOCK)
+    if not columns[0].name and first.size > 2 and np.all(np.diff(first) == 1.0):
+        columns[0] = Column("", reason=_COUNTER)
+    elif not named and (quantity is not ACCELERATION or (width == 2 and is_time)):
+        return [Column("", "", "time"), *[Column("", "", quantity.role)] * (width - 1)]
+    elif (
+        columns[0].name in ("", "T")
+        and not is_time
+        and all(np.all(x >= 0.0) or np.all(x <= 0.0) for x in map(plain_numbers, cells))
+    ):
+        why = "resembles the abscissae of a spectrum: uneven, beside values of one sign"
+        columns[0] = columns[0]._replace(role="spectrum", reason=columns[0].reason or why)
+    return columns
+
+
+def _times(
+    quantity: Quantity,
+    name: str,
+    columns: Sequence[Column],
+    cells: Sequence[list[str]],
+    lines: Lines,
+    step: float | None,
+) -> Floats | float:
+    """Times of the samples, or their step, s.
+
+    Raises
+    ------
+    ValueError
+        If there are none, or no column is a record; names the options that say which one is.
+    """
+    roles = [column.role for column in columns]
+    is_record = bool({quantity.role, "vertical"} & {*roles})
+    if "time" in roles and is_record:
+        clock = roles.index("time")
+        unit = unit_of(columns[clock].unit or "s", TIME)
+        if unit is None:
+            raise ValueError(f"{name}: the times are in {columns[clock].unit!r}: must be {TIME.choice}; convert them")
+        return numbers_of(name, cells[clock], lines) * TIME.units[unit]
+    is_spectrum = "spectrum" in roles and "time" not in roles
+    if step and is_record and not is_spectrum:
+        return step
+    reasons = [str(Channel(k, c.name, "", c.reason)) for k, c in enumerate(columns, 1) if c.reason]
+    why = "; ".join(reasons or [f"its header does not name its {len(columns)} columns"])
+    give = _roles_to_give(quantity, columns)
+    if is_spectrum or not is_record:
+        raise InputError("", [f"{name}: {why}; {'not a record, or ' * is_spectrum}give {give}"])
+    lacks = f"has no times; {why}" if reasons else f"has {'one column and ' * (len(columns) == 1)}no times"
+    other = f", or {give}" * (len(columns) > 1 and not reasons)
+    raise InputError("", [f"{name}: {lacks}; give {{step}}, the time between samples in s{other}"])
+
+
+def _roles_to_give(quantity: Quantity, columns: Sequence[Column]) -> str:
+    """The option that states the roles of columns, with an example."""
+    leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
+    others = [column.role if column.role == "vertical" else quantity.role for column in columns[1:]]
+    example = ",".join([leader, *others])
+    series = f", or {WRAPPED} if each line has several values of one record" * (len(columns) > 2)
+    each = f"one of time, {quantity.role}, vertical and {SKIP} for each of {len(columns)} columns"
+    return f"{{columns}} {example}: {each}{series}"

@@ -7,6 +7,7 @@ accelerates down-slope, which is positive for a record too, drives the mass up-s
 therefore be declared as one or the other; `Record` takes arrays as driving by default.
 """
 
+from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Literal
@@ -16,9 +17,16 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.tables import STRONGEST, Series, bad_sample
-from slipcircle.workbench.records.headers import ACCELERATION, PORE_PRESSURE, UNITS, Quantity, unit_of
-from slipcircle.workbench.records.recordfiles import Samples, parse
+from slipcircle.tables import Series, bad_sample
+from slipcircle.workbench.common.units import (
+    ACCELERATION,
+    PORE_PRESSURE,
+    Quantity,
+    check_strength,
+    over_gravity,
+    unit_of,
+)
+from slipcircle.workbench.records.recordfiles import Options, Samples, choice, contents
 
 _GAP = 1.5  # of an evenly sampled record's step
 
@@ -29,21 +37,21 @@ def read_record(
     holds: Literal["ground", "driving"],
     units: str | None = None,
     column: int | str | None = None,
+    columns: str | Sequence[str] = (),
     step: float | None = None,
     start: float | None = None,
     gravity: float = 9.81,
     gaps: Literal["refuse", "linear"] = "refuse",
     scaled: bool = False,
 ) -> Series:
-    """An acceleration record as shaking: driving acceleration over gravity, zero before and after.
+    """Read an acceleration record as shaking: driving acceleration over gravity, zero before and after.
 
-    Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
-    the header), K-NET's and KiK-net's ASCII (Scale Factor in the header; the mean is taken off the counts), COSMOS'
-    format (V1.20, step in the real header) and CSMIP's volume 2 (``column`` chooses one of several channels, by its
-    place from 1 or its orientation), corrected SMC of the U.S. Geological Survey, and tables of numbers after any
-    header lines: separated by commas, semicolons, tabs or blanks, with a column of time and one or more of
-    acceleration, or with a fixed ``step`` one column, or values along the lines. Lines that begin with #, % or ! are
-    comments.
+    Known formats are PEER's AT2, K-NET and KiK-net (the mean is taken off the counts), COSMOS 1.20, CSMIP's and
+    GeoNet's volume 2, corrected SMC of the U.S. Geological Survey, and SLIST and TSPAIR; ``column`` chooses one of
+    several channels, by its place from 1 or its orientation. Other files are tables of numbers, separated by commas,
+    semicolons, tabs or blanks. Their headers name the columns, and state step and unit, as those of ESM, AFAD, JMA,
+    CWA and UNAM do. Two columns without names are time and acceleration if the first increases evenly by less than
+    0.5 s. Lines that begin with #, % or ! are comments.
 
     Parameters
     ----------
@@ -51,10 +59,13 @@ def read_record(
     holds : {"ground", "driving"}
         What the file contains. Positive is down-slope, whichever way the slope faces, and upwards for a vertical
         record; the acceleration of the ground acts on the mass with the opposite sign, so the values change their sign.
-    units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
-        Required if the file does not give it.
+    units : {"g", "mg", "%g", "m/s2", "cm/s2", "gal", "mm/s2", "ft/s2", "in/s2"}, optional
+        Required if the file does not state it.
     column : int or str, optional
         Column of the acceleration: its name in the header, or its number, from 1. Required if there are several.
+    columns : str or sequence of str, optional
+        Roles of all columns of a table, in place of its header: "time,acceleration,skip". A role is "time",
+        "acceleration", "vertical" or "skip"; "wrapped" alone means that each line holds values of one series.
     step : float, optional
         Time between samples, s, for a file without times.
     start : float, optional
@@ -76,7 +87,7 @@ def read_record(
         Names the file, the line, the value, what is allowed, and the remedy.
     """
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
-    samples = read_samples(ACCELERATION, path, units, column, step, start, gaps)
+    samples, _ = read_samples(ACCELERATION, path, Options(columns, column, step, units, start, gaps))
     return shaking_of(samples, str(path), holds, gravity, scaled)
 
 
@@ -86,8 +97,8 @@ def shaking_of(samples: Samples, name: str, holds: str, gravity: float, scaled: 
         choice = '"ground" (acceleration of the ground) or "driving" (its opposite)'
         raise ValueError(f"holds = {holds!r}: must be {choice}")
     if not scaled:
-        _check_unit(name, samples.values, samples.units)
-    return Series(samples.time, _over_gravity(samples.values, samples.units, holds, gravity), held=False)
+        check_strength(name, samples.values, samples.units)
+    return Series(samples.time, over_gravity(samples.values, samples.units, holds, gravity), held=False)
 
 
 class Record(Series):
@@ -102,7 +113,7 @@ class Record(Series):
         Times in s and accelerations, or accelerations alone.
     dt : float, optional
         Time between samples, s, in place of times.
-    units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
+    units : {"g", "mg", "%g", "m/s2", "cm/s2", "gal", "mm/s2", "ft/s2", "in/s2"}, optional
     holds : {"driving", "ground"}, optional
         Positive is down-slope, whichever way the slope faces. "driving" is the acceleration that acts on the mass;
         "ground" is that of the ground, which acts on the mass with the opposite sign.
@@ -138,31 +149,10 @@ class Record(Series):
             super().__init__(np.asarray(samples[0]), values, held=False)
         else:
             super().__init__(dt * np.arange(float(values.size)), values, held=False)
-        _check_unit("Record", self.values, unit)
-        object.__setattr__(self, "values", _over_gravity(self.values, unit, holds, gravity))
+        check_strength("Record", self.values, unit)
+        object.__setattr__(self, "values", over_gravity(self.values, unit, holds, gravity))
 
     read = staticmethod(read_record)
-
-
-def _over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
-    """Accelerations as driving ones over gravity."""
-    factor = {"g": 1.0, "%g": 0.01}.get(units, UNITS[units] / gravity)
-    return values * (-factor if holds == "ground" else factor) + 0.0
-
-
-def _check_unit(name: str, values: Floats, units: str) -> None:
-    """Reject accelerations beyond any recorded ground motion, and name the unit in which they would be plausible."""
-    sizes = {unit: size or {"g": 9.81, "%g": 0.0981}[unit] for unit, size in UNITS.items()}  # m/s^2
-    most = float(np.max(np.abs(values), initial=0.0))
-    peak = most * sizes[units] / 9.81
-    if peak <= STRONGEST:
-        return
-    below = [unit for unit, size in sizes.items() if most * size / 9.81 <= STRONGEST]
-    meant = f"; was it in {max(below, key=lambda unit: sizes[unit])}" if below else "; is it unscaled"
-    raise ValueError(
-        f"{name}: its greatest value is {most:.6g} {units}, {peak:.4g} g, and no ground has shaken with more than "
-        f"{STRONGEST:g} g{meant}? Give units, or scale it"
-    )
 
 
 def read_pore_pressure(
@@ -170,11 +160,12 @@ def read_pore_pressure(
     *,
     units: str | None = None,
     column: int | str | None = None,
+    columns: str | Sequence[str] = (),
     step: float | None = None,
     start: float | None = None,
     gaps: Literal["refuse", "linear"] = "refuse",
 ) -> dict[str, Series]:
-    """A record of the pore pressure, as the effect takes it: ``{"pressure": ...}`` in Pa, or ``{"ratio": ...}``.
+    """Read a record of the pore pressure, as the effect takes it: ``{"pressure": ...}`` in Pa, or ``{"ratio": ...}``.
 
     The first value holds before the record, the last one after it. Files are tables as `read_record` reads them.
 
@@ -183,15 +174,20 @@ def read_pore_pressure(
     path : str or path-like
     units : {"Pa", "kPa", "MPa", "ratio"}, optional
         Required if the file does not give it; a ratio is r_u, pore pressure over the static normal stress.
-    column, step, start, gaps
-        As for `read_record`.
+    column, columns, step, start, gaps
+        As for `read_record`, with the role "pressure".
 
     Raises
     ------
     ValueError
         Names the file, the line, the value, what is allowed, and the remedy.
     """
-    samples = read_samples(PORE_PRESSURE, path, units, column, step, start, gaps)
+    samples, _ = read_samples(PORE_PRESSURE, path, Options(columns, column, step, units, start, gaps))
+    return pressure_of(samples, str(path))
+
+
+def pressure_of(samples: Samples, name: str) -> dict[str, Series]:
+    """Pore pressures of a file as the effect takes them."""
     is_ratio = samples.units == "ratio"
     bad = np.flatnonzero((samples.values < 0.0) | (is_ratio & (samples.values >= 1.0)))
     if bad.size:
@@ -199,7 +195,7 @@ def read_pore_pressure(
         value = float(samples.values[k])
         allowed = "a ratio of at least 0 and below 1" if is_ratio else "a pressure of at least 0"
         rule = f"must be {allowed}; mend the value, or check the units and the column"
-        raise ValueError(f"{path}, line {samples.lines[k]}: value = {value!r}: {rule}")
+        raise ValueError(f"{name}, line {samples.lines[k]}: value = {value!r}: {rule}")
     return {
         "ratio" if is_ratio else "pressure": Series(samples.time, samples.values * PORE_PRESSURE.units[samples.units])
     }
@@ -211,38 +207,37 @@ _TIMES: dict[str, Bounds] = {
 }
 
 
-def read_samples(
-    quantity: Quantity,
-    path: str | PathLike[str],
-    units: str | None,
-    column: int | str | None,
-    step: float | None,
-    start: float | None,
-    gaps: str,
-) -> Samples:
-    """Checked samples of a file and their unit."""
+def read_samples(quantity: Quantity, path: str | PathLike[str], options: Options) -> tuple[Samples, list[str]]:
+    """Return checked samples of the one record in a file, and a line for each column that is not used."""
     name = str(path)
-    times = {n: v for n, v in (("step", step), ("start", start)) if v is not None}
+    times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}
     raise_all(name, mistakes(times, {n: _TIMES[n] for n in times}))
-    samples = parse(quantity, name, Path(path), column, step)
-    return checked_samples(quantity, name, samples, units, start, gaps)
+    channels = contents(quantity, name, Path(path), options)
+    read = [channel for channel in channels if channel.samples]
+    if len(read) > 1:
+        shown = choice((channel.place, channel.name) for channel in read)
+        raise InputError("", [f"{name}: has several columns of {quantity.name}; give {{column}}, one of {shown}"])
+    samples = checked_samples(quantity, name, read[0].samples, options)
+    steps = np.diff(samples.time)
+    step = float(np.mean(steps))
+    if options.step and abs(step - options.step) > 0.01 * step:
+        rule = f"but the file has steps of {step:.6g} s; leave it out"
+        raise InputError("", [f"{name}: {{step}} = {options.step!r}, {rule}"])
+    return samples, [f"{name}: {channel}; not used" for channel in channels if channel.reason]
 
 
-def checked_samples(
-    quantity: Quantity, name: str, samples: Samples, units: str | None, start: float | None, gaps: str
-) -> Samples:
-    """Samples of a file with checked times and their unit; the arguments are those of `read_samples`."""
-    requested = "" if units is None else unit_of(units, quantity)
-    if requested is None:
-        raise ValueError(f"{name}: units = {units!r}: must be one of {quantity.choice}")
+def checked_samples(quantity: Quantity, name: str, samples: Samples | None, options: Options) -> Samples:
+    """Return samples of a file with checked times and their unit."""
+    requested = "" if options.units is None else unit_of(options.units, quantity)
+    if requested is None or samples is None:
+        raise ValueError(f"{name}: units = {options.units!r}: must be one of {quantity.choice}")
     if samples.units and requested and samples.units != requested:
-        raise ValueError(
-            f"{name}: units = {units!r}, but its header says {samples.units}; leave units out, or correct the header"
-        )
+        rule = f"but its header says {samples.units}; leave units out, or correct the header"
+        raise ValueError(f"{name}: units = {options.units!r}, {rule}")
     unit = samples.units or requested
     if not unit:
         raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")
-    return samples._replace(time=_checked_times(name, samples, start, gaps), units=unit)
+    return samples._replace(time=_checked_times(name, samples, options.start, options.gaps), units=unit)
 
 
 def _checked_times(name: str, samples: Samples, start: float | None, gaps: str) -> Floats:

@@ -15,28 +15,32 @@ import hashlib
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from fnmatch import fnmatch
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.progress import track
 from slipcircle.tables import Series
-from slipcircle.workbench.records.headers import ACCELERATION, unit_of
-from slipcircle.workbench.records.recordfiles import Component, Samples, components, parse
+from slipcircle.workbench.common.files import files_in
+from slipcircle.workbench.common.units import ACCELERATION, unit_of
+from slipcircle.workbench.records.columns import is_direction, is_vertical
+from slipcircle.workbench.records.recordfiles import Channel, Options, contents
 from slipcircle.workbench.records.records import checked_samples, shaking_of
-from slipcircle.workbench.suites.intensities import Intensities, intensities
+from slipcircle.workbench.suites.intensities import Intensities, drift_warning, intensities
+from slipcircle.workbench.suites.repeated import repeated
 
 _KEPT = 2**21  # samples of a suite that stay in memory
 _SHOWN = 5  # reasons in the error of a suite without a record
 # Components at the end of a file's name, as PEER, K-NET, ESM and COSMOS write them: azimuths, axes, channel codes.
+_AXIS = "NS|EW|UD|UP|DN|DWN|DOWN|VERT?|VRT|VERTICAL|FN|FP|H1|H2"
 _NAMED = re.compile(
-    r"(?P<station>.*?)(?:(?<!\d)(?P<azimuth>[0-2]\d\d|3[0-5]\d|360)"
-    r"|[-_. ]?(?P<axis>NS|EW|UD|UP|DWN|DOWN|VERT?|VRT|FN|FP|H1|H2)(?P<level>[12]?)"
-    r"|[-_. ](?P<letter>[NEWSVZXYLT])|[._-]?[HBE][NGHL](?P<channel>[NEZ123])(?P<rest>[._-].*)?)",
+    rf"(?P<station>.*?)(?:(?<!\d)(?P<azimuth>[0-2]\d\d|3[0-5]\d|360)|[-_. ](?P<axis>{_AXIS})(?P<level>[12]?)"
+    r"|[-_. ](?P<letter>[NEWSVZXYLT]))",
     re.IGNORECASE,
 )
-_VERTICAL = {"UD", "UP", "DWN", "DOWN", "VER", "VERT", "VRT", "V", "Z"}
+_SEED = re.compile(r"(?P<station>.*?)(?:^|[-_. ])[BCEHS][NGHL](?P<channel>[NEZ123])(?P<rest>\..*)?")
 
 
 class Place(NamedTuple):
@@ -47,23 +51,22 @@ class Place(NamedTuple):
 
     @property
     def is_vertical(self) -> bool:
-        return self.component.upper().rstrip("12") in _VERTICAL
+        return is_vertical(self.component)
 
 
 def place_of(name: str, component: str = "") -> Place:
-    """Station and component by the name of a file without its folder, or by the column of a table."""
+    """Station and component by the name of a file without its folder, or by its header or column."""
     stem, dot, suffix = name.rpartition(".")
     is_axis = suffix.upper().rstrip("12") in {"NS", "EW", "UD"}  # K-NET names components by the suffix
     plain = name if is_axis or not dot else stem
-    if component:
-        return Place(plain, component)
-    named = _NAMED.fullmatch(plain)
+    named = _SEED.fullmatch(plain) or _NAMED.fullmatch(plain)
     if named is None:
-        return Place(plain, "")
-    parts = named.groupdict(default="")
-    component = parts["azimuth"] or parts["axis"] or parts["letter"] or parts["channel"]
+        return Place(plain, component)
+    parts = {"level": "", "rest": ""} | named.groupdict(default="")
+    found = next(parts[key] for key in ("azimuth", "axis", "letter", "channel") if parts.get(key))
     station = parts["station"].rstrip("-_. ") + parts["level"] + parts["rest"]
-    return Place(station, component.upper())
+    component = component or found.upper()
+    return Place(station, component)
 
 
 @dataclass(frozen=True)
@@ -77,7 +80,7 @@ class Entry:
     file : str
         Empty for a record given as an array.
     station, component : str
-        By the file's name; the component is empty where it says none.
+        By the header, the column or the file's name; the component is empty if they do not state it.
     samples : int
     step : float
         Mean time between samples, s.
@@ -86,6 +89,9 @@ class Entry:
     intensities : Intensities
     digest : str
         Of times and values, by which a study that is continued knows the record.
+    is_vertical : bool
+    drift : str
+        A sentence about a velocity that does not return to zero; empty if it does.
     """
 
     name: str
@@ -96,6 +102,8 @@ class Entry:
     unit: str
     intensities: Intensities
     digest: str
+    is_vertical: bool = False
+    drift: str = ""
     kept: Series | None = field(default=None, repr=False)  # the record itself, of arrays and small suites
     reading: Mapping[str, Any] = field(default_factory=dict, repr=False)
 
@@ -118,7 +126,7 @@ class Entry:
 
 
 class Unread(NamedTuple):
-    """A file that is no record, and why."""
+    """A file or column that is not used, and why."""
 
     file: str
     reason: str
@@ -136,8 +144,9 @@ class Suite:
     entries : tuple of Entry
         Horizontal components, in the order of their files.
     verticals : tuple of Entry
-        Vertical components by their names, which are not used.
+        Vertical components, which are not used.
     unread : tuple of Unread
+        Files and columns that are not used.
     """
 
     entries: tuple[Entry, ...]
@@ -157,18 +166,25 @@ class Suite:
         for entry in self.entries:
             if entry.component:
                 by_station.setdefault((str(Path(entry.file).parent), entry.station), []).append(entry)
-        return [(same[0], same[1]) for same in by_station.values() if len(same) == 2]
+        pairs = [same for same in by_station.values() if len(same) == 2]
+        return [(one, other) for one, other in pairs]
 
     @property
     def reasons(self) -> list[str]:
-        """A line for each file without a record and each vertical component."""
-        verticals = [f"{entry.name}: is a vertical component by its name" for entry in self.verticals]
+        """A line for each file, column and vertical component that is not used."""
+        verticals = [f"{entry.name}: is a vertical component" for entry in self.verticals]
         return [*map(str, self.unread), *verticals]
 
     @property
     def not_used(self) -> list[str]:
         """The same as warnings."""
         return [f"{line}; not used" for line in self.reasons]
+
+    @property
+    def warnings(self) -> list[str]:
+        """Warnings about what is not used, and about each record with a drift."""
+        drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
+        return self.not_used + drifts
 
     def to_dict(self) -> dict[str, Any]:
         """The records with their intensity measures, and what is not used, for JSON."""
@@ -182,6 +198,18 @@ class Suite:
         }
 
     @classmethod
+    def without_repeated(cls, entries: Sequence[Entry]) -> "Suite":
+        """Return the suite of records whose samples differ; the others are listed as unread."""
+        measures = [(entry.samples, entry.step, entry.peak) for entry in entries]
+        same = repeated(measures, lambda k: entries[k].record().values)
+        unread = []
+        for k, first in same.items():
+            name = str(Path(entries[k].file).parent / entries[k].name)
+            unread.append(Unread(name, f"has the samples of {entries[first].name}, which counts once"))
+        different = [entry for k, entry in enumerate(entries) if k not in same]
+        return cls(tuple(different), unread=tuple(unread))
+
+    @classmethod
     def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
         """A suite as it is, of paths as `read_suite` takes them, or of `Series` (a sequence, or a mapping by name)."""
         if isinstance(records, Suite):
@@ -191,7 +219,7 @@ class Suite:
         named = records if isinstance(records, Mapping) else dict(enumerate(records, 1))
         series = {str(name): value for name, value in named.items() if isinstance(value, Series)}
         if len(series) == len(named) > 0:
-            return cls(tuple(_entry(name, "", Place(name, ""), value, "g") for name, value in series.items()))
+            return cls.without_repeated([_entry(n, "", Place(n, ""), value, "g") for n, value in series.items()])
         return read_suite(records, strict=strict, gravity=gravity)
 
 
@@ -201,58 +229,83 @@ def read_suite(
     strict: bool = False,
     holds: Literal["ground", "driving"] = "ground",
     units: str | None = None,
+    columns: str | Sequence[str] = (),
     step: float | None = None,
+    vertical: str | None = None,
     gravity: float = 9.81,
     gaps: Literal["refuse", "linear"] = "refuse",
 ) -> Suite:
-    """Read the records of acceleration in files and folders: formats as `read_record` has them, mixed as they come.
+    """Read the records of acceleration in files and folders, in any of the formats of `read_record`.
 
     Parameters
     ----------
     paths : iterable of path
         Files, and folders, of which all files but hidden ones are read, those of folders within them too.
     strict : bool, optional
-        Whether a file that is no record is an error; otherwise it is listed in `Suite.unread`.
+        Whether a file or a column that is not used is an error; otherwise it is listed in `Suite.unread`.
     holds : {"ground", "driving"}, optional
         As of `read_record`, of all files.
     units, step : str and float, optional
-        Unit of files that do not name theirs; time between samples, s, of files without times.
+        Unit of files that do not state theirs; time between samples, s, of files without times.
+    columns : str or sequence of str, optional
+        As of `read_record`, of tables with that number of columns.
+    vertical : str, optional
+        Pattern such as ``*_Z`` for the names of vertical components, in place of headers and names.
     gravity, gaps : float and str, optional
         As of `read_record`.
 
     Raises
     ------
     ValueError
-        If there is no record, or, if strict, any file is none.
+        If there is no record, or, if strict, anything is not used.
     """
-    _check_reading(units, step)
-    entries, unread = list[Entry](), list[Unread]()
-    reading = {"holds": holds, "units": units and unit_of(units), "gravity": gravity, "gaps": gaps}
-    files = _files(paths)
-    remaining = _KEPT
-    for file in track(files, "records read"):
-        try:
-            for entry in _entries(file, step, reading):
-                remaining -= entry.samples
-                entries.append(entry if remaining >= 0 else replace(entry, kept=None))
-        except ValueError as error:
-            unread.append(Unread(str(file), str(error).removeprefix(str(file)).lstrip(":, ")))
-    if unread and strict:
-        raise_all("records", [*map(str, unread)])
-    horizontal = tuple(entry for entry in entries if not entry.place.is_vertical)
-    verticals = tuple(entry for entry in entries if entry.place.is_vertical)
-    suite = Suite(horizontal, verticals, tuple(unread))
-    if not horizontal:
-        raise ValueError(_nothing_read(paths, suite.reasons))
-    return suite
-
-
-def _check_reading(units: str | None, step: float | None) -> None:
-    """Reject a unit or a step that is wrong for every file."""
     if units is not None and unit_of(units) is None:
         raise ValueError(f"records: units = {units!r}: must be one of {ACCELERATION.choice}")
     if step is not None and not step > 0.0:
         raise ValueError(f"records: step = {step!r}: must be a positive time in s")
+    options = Options(columns, None, step, units, 0.0, gaps, of_all=False)
+    options.roles(ACCELERATION)
+    reading = {"options": options, "holds": holds, "gravity": gravity}
+    entries, unread = _read_all(files_in(paths), vertical, reading)
+    suite = Suite.without_repeated([entry for entry in entries if not entry.is_vertical])
+    verticals = tuple(entry for entry in entries if entry.is_vertical)
+    suite = replace(suite, verticals=verticals, unread=(*unread, *suite.unread))
+    if strict:
+        declared = vertical is not None or bool(columns)
+        raise_all("records", replace(suite, verticals=() if declared else verticals).reasons)
+    if not len(suite):
+        raise ValueError(_nothing_read(paths, suite.reasons))
+    _check_needed(entries, units and unit_of(units), step)
+    return suite
+
+
+def _read_all(
+    files: Sequence[Path], vertical: str | None, reading: Mapping[str, Any]
+) -> tuple[list[Entry], list[Unread]]:
+    """The records of files, the first of which stay in memory, and what is not used."""
+    entries, unread = list[Entry](), list[Unread]()
+    remaining = _KEPT
+    for file in track(files, "records read"):
+        try:
+            for entry in _entries(file, vertical, reading):
+                if isinstance(entry, Unread):
+                    unread.append(entry)
+                    continue
+                remaining -= entry.samples
+                entries.append(entry if remaining >= 0 else replace(entry, kept=None))
+        except ValueError as error:
+            said = error.worded(lambda name: f"--{name}") if isinstance(error, InputError) else str(error)
+            unread.append(Unread(str(file), said.removeprefix(str(file)).lstrip(":, ")))
+    return entries, unread
+
+
+def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None) -> None:
+    """Reject a unit or a step that all files contradict, so that none needs it."""
+    units = [entry.unit for entry in entries]
+    steps = [f"{entry.step:.3g}" for entry in entries]
+    for name, given, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
+        if given and given not in stated:
+            raise ValueError(f"records: {name} = {given}, but {entries[0].name} states {stated[0]}; leave {name} out")
 
 
 def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
@@ -263,48 +316,53 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
     return f"records: {where}: holds no horizontal record{shown}{more}"
 
 
-def _files(paths: Iterable[str | PathLike[str]]) -> Sequence[Path]:
-    """The files, those of folders in the order of their names, each once."""
-    files: dict[Path, None] = {}
-    for path in map(Path, paths):
-        inside = sorted(path.rglob("*")) if path.is_dir() else [path]
-        hidden = [any(part.startswith(".") for part in file.relative_to(path).parts) for file in inside]
-        files |= dict.fromkeys(file for file, is_hidden in zip(inside, hidden, strict=True) if not is_hidden)
-    return [path for path in files if not path.is_dir()]
+def _entries(file: Path, vertical: str | None, reading: Mapping[str, Any]) -> Iterator[Entry | Unread]:
+    """The records of a file, and its columns that are not used."""
+    channels = contents(ACCELERATION, str(file), file, reading["options"])
+    read = [channel for channel in channels if channel.samples]
+    several = len(read) > 1
+    for k, channel in enumerate(channels):
+        if channel.samples is None:
+            yield Unread(str(file), str(channel))
+            continue
+        label = channel.name or str(channel.place)
+        name = f"{file.name} {label}" if several else file.name
+        place = place_of(file.name, label if several or is_direction(channel.name) else "")
+        upright = channel.role == "vertical" or (not channel.role and place.is_vertical)
+        if vertical is not None:
+            names = (name, file.name, place.component)
+            pattern = vertical.lower()
+            upright = any(fnmatch(text.lower(), pattern) for text in names)
+        series, unit = _shaking(str(file), channel, **reading)
+        yield _entry(name, str(file), place, series, unit, {**reading, "channel": k}, upright)
 
 
-def _entries(file: Path, step: float | None, reading: Mapping[str, Any]) -> list[Entry]:
-    """The records of a file."""
-    entries = []
-    for component, parsed in components(str(file), file, step):
-        series, unit = _as_shaking(str(file), parsed, **reading)
-        name = f"{file.name} {component.name}".rstrip()
-        known = {**reading, "component": component}
-        entries.append(_entry(name, str(file), place_of(file.name, component.name), series, unit, known))
-    return entries
-
-
-def _read(file: str, component: Component, **reading: Any) -> Series:
+def _read(file: str, channel: int, **reading: Any) -> Series:
     """A record, read again."""
-    parsed = parse(ACCELERATION, file, Path(file), component.column, component.step)
-    series, _ = _as_shaking(file, parsed, **reading)
-    return series
+    channels = contents(ACCELERATION, file, Path(file), reading["options"])
+    return _shaking(file, channels[channel], **reading)[0]
 
 
-def _as_shaking(
-    file: str, parsed: Samples, holds: str, units: str | None, gravity: float, gaps: str
-) -> tuple[Series, str]:
+def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity: float) -> tuple[Series, str]:
     """A record from 0 s, and the unit of its file, or the given one where the file says none."""
-    with_unit = parsed._replace(units=parsed.units or units or "")
-    samples = checked_samples(ACCELERATION, file, with_unit, None, 0.0, gaps)
+    stated = channel.samples.units if channel.samples else ""
+    with_unit = options._replace(units=stated or options.units)
+    samples = checked_samples(ACCELERATION, file, channel.samples, with_unit)
     return shaking_of(samples, file, holds, gravity), samples.units
 
 
 def _entry(
-    name: str, file: str, place: Place, series: Series, unit: str, reading: Mapping[str, Any] | None = None
+    name: str,
+    file: str,
+    place: Place,
+    series: Series,
+    unit: str,
+    reading: Mapping[str, Any] | None = None,
+    is_vertical: bool = False,
 ) -> Entry:
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     reading = reading or {}
-    measures = intensities(series, float(reading.get("gravity", 9.81)))
-    return Entry(name, file, place, series.time.size, step, unit, measures, digest, series, reading)
+    gravity = float(reading.get("gravity", 9.81))
+    measures, drift = intensities(series, gravity), drift_warning(series, gravity)
+    return Entry(name, file, place, series.time.size, step, unit, measures, digest, is_vertical, drift, series, reading)

@@ -21,8 +21,8 @@ _NEWTON_STEPS = 20
 _CLOSE = 1e-9  # relative change of a converged factor
 
 
-class _Driven(NamedTuple):
-    """Slices with angles positive down-slope, and what drives them about the centre, over gamma R^3."""
+class Driven(NamedTuple):
+    """Slices with angles positive down-slope, and their driving moments about the centre, over gamma R^3."""
 
     slices: Slices
     facing: Floats  # 1 where the mass slides to the right, -1 to the left, 0 where nothing drives it
@@ -60,12 +60,12 @@ def circle_factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    driven = _driven(slope, centre, radius, left, right, pieces)
+    driven = driven_slices(slope, centre, radius, left, right, pieces)
     slices = driven.slices
     with np.errstate(divide="ignore", invalid="ignore"):
         factors = {method: value(driven) for method, value in _VALUES.items()}
     ordinary = slices.integral(slices.ordinary_normal() < 0.0)
-    bishop = slices.integral(_bishop_normal(slices, factors["bishop"]) < 0.0)
+    bishop = slices.integral(bishop_normal(slices, factors["bishop"]) < 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         negative = np.maximum(ordinary, bishop) / slices.integral(1.0)
     return factors | {"facing": driven.facing, "negative": negative}
@@ -75,17 +75,22 @@ def factors_by(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
 ) -> tuple[Floats, Floats]:
     """Factors by one method, or yield coefficients, and which way each mass slides."""
-    driven = _driven(slope, centre, radius, left, right, 1, nodes)
+    driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return _VALUES[method](driven), driven.facing
+        return factor_by(method, driven), driven.facing
+
+
+def factor_by(method: str, driven: Driven) -> Floats:
+    """Return the factors of safety of arcs by one method, or yield coefficients."""
+    return _VALUES[method](driven)
 
 
 # --- what drives -----------------------------------------------------------------------------------------------------
 
 
-def _driven(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int, nodes: int = NODES
-) -> _Driven:
+def driven_slices(
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1, nodes: int = NODES
+) -> Driven:
     """The slices of arcs and their driving moments."""
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
@@ -110,7 +115,7 @@ def _driven(
     gravity = np.where(slides, gravity, np.nan)
     overcomes = slides & (driving > negligible)
     driving = np.where(overcomes, driving, np.nan)
-    return _Driven(slices, facing, gravity, driving)
+    return Driven(slices, facing, gravity, driving)
 
 
 def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
@@ -151,7 +156,7 @@ def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
 # --- what resists ----------------------------------------------------------------------------------------------------
 
 
-def _paper(driven: _Driven) -> Floats:
+def _paper(driven: Driven) -> Floats:
     """Of the mean normal stress: the sum of friction over the arc counts where it is positive."""
     slices = driven.slices
     normal = slices.radial_normal()
@@ -162,14 +167,14 @@ def _paper(driven: _Driven) -> Floats:
     return (cohesion + np.maximum(friction, 0.0)) / driven.driving
 
 
-def _ordinary(driven: _Driven) -> Floats:
+def _ordinary(driven: Driven) -> Floats:
     """By the stress normal to the base of each slice, without forces between slices (Fellenius 1936)."""
     slices = driven.slices
     strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
     return slices.integral(strength) / driven.driving
 
 
-def _yield_coefficient(driven: _Driven) -> Floats:
+def _yield_coefficient(driven: Driven) -> Floats:
     """k_h at which the driving moment G + k_h S and the resistance of the paper's method C + P + k_h T are equal.
 
     G of gravity, S of shaking, C of cohesion, and P + k_h T of friction, which does not act where it is negative.
@@ -187,7 +192,7 @@ def _yield_coefficient(driven: _Driven) -> Floats:
     return np.where(grows, balanced, np.nan)
 
 
-def _bishop(driven: _Driven) -> Floats:
+def _bishop(driven: Driven) -> Floats:
     """F = 1/y where y times the integral of strength/m_alpha(y) is the driving moment; the former grows with y.
 
     The strength is that of Bishop (1955), [c + mu (W/b - u)] cos a/m_alpha. By Newton's steps for all arcs at once,
@@ -196,7 +201,7 @@ def _bishop(driven: _Driven) -> Floats:
     """
     slices = driven.slices
     friction, cosine = slices.friction, slices.cosine
-    lowest, highest = _lever_range(slices)
+    lowest, highest = lever_range(slices)
     effective = slices.vertical()
     strength = slopes.bishop_strength(cosine, effective, 0.0, slices.cohesion(), friction)
     driving = driven.driving
@@ -219,7 +224,7 @@ def _bishop(driven: _Driven) -> Floats:
     return np.where(balanced, 1.0 / y, np.nan)
 
 
-def _bishop_normal(slices: Slices, factor: Floats) -> Any:
+def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """Effective normal stress of Bishop's simplified method."""
     sine, cosine = slices.sine, slices.cosine
     effective = slices.vertical()
@@ -227,7 +232,7 @@ def _bishop_normal(slices: Slices, factor: Floats) -> Any:
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 
 
-def _lever_range(slices: Slices) -> tuple[Floats, Floats]:
+def lever_range(slices: Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way

@@ -287,16 +287,19 @@ class _Bases:
     def _look_up_soil(self) -> None:
         """The layer at the base, and its soil."""
         soils = self.slope.soils
-        layers, slopes = soils.unit_weight.shape
-        self.lane = np.zeros(1, dtype=np.int64) if slopes == 1 else self.arc
+        layers, _ = soils.unit_weight.shape
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
         lowest = np.minimum(self.above[0], 0.0) - _TOUCH
         reaches_arc = self.above[:layers] >= lowest
         layer = np.count_nonzero(reaches_arc, axis=0) - 1
-        of_base = (values[layer, self.lane] for values in soils)
+        of_base = (values[layer, self.lane(values)] for values in soils)
         self.soil = SoilArrays(*of_base)
-        self.unit_weight = soils.unit_weight[0, self.lane]
+        self.unit_weight = soils.unit_weight[0, self.lane(soils.unit_weight)]
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
+
+    def lane(self, values: Floats) -> Any:
+        """Return the place of each interval's slope on the last axis of values."""
+        return np.zeros(1, dtype=np.int64) if values.shape[-1] == 1 else self.arc
 
     def of_slope(self, value: Any) -> Floats:
         """A number of the slope, or of each, by interval."""
@@ -316,7 +319,7 @@ class _Bases:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
         steps = np.concatenate(rows)
-        return steps[:, self.lane] / self.unit_weight * (self.above > 0.0)
+        return steps[:, self.lane(steps)] / self.unit_weight * (self.above > 0.0)
 
     def _above_arc(self, k: int, factor: Any) -> Floats:
         """Height of a surface above the arc times a factor."""

@@ -6,7 +6,7 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -51,7 +51,8 @@ The factor is the moment of this strength about the centre, divided by that of t
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
 they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
 paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
-motion starts from the paper's factor, so that a slope may be stable by Bishop's and slide. Below a water level the \
+motion starts from the factor by the method of the search, or by start in [circle]: strength is multiplied by \
+one number, which is constant during the motion; a Scene that is not read from a file has 1. Below a water level the \
 paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \
 Bishop's, or give a base. An [arc] has the paper's factor only, as its ground is not known. A pressure in kPa is \
 uniform along the arc.
@@ -61,6 +62,7 @@ Bishop's and by the ordinary method, and friction acts against stability. The sh
 warning from 20 % on. Compared with Taylor's friction circles on vertical cuts with friction, Bishop's least factor is \
 accurate to 1 % for a share below 14 %, and 2 % too low at 25 %, 5 % at 34 % and 9 % at 48 %; with those stresses set \
 to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
+Circles = tuple[Floats, Floats, Floats, Floats]  # centres, radii, left and right ends of arcs
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
@@ -153,7 +155,9 @@ class Slope:
             mistakes.append("unit_weight is missing")
         mistakes += slope_errors(fields)
         if self.level is not None and self.pore_ratio != 0.0:
-            mistakes.append(f"{{pore_ratio}} = {self.pore_ratio!r}: and level exclude each other; remove one")
+            mistakes.append(
+                f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"
+            )
         return mistakes
 
     def _joint_mistakes(self) -> list[str]:
@@ -227,21 +231,29 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
-    section = scene.arc
-    strength = soil(scene.friction, scene.called)
-    scenes = np.arange(math.prod(scene.shape))
-    blocks = []
-    for block in np.array_split(scenes, -(-len(scenes) // _BLOCK)):
-        by_lane = _of_scenes(scene.shape, block)
-        slope = _slope_of_section(section, strength, by_lane)
-        left, right = _ends(section, by_lane)
-        centre = by_lane(section.centre, 1)
-        radius = by_lane(section.radius)
-        blocks.append(circle_factors(slope, centre, radius, left, right))
+    blocks = [circle_factors(slope, *each_lane(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
     values |= {method: np.where(undriven, np.inf, values[method]) for method in METHODS}
     return {name: array.reshape(scene.shape) for name, array in values.items()}
+
+
+def circles_of(scene: Any, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
+    """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one."""
+    section = scene.arc
+    strength = soil(scene.friction, scene.called)
+    scenes = np.arange(math.prod(scene.shape))
+    for block in np.array_split(scenes, -(-len(scenes) // most)):
+        by_lane = _of_scenes(scene.shape, block)
+        left, right = _ends(section, by_lane)
+        slope = _slope_of_section(section, strength, by_lane)
+        yield slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right), len(block)
+
+
+def each_lane(circles: Circles, lanes: int) -> Circles:
+    """Return the arc of each lane."""
+    centre, radius, left, right = (np.broadcast_to(x, (lanes, *x.shape[1:])) for x in circles)
+    return centre, radius, left, right
 
 
 _ByLane = Callable[..., Floats]  # of a value, whose last axes (0 by default) are its own: with one axis of lanes
@@ -258,6 +270,8 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
 
     def by_lane(value: Any, axes: int = 0) -> Floats:
         array = np.asarray(value, dtype=np.float64)
+        if array.ndim == axes:
+            return array[None]
         inner = array.shape[array.ndim - axes :]
         of_every_lane = np.broadcast_to(array, (*lanes, *inner))
         return of_every_lane[some]
@@ -322,7 +336,8 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane) -> SoilArrays:
             datum=by_lane(0.0 if datum is None else datum),
         )
         rows.append(of_layer)
-    return SoilArrays(*np.stack(rows, axis=1))
+    fields = zip(*rows, strict=True)
+    return SoilArrays(*(np.stack(np.broadcast_arrays(*of_layers)) for of_layers in fields))
 
 
 def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:

@@ -24,7 +24,7 @@ from slipcircle.workbench.studies.tally import counted
 
 Result = dict[str, NDArray[Any]]
 # Of a sample that slides, but not to a known end: it moves, and exceeds every threshold.
-NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s is not Status.INVALID)
+NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s < Status.INVALID)
 METHODS = ("monte-carlo", "sobol")
 REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
@@ -202,7 +202,7 @@ def _solve(design: Design, values: list[Floats]) -> _Solved:
     si = _si(design, values)
     motion = motions(design.scene, si, design.accuracy)
     no_result = np.isin(motion.status, NO_RESULT)
-    is_invalid = motion.status == Status.INVALID
+    is_invalid = motion.status >= Status.INVALID
     moves = np.where(is_invalid, np.nan, motion.moves | no_result)
     outcomes = {}
     for name in OUTCOMES:

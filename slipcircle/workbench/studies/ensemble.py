@@ -294,6 +294,7 @@ def _described(design: Design) -> dict[str, Any]:
         "numbers": scene.numbers,
         "friction": scene.friction,
         "effects": scene.effects,
+        "start": getattr(scene, "start", ""),
         "inputs": [u.key for u in design.inputs.values()],
         "drawn": [u.record for u in design.drawn.values()],
         "distributions": [u.given for u in design.drawn.values()],

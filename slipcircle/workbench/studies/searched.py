@@ -1,6 +1,7 @@
 """Factors of safety of samples, each on its own critical circle in the place of that of the means."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,10 +10,11 @@ from numpy.typing import NDArray
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
-from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.files.loaded import SlopeScene, stability_of
 from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.stability.samples import SampleSearch
 from slipcircle.workbench.stability.stability import METHODS
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 SEARCHED = "searched "  # before the name of a method: by this method, the circle searched for every sample
 
@@ -20,7 +22,9 @@ SEARCHED = "searched "  # before the name of a method: by this method, the circl
 def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.bool_]) -> dict[str, Floats]:
     """By ``SEARCHED`` and a method, for values of the scene's numbers in SI units; NaN of what is not valid."""
     stability = stability_of(scene)
+    assert isinstance(scene, SlopeScene)
     assert stability is not None
+    scene = replace(scene, start=OF_CLOSURE)  # no motion starts here
     search = SampleSearch(stability.slope, stability.method, stability.limits)
     values = np.stack([*si.values()], axis=1)
     spread = values.std(axis=0)

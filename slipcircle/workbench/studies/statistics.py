@@ -17,6 +17,10 @@ _LOWEST = (1023 - 30) << _BITS
 _INNER = 60 << _BITS
 BINS = _INNER + 3
 BIN_ERROR = 2.0**-_BITS
+# Of replicates with an interval: samples of each, of these in the tail, and the standard deviation of their counts.
+_LEAST_SIZE = 16
+_LEAST_IN_TAIL = 2.0
+_LEAST_SPREAD = 0.7
 
 
 def bins(values: Floats) -> NDArray[np.int64]:
@@ -100,6 +104,19 @@ def student(values: Floats, confidence: float) -> Any:
     return width(confidence, len(values)) * standard_error(values)
 
 
+def share_width(shares: Floats, size: float, confidence: float) -> Any:
+    """Half the width of the interval of a mean of shares (replicates, ...) of so many samples each.
+
+    NaN where the interval would not have its confidence (`python -m tests.campaigns.coverage`): for few samples, in
+    the tails, and where the replicates differ by less than a sample, as sequences in one dimension do.
+    """
+    spread = size * np.std(shares, axis=0, ddof=1)
+    share = np.mean(shares, axis=0)
+    in_tail = size * np.minimum(share, 1.0 - share)
+    is_resolved = (size >= _LEAST_SIZE) & (in_tail >= _LEAST_IN_TAIL) & (spread >= _LEAST_SPREAD)
+    return np.where(is_resolved, student(shares, confidence), np.nan)
+
+
 def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
     """Probabilities and their intervals from counts (replicates, ...) among valid samples (replicates,)."""
     samples = int(valid.sum())
@@ -111,12 +128,10 @@ def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Float
     if len(valid) > 1:
         filled = valid > 0
         shares = hits[filled] / valid[filled, None]
-        half = student(shares, confidence)
+        half = share_width(shares, samples / len(shares), confidence)
         is_unanimous = (total == 0) | (total == samples)  # the replicates agree, and cannot tell how surely
-        student_low = np.maximum(value - half, 0)
-        student_high = np.minimum(value + half, 1)
-        low = np.where(is_unanimous, low, student_low)
-        high = np.where(is_unanimous, high, student_high)
+        low = np.where(is_unanimous, low, np.maximum(value - half, 0))
+        high = np.where(is_unanimous, high, np.minimum(value + half, 1))
     return value, low, high
 
 

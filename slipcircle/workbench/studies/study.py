@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
-from slipcircle.core import Motion, Scene, Status
+from slipcircle.core import ANSWERED, Motion, Scene, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
@@ -33,8 +33,6 @@ from slipcircle.workbench.studies.statistics import (
     Spread,
     indices,
     probability,
-    ranks,
-    student,
     value_text,
     width,
 )
@@ -222,7 +220,7 @@ class Study(Pictured):
     @property
     def _valid(self) -> NDArray[np.int64]:
         """The same of each replicate."""
-        return self._counts.sum(axis=1) - self._counts[:, Status.INVALID]
+        return self._counts[:, : Status.INVALID].sum(axis=1)
 
     @property
     def without_result(self) -> int:
@@ -257,13 +255,10 @@ class Study(Pictured):
         Of the samples that have such a factor.
         """
         tally = self._factors.tallies[method]
-        known = int(tally.histograms.sum())
-        if not known:
+        if not tally.histograms.any():
             return NOT_GIVEN
-        lower, upper = ranks(p, known, self.confidence)
-        shares = (p, (lower - 0.5) / known, (upper - 0.5) / known)
-        value, low, high = (tally.quantile(share) if 0.0 <= share <= 1.0 else math.nan for share in shares)
-        return Estimate(value, low, high)
+        shares = (p, *tally.share_interval(p, self.confidence))
+        return Estimate(*(tally.quantile(share) if 0.0 <= share <= 1.0 else math.nan for share in shares))
 
     def _single_probability(self, hits: NDArray[np.int64]) -> Estimate:
         return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
@@ -277,16 +272,8 @@ class Study(Pictured):
         """
         if not self.n:
             return NOT_GIVEN
-        value = self._at_share(output, p)
-        if self.design.replicates > 1:
-            each = self._tallies[output].quantiles(p)
-            if np.all(each < np.inf):
-                half = float(student(each, self.confidence))
-                return Estimate(value, max(0.0, value - half), value + half)
-        lower, upper = ranks(p, self.n, self.confidence)
-        low = self._at_share(output, (lower - 0.5) / self.n)
-        high = self._at_share(output, (upper - 0.5) / self.n)
-        return Estimate(value, low, high)
+        shares = (p, *self._tallies[output].share_interval(p, self.confidence))
+        return Estimate(*(self._at_share(output, share) for share in shares))
 
     def _at_share(self, output: str, share: float) -> float:
         """The value that such a share of the samples does not exceed; NaN beyond all of them."""
@@ -301,24 +288,25 @@ class Study(Pictured):
     def _in_order(self, output: str) -> Floats:
         """The kept samples that have a result, in order."""
         status = self.samples["status"]
-        return np.sort(self.samples[output][~np.isin(status, [*NO_RESULT, Status.INVALID])])
+        return np.sort(self.samples[output][np.isin(status, ANSWERED)])
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; samples that do not move count as 0. None if some samples move without a result."""
-        return self._interval(*self._sampled(output)[:2])
+        value, error, *_ = self._sampled(output)
+        half = error * width(self.confidence, self.design.replicates)
+        return Estimate(value, value - half, value + half)
 
     def std(self, output: str) -> Estimate:
-        """Standard deviation of an output; samples that do not move count as 0."""
-        return self._interval(*self._sampled(output)[2:])
+        """Standard deviation of an output; samples that do not move count as 0.
+
+        Without an interval: few samples are in the tail on which its error depends.
+        """
+        return Estimate(self._sampled(output).std, math.nan, math.nan)
 
     def _sampled(self, output: str) -> Spread:
         if self.without_result:
             return Spread(math.nan, math.nan, math.nan, math.nan)
         return self._tallies[output].spread()
-
-    def _interval(self, value: float, error: float) -> Estimate:
-        half = error * width(self.confidence, self.design.replicates)
-        return Estimate(value, value - half, value + half)
 
     @property
     def linear(self) -> Mapping[str, Linear]:
@@ -363,7 +351,7 @@ class Study(Pictured):
             share = f"{int(self.counts[status])} of {total} {scenes}"
             if status in NO_RESULT:
                 found.append(f"{share} move without a result: {status.reason}{counted}")
-            elif status is Status.INVALID:
+            elif status >= Status.INVALID:
                 found.append(f"{share} are not valid scenes and not counted: {status.reason}")
             elif status is Status.MOVING:
                 found.append(f"{share} still move at their end: run-out and duration are those until then")

@@ -14,7 +14,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
-from slipcircle.tables import STRONGEST, LaneSeries, Series
+from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
@@ -70,7 +70,7 @@ class SuiteDesign:
         """What a record is multiplied by at each scale."""
         return self.scales / entry.peak if self.to_pga else self.scales
 
-    def shaken(self, record: Series | LaneSeries) -> Scene:
+    def shaken(self, record: Series | LaneSeries | Pulse) -> Scene:
         """The scene that a record shakes, or of each lane one."""
         scene = self.sampling.scene
         assert isinstance(scene.effects, dict)

@@ -82,8 +82,8 @@ class SuiteStudy(Pictured):
 
     @cached_property
     def yield_coefficient(self) -> float:
-        """k_y of the scene at the medians of its uncertain numbers."""
-        return float(solve(self.scene).yield_coefficient)
+        """Return k_y of the shaken scene at the medians of its uncertain numbers."""
+        return float(solve(self.design.shaken(Pulse("rectangular", 0.0, 0.0, 1.0))).yield_coefficient)
 
     @cached_property
     def block_factor(self) -> float:
@@ -195,7 +195,7 @@ class SuiteStudy(Pictured):
     def warnings(self) -> list[str]:
         """Warnings about files and results."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
-        found += self.suite.not_used
+        found += self.suite.warnings
         if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
         statuses = self.values["status"].ravel()

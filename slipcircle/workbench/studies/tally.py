@@ -15,6 +15,8 @@ from slipcircle.workbench.studies.statistics import (
     histogram_quantile,
     moments,
     pooled,
+    ranks,
+    share_width,
     spread,
     standard_error,
 )
@@ -53,10 +55,21 @@ class Tally:
         """Of all replicates together."""
         return float(histogram_quantile(self.histograms.sum(axis=0), p, self.ends))
 
-    def quantiles(self, p: float) -> Floats:
-        """Of each replicate that has samples."""
-        filled = (histogram for histogram in self.histograms if histogram.any())
-        return np.array([histogram_quantile(histogram, p, self.ends) for histogram in filled])
+    def share_interval(self, p: float, confidence: float) -> tuple[float, float]:
+        """Return the shares of the samples between which the p-quantile lies; NaN where that is not known.
+
+        By ranks of independent samples. Of several replicates, from their shares below the quantile (Woodruff 1952).
+        """
+        sizes = self.histograms.sum(axis=1)
+        samples = int(sizes.sum())
+        if len(sizes) == 1:
+            lower, upper = ranks(p, samples, confidence)
+            return (lower - 0.5) / samples, (upper - 0.5) / samples
+        place = min(int(bins(np.array([self.quantile(p)]))[0]), BINS - 2)  # among finite values
+        filled = sizes > 0
+        shares = self.histograms[filled, : place + 1].sum(axis=1) / sizes[filled]
+        half = float(share_width(shares, samples / len(shares), confidence))
+        return p - half, p + half
 
     def spread(self) -> Spread:
         """Mean and standard deviation with their errors, from the replicates where there are several."""

@@ -9,6 +9,7 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.tables import Series
 
+_DRIFT = 0.05  # of the peak velocity
 _BAND = 0.25, 20.0  # Hz, of the mean period
 _RESOLUTION = 0.05  # Hz, at most, of its spectrum
 _DAMPING = 0.05  # of an oscillator, over the critical one
@@ -45,8 +46,7 @@ def intensities(record: Series, gravity: float = 9.81) -> Intensities:
     time, values = _with_zeros(record)
     steps = np.diff(time)
     before, after = values[:-1], values[1:]
-    means = (before + after) / 2.0
-    velocity = gravity * np.cumsum(steps * means)
+    velocity = gravity * _velocity(time, values)
     mean_squares = (before**2 + before * after + after**2) / 3.0
     squares = np.concatenate([[0.0], np.cumsum(steps * mean_squares)])
     total = float(squares[-1])
@@ -58,6 +58,22 @@ def intensities(record: Series, gravity: float = 9.81) -> Intensities:
         duration = float(last - first)
     pgv = float(np.max(np.abs(velocity)))
     return Intensities(record.greatest, pgv, arias, duration, _mean_period(record))
+
+
+def drift_warning(record: Series, gravity: float = 9.81) -> str:
+    """Return a sentence about a velocity at the end that exceeds 5 % of its peak; empty for other records."""
+    velocity = gravity * np.abs(_velocity(*_with_zeros(record)))
+    end, peak = float(velocity[-1]), float(np.max(velocity))
+    if not end > _DRIFT * peak:
+        return ""
+    drift = f"drifts: its velocity at the end is {end:.3g} m/s, {100 * end / peak:.3g} % of its peak"
+    return f"{drift}; correct its base line, or take the corrected record"
+
+
+def _velocity(time: Floats, values: Floats) -> Floats:
+    """The integral of the acceleration at each time but the first."""
+    means = (values[:-1] + values[1:]) / 2.0
+    return np.cumsum(np.diff(time) * means)
 
 
 def _with_zeros(record: Series) -> tuple[Floats, Floats]:

@@ -1,0 +1,25 @@
+"""Ctrl-C while the command loads modules: one line and status 130, as `slipcircle.__main__` gives it later."""
+
+import os
+import signal
+import sys
+
+INTERRUPTED = 130  # exit status
+_COMMANDS = ("-m", "slipcircle")  # how Python names them
+
+
+def _end(*_: object) -> None:
+    os.write(2, b"\nslipcircle: interrupted\n")
+    os._exit(INTERRUPTED)
+
+
+def finish() -> None:
+    """Let Ctrl-C raise `KeyboardInterrupt` again."""
+    if signal.getsignal(signal.SIGINT) is _end:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+_is_command = os.path.basename(sys.argv[0]) in _COMMANDS
+_is_default = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+if _is_command and _is_default:
+    signal.signal(signal.SIGINT, _end)

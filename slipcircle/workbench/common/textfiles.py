@@ -1,0 +1,167 @@
+"""Text and tables of numbers in files of other programs."""
+
+import codecs
+import io
+import re
+from array import array
+from collections.abc import Iterable, Sequence
+from itertools import repeat
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.base.kinds import Floats
+
+Lines = NDArray[np.int64]  # of numbers in a file, from 1
+NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[ed][-+]?\d+)?|nan|inf(?:inity)?)", re.ASCII | re.IGNORECASE)
+_CELL = re.compile(rf"{NUMBER.pattern}|\d+[-/:]\d+[-/:T\d.Z+ ]*", re.ASCII | re.IGNORECASE)
+CLOCK = re.compile(r"\d+[-/:]\d+[-/:T\d.Z+ ]*", re.ASCII)
+_COMMAS = re.compile(r"(?=.*\d,\d)[-+\d.,eE]+(?:[;\t ]+[-+\d.,eE]+)*", re.ASCII)
+SEPARATORS = (";", "\t", ",", None)
+
+
+def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds: str) -> str:
+    """Return the text of a regular file with ``\\\\n`` between its lines, in UTF-8, UTF-16 or Latin-1.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be read, is too large, holds too many numbers, or is not text; names the file and the remedy.
+    """
+    try:
+        size = path.stat().st_size
+        if not path.is_file():  # but a folder, a device, or a pipe that never ends
+            raise ValueError(f"{name}: is not a file; give the file of a record")
+        if size > most_bytes:
+            most = f"must be at most {most_bytes / 1e6:.0f} MB; cut or resample the record"
+            raise ValueError(f"{name}: has {size / 1e6:.4g} MB: {most}")
+        data = path.read_bytes()
+    except OSError as error:
+        raise ValueError(f"{name}: {error.strerror}") from error
+    is_blank = np.frombuffer(data, np.uint8) <= ord(",")
+    count = np.count_nonzero(is_blank[1:] & ~is_blank[:-1])
+    if count > most_numbers:
+        raise ValueError(f"{name}: holds {count:.2g} numbers: must be at most {most_numbers:.2g}; cut or resample it")
+    text = _decoded(data)
+    if "\0" in text[:4096]:
+        raise ValueError(f"{name}: is not text; save the record as {kinds}")
+    if not text.strip():
+        raise ValueError(f"{name}: is empty; a record has two samples at least")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _decoded(data: bytes) -> str:
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.decode("utf-16", "replace")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:  # old headers
+        return data.decode("latin-1")
+
+
+def without_comment(line: str) -> str:
+    """A line without comment and surrounding blanks; a mark begins a comment at the start or after a blank."""
+    plain = line.strip()
+    if plain[:1] in ("#", "%", "!"):
+        return ""
+    return re.split(r"\s[#!]", plain, maxsplit=1)[0] if "#" in plain or "!" in plain else plain
+
+
+def split(line: str, separator: str | None) -> list[str]:
+    """The fields of a line, without their quotes; a separator may end the line."""
+    fields = [field.strip().strip('"') for field in line.split(separator)]
+    return fields[:-1] if len(fields) > 1 and not fields[-1] and fields[-2] else fields
+
+
+def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int]:
+    """Return the number of lines above the first row of numbers, its separator, and its number of columns.
+
+    A row of numbers followed by two rows of another length, such as a date, belongs to the header.
+    """
+    rows: list[tuple[int, str | None, int]] = []
+    for k, line in enumerate(map(without_comment, io.StringIO(text))):
+        row = _row(k, line)
+        if (not row and _COMMAS.fullmatch(line)) or re.fullmatch(r"[-+]?\d+,0\d+", line):
+            raise ValueError(f"{name}, line {k + 1}: {line[:60]!r}: decimal commas; write points instead")
+        rows += row
+        if rows and line and (not row or len(rows) == 3):
+            break
+    if not rows:
+        raise ValueError(f"{name}: has no line of numbers; a record has a line of time and {quantity} for each sample")
+    widths = [row[2] for row in rows]
+    return rows[1] if len(rows) == 3 and widths[1] == widths[2] != widths[0] else rows[0]
+
+
+def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
+    """The separator and number of columns of a line of numbers, some of which may be times of day; else empty."""
+    for separator in SEPARATORS:
+        fields = split(line, separator)
+        filled = "\n".join(fields).rstrip("\n").split("\n")
+        numbers = [field for field in filled if NUMBER.fullmatch(field)]
+        if separator in (None, *line) and numbers and all(map(_CELL.fullmatch, filled)):
+            return [(k, separator, len(fields))]
+    return []
+
+
+def cells_of(
+    name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1
+) -> tuple[list[str], Lines]:
+    """Fields below a header, and the line of each: of a table with so many columns, or all in sequence."""
+    fields, lines = list[str](), array("q")
+    for k, line in enumerate(map(without_comment, below), above + 1):
+        if not line:
+            continue
+        row = split(line, separator)
+        row += [""] * (len(row) == width - 1 and line[-1] == separator)
+        if width > 1 and len(row) != width:
+            raise ValueError(
+                f"{name}, line {k}: has {len(row)} field{'s' * (len(row) != 1)}, where the first row has "
+                f"{width}; mend the line"
+            )
+        fields += row
+        lines.extend([k] * len(row))
+    return fields, np.array(lines)
+
+
+def numbers_of(name: str, fields: Sequence[str], lines: Lines) -> Floats:
+    """The fields as numbers."""
+    joined = "".join(fields)
+    try:
+        if "_" in joined or not joined.isascii():  # numbers in Python's spelling
+            raise ValueError
+        return np.array(array("d", map(float, fields)))
+    except ValueError:  # Fortran's exponents, or an invalid number
+        return np.array(array("d", map(_number, repeat(name), lines, fields)))
+
+
+def _number(name: str, line: int, field: str) -> float:
+    if not NUMBER.fullmatch(field):
+        raise ValueError(f"{name}, line {line}: {field.strip()[:40]!r}: must be a number; mend or remove the line")
+    return float(field.replace("d", "E").replace("D", "E"))
+
+
+def plain_numbers(cells: list[str]) -> Floats:
+    """The numbers of a column; none if a cell is not a plain number."""
+    try:
+        return np.array(cells, dtype=np.float64)
+    except ValueError:
+        return np.empty(0)
+
+
+def is_even(numbers: Floats, longest: float) -> bool:
+    """Whether numbers increase by equal steps below the longest one, but for their rounding."""
+    if numbers.size < 2:
+        return False
+    even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)
+    is_even = np.all(np.diff(numbers) > 0.0) and np.all(np.abs(numbers - even) < 0.25 * step)
+    return bool(is_even and step < longest)
+
+
+def check_count(name: str, count: int, stated: float) -> None:
+    """Reject a file with another number of values than its header states."""
+    if count != stated:
+        raise ValueError(
+            f"{name}: holds {count} values, but its header says {stated:.0f}; is the file cut short, or another's "
+            "header on it?"
+        )

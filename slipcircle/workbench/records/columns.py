@@ -1,0 +1,94 @@
+"""Roles of the columns of a table, by their names and units."""
+
+import re
+from typing import NamedTuple
+
+from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit_of
+
+_SEED = "[bcehs][nlgh]"  # band and instrument of a channel code, followed by its orientation
+_VERTICAL = rf"[zvu]|(?:ud|up|du|dn|dwn|down|vert?|vrt)\d?|verti[ck]al\w*|updown|a(?:cc|ccel)?[zv]|{_SEED}z(?:\d\d)?"
+_HORIZONTAL = (
+    r"[newsxylt]|(?:ns|ew|sn|we|h|fn|fp)\d?|north\w*|east\w*|south|west|long\w*|trans?\w*|rad\w*|horiz\w*|"
+    rf"[ns]\d{{1,2}}[ew]|[0-2]\d\d|3[0-5]\d|360|\d{{1,3}}deg|{_SEED}[ne123rt](?:\d\d)?"
+)
+_NAMED = r"acc(?:el\w*)?|acel\w*|beschl\w*|ivme|a[xyhn]?|ae"
+_TIME = r"t|times?|timestamp|zeit|temps|tiempo|tempo|zaman|elapsed|s|secs?|seconds?"
+_COUNTER = r"index|idx|samples?(?:no|number|index)?|n|no|nr|num|number|i|k|row|points?|npts?|unnamed0"
+_SPECTRAL = r"freq\w*|frequenz|fréquence|frec\w*|f|hz|per[ií]od\w*|tn|omega"
+_OTHER = r"p?s[adv]|spectr\w*|response|fourier|amplitude|arias|vel\w*|dis\w*|geschw\w*|temperature|depth"
+_OTHER_UNIT = r"(?:[mck]?m|in|ft|feet)(?:[/_ ]?s(?:ec)?|s-1)?|hz|k?pa|deg|counts?|v|mv|°c?"
+_LONG_TIME = r"min(?:ute)?s?|h|hrs?|hours?|d|days?|weeks?|years?"
+
+
+class Column(NamedTuple):
+    """A column of a table: name and unit as written, its role, and the reason if it has none."""
+
+    name: str
+    unit: str = ""
+    role: str = ""
+    reason: str = ""
+
+
+def _words(text: str) -> list[str]:
+    """Words of a name in lower case, and all of them together: ``acc_Z``, ``accZ``, ``U-D``."""
+    parted = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
+    words = re.findall(r"[^\W_]+", parted.lower())
+    return [*words, "".join(words)]
+
+
+def _says(text: str, words: str) -> bool:
+    return any(re.fullmatch(words, word) for word in _words(text))
+
+
+def is_vertical(component: str) -> bool:
+    """Whether the name of a component or column says that it is vertical."""
+    return _says(component, _VERTICAL)
+
+
+def is_direction(text: str) -> bool:
+    """Whether a text is the name of a component and nothing else."""
+    return re.fullmatch(rf"{_VERTICAL}|{_HORIZONTAL}|\d\d?", _words(text)[-1]) is not None
+
+
+def _is_time(name: str) -> bool:
+    first, *_ = _words(name)
+    return re.fullmatch(_TIME, first) is not None
+
+
+def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
+    """Name and unit of a field such as ``acc (g)``, ``a [m/s2]``, ``time_s`` or ``acc cm/s^2``."""
+    bracketed = re.fullmatch(r"(.*?)\s*[(\[{]([^()\[\]{}]+)[)\]}]?\s*", field)
+    if bracketed and (unit_of(bracketed[2], TIME) or not is_direction(bracketed[2])):
+        return bracketed[1].strip(" _-,:"), bracketed[2].strip()
+    for place in re.finditer(r"[\s_,/:-]+", field):
+        name, tail = field[: place.start()], field[place.end() :]
+        if is_direction(tail) and not _is_time(name):
+            break
+        times = _is_time(name) and (unit_of(tail, TIME) or re.fullmatch(_LONG_TIME, tail.lower()))
+        if times or unit_of(tail, quantity) or re.fullmatch(_OTHER_UNIT, tail.lower()):
+            return name, tail
+    return field, ""
+
+
+def column_of(field: str, quantity: Quantity) -> Column:
+    """Return the column whose header is a field, with the role that its unit or name states."""
+    name, unit = _with_unit(field, quantity)
+    vertical = quantity is ACCELERATION and is_vertical(name)
+    value = "vertical" if vertical else quantity.role
+    is_other = quantity is ACCELERATION and _says(name, _OTHER)
+    if is_other and (unit_of(unit, quantity) or not unit):
+        return Column(name, unit, "", f"is not {quantity.name} by its name")
+    if unit_of(unit, quantity):
+        return Column(name, unit, value)
+    if _says(name, _SPECTRAL) or unit.lower() == "hz":
+        return Column(name, unit, "spectrum", "is the abscissa of a spectrum")
+    is_time = _is_time(name)
+    if unit_of(unit or "s" * is_time, TIME) and not _says(name, _NAMED):
+        return Column(name, unit, "time")
+    if unit:
+        return Column(name, unit, "", f"its unit {unit!r} is not one of {(TIME if is_time else quantity).choice}")
+    if re.fullmatch(_COUNTER, _words(name)[-1]) and name != "N":  # north
+        return Column(name, unit, "counter", "counts the samples")
+    if (quantity is not ACCELERATION and name) or vertical or _says(name, f"{_NAMED}|{_HORIZONTAL}"):
+        return Column(name, unit, value)
+    return Column(name, unit, "", f"neither its name nor a unit says {quantity.name}")

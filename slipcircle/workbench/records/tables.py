@@ -1,0 +1,103 @@
+"""Tables of numbers: the first row, the separator, the names of columns, and statements of the header."""
+
+import re
+from typing import NamedTuple
+
+from slipcircle.workbench.common.textfiles import NUMBER, SEPARATORS, first_row, split, without_comment
+from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, period_of, seconds_of, unit_of
+from slipcircle.workbench.records.columns import Column, column_of
+
+_STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#SampleRate(Hz): 200", "UNITS: cm/s^2"
+    r"[\s#%!*|]*(?:(?P<step>sampl\w*[ _]*(?:interval|period|step)\w*|time[ _]?(?:step|interval)|intervalo de muestreo|"
+    r"delta(?:[ _]?t)?|dt)|(?P<rate>sampl\w*[ _]*(?:rate|freq)\w*|frecuencia de muestreo|sps|fs)|"
+    r"(?P<unit>(?:\w+[ _])?\w*units?|unidades[\w ]*)|(?P<peak>raw pga values|acc\w*)|"
+    r"(?P<count>number of (?:data|samples|points)|n_?data|npts|num\. total de muestras)|"
+    r"(?P<component>stream))\b[^:=(\[]*(?:[(\[](?P<of>[^)\]]*)[)\]])?[^:=]*[:=]\s*/?(?P<value>.+)",
+    re.IGNORECASE,
+)
+
+
+class Table(NamedTuple):
+    """Layout of a table, and statements of its header: columns, step (s), unit, number of samples, component."""
+
+    lines: int  # above the first row
+    separator: str | None
+    width: int
+    columns: list[Column]  # empty without names
+    step: float
+    unit: str
+    stated: str  # number of samples
+    component: str
+
+
+def table_of(quantity: Quantity, name: str, text: str) -> Table:
+    """Return the layout of a table of numbers.
+
+    Raises
+    ------
+    ValueError
+        If there is no row of numbers.
+    """
+    lines, separator, width = first_row(name, text, quantity.name)
+    above = text.split("\n", lines)[:lines]
+    said = dict.fromkeys(_STATEMENT.groupindex, ("", ""))
+    for found in filter(None, map(_STATEMENT.match, reversed(above))):
+        key = next(key for key, value in found.groupdict().items() if value)
+        said[key] = found["of"] or "", found["value"].strip()
+    columns = _columns(quantity, above, separator, width)
+    _, stated = said["count"]
+    count = "".join(re.findall(r"^\d{1,15}", stated))
+    return Table(lines, separator, width, columns, _step(said), _unit(quantity, said), count, said["component"][1])
+
+
+def _step(said: dict[str, tuple[str, str]]) -> float:
+    """The time between samples that a header states, s; 0 if it does not."""
+    step = seconds_of(*said["step"])
+    return step or period_of(*said["rate"])
+
+
+def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
+    """The unit that a header states, as written; empty if there is none."""
+    for key in ("unit", "peak"):
+        bracket, value = said[key]
+        known = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
+        if known or (key == "unit" and value):
+            return known[0] if known else value
+    return ""
+
+
+def _columns(quantity: Quantity, above: list[str], separator: str | None, width: int) -> list[Column]:
+    """The columns by the last line of the header that names them, and the units below it; empty if there is none."""
+    units = [""] * width
+    if above and re.fullmatch(r"\s*\d+[\s,;]+0?\.\d+\s*", above[-1]):
+        why = f"is below {above[-1].strip()!r}, which resembles a number of samples and their step"
+        return [Column("", "", quantity.role * (width == 1), why)] * width
+    for line in reversed(above):
+        is_comment = not without_comment(line)
+        mark, parts = _parts(line.strip().lstrip("#% "), separator, width)
+        if not parts or (is_comment and any(map(NUMBER.fullmatch, parts))):
+            continue
+        if not any(units) and all(unit_of(part, quantity) or unit_of(part, TIME) for part in parts):
+            units = [part.strip("()[]") for part in parts]
+            continue
+        fields = [f"{part} ({unit})" if unit else part for part, unit in zip(parts, units, strict=True)]
+        columns = [column_of(field, quantity) for field in fields]
+        sure = any(c.role in ("time", "counter", "spectrum") or (c.role and c.unit) for c in columns)
+        of_roles = quantity is ACCELERATION and all(column.role for column in columns)
+        if sure or of_roles or (mark is not None and not is_comment):
+            return columns
+    return [column_of(f"({unit})", quantity) for unit in units if unit]
+
+
+def _parts(line: str, separator: str | None, width: int) -> tuple[str | None, list[str]]:
+    """A separator, and the fields of a line that it parts into so many; empty if none does."""
+    stated = re.sub(r"^[^:]*:|\([+-]\)", "", line).strip(" /")
+    for mark in (separator, *SEPARATORS, "/"):
+        if mark and mark != "/":
+            parts = split(line, mark)
+        else:
+            parts = stated.split(mark) if mark else re.findall(r"[^\s(\[;]+(?:\s*[(\[][^)\]]*[)\]])?", stated)
+        is_parted = mark is None or mark in line
+        if len(parts) == width and is_parted and re.search(r"[^\W_]", line) and line[0] != "!":
+            return mark, parts
+    return None, []

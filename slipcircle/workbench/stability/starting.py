@@ -1,0 +1,99 @@
+"""Strength factors: by how much strength has to change for a motion to start from the result of another method.
+
+The balance of a motion has the closure of the paper's method. With strength multiplied by F_method/F_paper it starts
+from the factor of safety of the method. Under shaking the yield coefficients are to be equal, so that strength is
+divided by the paper's factor under the yield coefficient of the method.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
+from slipcircle.workbench.stability.stability import circles_of, each_lane, soil
+
+_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
+
+
+def strength_factor(scene: Any, method: str) -> Any:
+    """Return the strength factor by which a scene on a ground starts from the result of a method.
+
+    Parameters
+    ----------
+    scene : Scene
+        With friction and pore pressure of time 0, and with "shaking" among its effects or not.
+    method : str
+
+    Returns
+    -------
+    float or ndarray
+        In the shape of the scene. Exactly 1 without friction, and where nothing drives the mass; NaN where the method
+        refuses the circle.
+    """
+    if method == OF_CLOSURE or not soil(scene.friction, scene.called):
+        return 1.0
+    shaken = "shaking" in scene.effects
+    blocks = []
+    for slope, circles, lanes in circles_of(scene):
+        driven = driven_slices(slope, *each_lane(circles, lanes), _PIECES)
+        blocks.append(_of_circles(driven, method, shaken))
+    factor = np.concatenate(blocks).reshape(scene.shape)
+    return factor if scene.shape else float(factor)
+
+
+def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
+    """Return the strength factors of arcs."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if shaken:
+            k_h = yield_coefficient(driven, method)
+            wanted = np.ones_like(k_h)
+            of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
+        else:
+            wanted = factor_by(method, driven)
+            of_closure = factor_by(OF_CLOSURE, driven)
+        factor = wanted / of_closure
+    slices = driven.slices
+    friction = slices.integral(slices.friction)
+    changes = (friction > 0.0) & (driven.facing != 0.0)
+    return np.where(changes, factor, 1.0)
+
+
+def _under(k_h: Floats, driven: Driven) -> Driven:
+    """Return arcs under a horizontal acceleration of k_h g each, which acts on surcharges as well."""
+    slices = driven.slices
+    shaken = slices._replace(k_h=k_h[slices.arc], shaken_load=1.0)
+    driving = driven.gravity + k_h * shaken.shaking_moment()
+    return driven._replace(slices=shaken, driving=driving)
+
+
+def yield_coefficient(driven: Driven, method: str) -> Floats:
+    """Return the k_h at which the factor of safety by a method is 1, NaN where it has none."""
+    if method == OF_CLOSURE:
+        return factor_by(YIELD, driven)
+    none = np.zeros_like(driven.gravity)
+    unit = np.ones_like(driven.gravity)
+    still = _under(none, driven)
+    moved = _under(unit, driven)
+    at_rest = _resistance(still, method)
+    shaken = _resistance(moved, method)
+    excess = at_rest - driven.gravity
+    growth = moved.driving - driven.gravity
+    return excess / (growth - shaken + at_rest)
+
+
+def _resistance(driven: Driven, method: str) -> Floats:
+    """Return the resisting moment by a method at a factor of safety of 1, in which Bishop's does not depend on k_h."""
+    if method != "bishop":
+        return factor_by(method, driven) * driven.driving
+    slices = driven.slices
+    lowest, highest = lever_range(slices)
+    one = np.ones_like(lowest)
+    friction = slices.friction * bishop_normal(slices, one)
+    strength = slices.cohesion() + friction
+    resistance = slices.integral(strength)
+    is_known = (lowest < one) & (one < highest)
+    return np.where(is_known, resistance, np.nan)

@@ -1,0 +1,33 @@
+"""Records that occur twice in a suite."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+
+_TOLERANCE = 1e-6  # of the peak
+
+
+def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int], Floats]) -> dict[int, int]:
+    """Return the places of records with the samples of an earlier record, and the place of that one.
+
+    Parameters
+    ----------
+    measures : sequence of (int, float, float)
+        Number of samples, time between them and peak acceleration of each record.
+    values : callable
+        The samples of the record at a place; called only for records whose measures agree.
+    """
+    found: dict[int, int] = {}
+    different: dict[tuple[int, str], list[int]] = {}
+    for k, (samples, step, peak) in enumerate(measures):
+        alike = different.setdefault((samples, f"{step:.6g}"), [])
+        near = (other for other in alike if abs(measures[other][2] - peak) <= _TOLERANCE * peak)
+        same = (other for other in near if np.max(np.abs(values(k) - values(other))) <= _TOLERANCE * peak)
+        first = next(same, None)
+        if first is None:
+            alike.append(k)
+        else:
+            found[k] = first
+    return found

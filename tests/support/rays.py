@@ -1,0 +1,235 @@
+"""Motions and factors of safety of random slopes by plain integration: rays from the centre, DOP853 in time.
+
+Moments are sums over rays from the centre of the circle, water is the mean of its head along the arc in its turned
+position, and Bishop's factor and the yield coefficients are integrals over vertical slices. Nothing here knows a line
+of the package. Rays and slices are Gauss points between the kinks of what is integrated.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+GAMMA_W, G = 9810.0, 9.81
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
+Line = list[list[float]]
+
+
+@dataclass
+class Slope:
+    """A slope that falls to the right, with one soil and its circle."""
+
+    ground: Line
+    centre: tuple[float, float]
+    radius: float
+    gamma: float
+    cohesion: float
+    peak: float  # tan(phi)
+    residual: float
+    length: float
+    level: Line | None = None
+    ratio: float = 0.0
+    shaken: bool = False
+    ends: tuple[float, float] = field(init=False)  # of the arc, from straight below the centre to the right
+
+    def __post_init__(self) -> None:
+        crossings = [a for a in self._crossings(self.ground) if abs(a) < math.pi / 2]
+        self.ends = min(crossings), max(crossings)
+
+    def _crossings(self, line: Line) -> list[float]:
+        """Return the angles at which a line crosses the circle."""
+        found = []
+        for p, q in pairwise(line):
+            (x, y), (u, v) = np.subtract(p, self.centre), np.subtract(q, p)
+            roots = np.roots([u * u + v * v, 2 * (x * u + y * v), x * x + y * y - self.radius**2])
+            for t in roots[np.isreal(roots)].real:
+                if 0.0 <= t <= 1.0:
+                    found.append(math.atan2(x + t * u, -(y + t * v)))
+        return found
+
+    def points(self, kinks: list[float]) -> tuple[Any, Any]:
+        """Return angles between the ends and the weights of their integral, with kinks between the pieces."""
+        first, last = self.ends
+        inner = [a for a in kinks if first < a < last]
+        edges = np.sort([*np.linspace(first, last, 4), *inner])
+        half = np.diff(edges)[:, None] / 2
+        middle = (edges[1:] + edges[:-1])[:, None] / 2
+        return (middle + half * NODES).ravel(), (half * WEIGHTS).ravel()
+
+    # --- the motion ---
+
+    def moments(self) -> dict[str, float]:
+        """Return the moments of the mass by rays from the centre, lengths over R."""
+        vertices = np.subtract(self.ground, self.centre)
+        a, w = self.points([math.atan2(x, -y) for x, y in vertices])
+        line = vertices / self.radius
+        rho = np.full(a.size, np.nan)
+        for (x, y), (u, v) in zip(line, np.diff(line, axis=0), strict=False):
+            s, c = np.sin(a), -np.cos(a)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                t = (x * c - y * s) / (v * s - u * c)  # where the edge meets the ray
+                hit = (t >= -1e-13) & (t <= 1 + 1e-13)
+                rho = np.where(hit, np.hypot(x + t * u, y + t * v), rho)
+        second, third, fourth = ((1 - rho**n) / n for n in (2, 3, 4))
+        return {
+            "theta": w @ fourth,
+            "polar": w @ third,
+            "radial_cos": w @ (second * np.cos(a)),
+            "radial_sin": w @ (second * np.sin(a)),
+            "moment_cos": w @ (third * np.cos(a)),
+            "moment_sin": w @ (third * np.sin(a)),
+        }
+
+    def head(self, turn: float) -> float:
+        """Return the mean head of the level over R along the arc after a rotation."""
+        if self.level is None:
+            return 0.0
+        x0, y0 = self.centre
+        kinks = [math.asin(max(-1.0, min(1.0, (x - x0) / self.radius))) - turn for x, _ in self.level]
+        a, w = self.points(kinks + [b - turn for b in self._crossings(self.level)])
+        x, y = x0 + self.radius * np.sin(a + turn), y0 - self.radius * np.cos(a + turn)
+        height = np.maximum(np.interp(x, *np.transpose(self.level)) - y, 0.0)
+        return float(w @ height / w.sum() / self.radius)
+
+    def motion(self, factor: float) -> tuple[float, float, float]:
+        """Return displacement and time of the first standstill and the greatest velocity, with strength times a factor.
+
+        Zeros if the mass does not move.
+        """
+        m = self.moments()
+        alpha = (self.ends[1] - self.ends[0]) / 2
+        lever = 2 * alpha * (1 - math.cos(alpha))
+        weight = self.gamma * self.radius
+        height, w = self._slices()[2:4]
+        cover = (w @ height) / (2 * alpha) / (1 - math.cos(alpha))
+
+        def rate(_: float, state: Any) -> list[float]:
+            turn, omega = state
+            c, s = math.cos(turn), math.sin(turn)
+            drive = -(m["moment_sin"] * c + m["moment_cos"] * s)
+            radial = m["radial_cos"] * c - m["radial_sin"] * s
+            water = GAMMA_W * self.head(turn) / self.gamma / (1 - math.cos(alpha))
+            water += self.ratio * cover * radial / m["radial_cos"]
+            mu = self.residual + (self.peak - self.residual) * math.exp(-self.radius * turn / self.length)
+            normal = max(radial + m["polar"] * omega**2 - lever * water, 0.0)
+            cohesion = 2 * alpha * self.cohesion / weight
+            return [omega, (drive - factor * (cohesion + mu * normal)) / m["theta"]]
+
+        if rate(0.0, (0.0, 0.0))[1] <= 0.0:
+            return 0.0, 0.0, 0.0
+        second = math.sqrt(self.radius / G)
+        stops: Callable[..., float] = lambda t, state: state[1] if t > 0.0 else 1.0  # noqa: E731
+        fastest: Callable[..., float] = lambda t, state: rate(t, state)[1]  # noqa: E731
+        stops.terminal, stops.direction = True, -1.0  # type: ignore[attr-defined]
+        run = solve_ivp(rate, (0, 1e3), (0.0, 0.0), "DOP853", rtol=3e-13, atol=1e-15, events=(stops, fastest))
+        peak = max(state[1] for state in run.y_events[1])
+        return self.radius * run.y_events[0][0][0], second * run.t_events[0][0], self.radius / second * peak
+
+    # --- factors of safety ---
+
+    def _slices(self) -> tuple[Any, ...]:
+        """Return sine, cosine, height over R and weight of slices, and their pore pressure over gamma R."""
+        x0, y0 = self.centre
+        lines = [self.ground, *([self.level] if self.level else [])]
+        kinks = [math.asin(max(-1.0, min(1.0, (x - x0) / self.radius))) for line in lines for x, _ in line]
+        a, w = self.points(kinks + (self._crossings(self.level) if self.level else []))
+        s, c = np.sin(a), np.cos(a)
+        x, y = x0 + self.radius * s, y0 - self.radius * c
+        height = (np.interp(x, *np.transpose(self.ground)) - y) / self.radius
+        pressure = self.ratio * height
+        if self.level:
+            head = np.maximum(np.interp(x, *np.transpose(self.level)) - y, 0.0) / self.radius
+            pressure = pressure + GAMMA_W / self.gamma * head
+        return s, c, height, w, pressure
+
+    def bishop(self, k_h: float = 0.0) -> float:
+        """Return Bishop's factor of safety, less 1 if it is asked for the k_h at which that is 0."""
+        s, c, height, w, pressure = self._slices()
+        drive = w @ (-height * s * c + k_h * height * c * (c - height / 2))
+        strength = (self.cohesion / self.gamma / self.radius + self.peak * (height - pressure)) * c
+
+        def unbalanced(factor: float) -> float:
+            return float(factor * drive - w @ (strength / (c - s * self.peak / factor)))
+
+        return float(brentq(unbalanced, 0.3, 10.0, xtol=1e-15, rtol=1e-14))
+
+    def paper(self, k_h: float = 0.0) -> float:
+        """Return the factor of safety of the closure."""
+        m, (_, _, _, w, pressure) = self.moments(), self._slices()
+        alpha = (self.ends[1] - self.ends[0]) / 2
+        drive = -m["moment_sin"] + k_h * m["moment_cos"]
+        normal = m["radial_cos"] + k_h * m["radial_sin"] - w @ pressure
+        cohesion = 2 * alpha * self.cohesion / self.gamma / self.radius
+        return float((cohesion + self.peak * max(normal, 0.0)) / drive)
+
+    @property
+    def strength_factor(self) -> float:
+        """Return the factor of strength with which the closure has Bishop's result."""
+        if self.shaken:
+            k_h = brentq(lambda k: self.bishop(k) - 1.0, -0.2, 0.6, xtol=1e-16, rtol=1e-14)
+            return 1.0 / self.paper(k_h)
+        return self.bishop() / self.paper()
+
+    @property
+    def file(self) -> str:
+        """Return its scene file."""
+        pairs = {"ground": self.ground, "level": self.level}
+        text = {name: [list(map(float, point)) for point in line] for name, line in pairs.items() if line}
+        water = f"[water]\nlevel_m = {text['level']}\n" if self.level else ""
+        ratio = f"[pore_pressure]\nratio = {self.ratio}\n" if self.ratio else ""
+        shaking = '[shaking]\npulse = "sine"\namplitude_g = 0.0\nduration_s = 1\n' if self.shaken else ""
+        return (
+            f"[ground]\npoints_m = {text['ground']}\nunit_weight_kN_m3 = {self.gamma / 1e3!r}\n"
+            f"[circle]\ncentre_m = {list(self.centre)}\nradius_m = {self.radius!r}\n"
+            f'[friction]\nlaw = "exponential"\npeak = {self.peak!r}\nresidual = {self.residual!r}\n'
+            f"length_m = {self.length!r}\n[cohesion]\ncohesion_kPa = {self.cohesion / 1e3!r}\n"
+            f"[rotation]\n[centripetal]\n{water}{ratio}{shaking}"
+        )
+
+
+def random_slopes(seed: int) -> Iterator[Slope]:
+    """Yield random slopes whose factor of safety by Bishop's method is about 1."""
+    rng = np.random.default_rng(seed)
+    while True:
+        with suppress(ValueError):  # no friction in the range gives this factor
+            slope = _random_slope(rng)
+            slope.strength_factor  # noqa: B018
+            yield slope
+
+
+def _random_slope(rng: np.random.Generator) -> Slope:
+    """Return a random slope."""
+    height, run = rng.uniform(5.0, 30.0), rng.uniform(1.2, 3.0)
+    edge = height * run
+    bench = [[0.4 * edge, height * rng.uniform(0.5, 0.7)]] if rng.random() < 0.5 else []
+    ground = [[-4 * edge, height], [0.0, height], *bench, [edge, 0.0], [5 * edge, 0.0]]
+    centre = (float(edge * rng.uniform(0.5, 0.9)), float(height * rng.uniform(1.6, 3.0)))
+    radius = float(centre[1] * rng.uniform(1.0, 1.15))
+    level, ratio = None, 0.0
+    if rng.random() < 0.4:
+        level = [[-4 * edge, 0.8 * height], [0.0, 0.6 * height], [edge, 0.0], [5 * edge, 0.0]]
+    elif rng.random() < 0.5:
+        ratio = float(rng.uniform(0.05, 0.3))
+    gamma = float(rng.uniform(16e3, 22e3))
+    cohesion = float(gamma * height * rng.uniform(0.0, 0.05))
+    slope = Slope(ground, centre, radius, gamma, cohesion, 0.3, 0.2, height / 20, level, ratio, rng.random() < 0.3)
+
+    def with_friction(peak: float) -> float:
+        slope.peak = peak
+        return slope.bishop()
+
+    wanted = rng.uniform(0.9, 1.02)
+    slope.peak = float(brentq(lambda mu: with_friction(mu) - wanted, 1e-3, 1.2))
+    slope.residual = float(slope.peak * rng.uniform(0.75, 1.0))
+    return slope
+
+
+def from_method(scene: Any, method: str) -> Any:
+    """Return a scene on a ground that starts from the factor of safety of a method."""
+    return replace(scene, start=method)

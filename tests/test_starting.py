@@ -1,0 +1,174 @@
+"""Motions that start from the factor of safety of another method than the closure's."""
+
+from dataclasses import replace
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import slipcircle
+from slipcircle import Arc, Scene, Status, load, solve
+from slipcircle.derivatives import parameters, with_parameter_arrays, with_parameters
+from slipcircle.workbench.files.loaded import SlopeScene
+from tests.support.rays import from_method, random_slopes
+
+# Lodalen 1954 (Sevaldson 1956): 17 m high, 1:2, c' = 10 kPa, phi' = 27 degrees.
+LODALEN = """[ground]
+points_m = [[0, 0], [20, 0], [54, 17], [90, 17]]
+unit_weight_kN_m3 = 18.7
+[circle]
+critical = "bishop"
+[friction]
+angle_deg = 27
+[cohesion]
+cohesion_kPa = 10
+[water]
+level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
+[rotation]
+[centripetal]
+"""
+SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 1.0}
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Any:
+    def written(text: str) -> Path:
+        path = tmp_path / "scene.toml"
+        path.write_text(text, "utf-8")
+        return path
+
+    return written
+
+
+def close(one: Any, other: Any) -> None:
+    assert one.strength_factor == pytest.approx(other.strength_factor, rel=1e-14)
+
+
+@pytest.mark.parametrize("seed", [5, 6])
+def test_motions_start_from_bishops_factor_as_plain_integration_does(seed: int, file: Any) -> None:
+    """The strength factor, run-out, duration and peak velocity of random slopes, dry, wet or shaken."""
+    for slope in islice(random_slopes(seed), 3):
+        scene = load(file(slope.file))
+        assert scene.strength_factor == pytest.approx(slope.strength_factor, rel=1e-13)
+        motion = solve(scene)
+        assert motion.status in (Status.RESTS, Status.STAYS)
+        if slope.shaken:
+            assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
+        else:
+            assert motion.factor_of_safety == pytest.approx(slope.bishop(), rel=1e-13)
+        found = motion.run_out, motion.duration, motion.peak.velocity
+        assert found == pytest.approx(slope.motion(slope.strength_factor), rel=1e-8)
+
+
+def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, said: Any) -> None:
+    """Both run-outs and factors are those of the assessment that asked for the choice."""
+    path = file(LODALEN)
+    scene = load(path)
+    assert solve(scene).run_out == pytest.approx(0.51, abs=0.005)
+    by_paper = from_method(scene, "paper")
+    assert by_paper.strength_factor == 1.0
+    assert solve(by_paper).run_out == pytest.approx(3.98, abs=0.01)
+    assert "0.51 m from Bishop's F = 0.979; 3.98 m from the paper's F =" in " ".join(said("run", path).split())
+    assert (
+        solve(load(file(LODALEN.replace('"bishop"', '"bishop"\nstart = "paper"')))).run_out == solve(by_paper).run_out
+    )
+
+
+@pytest.mark.parametrize(
+    ("circle", "start"),
+    [
+        ('critical = "ordinary"', "ordinary"),
+        ('critical = "paper"', "paper"),
+        ('critical = "k_y"', "bishop"),
+        ("centre_m = [31, 36]\nradius_m = 37.7", "bishop"),
+        ('centre_m = [31, 36]\nradius_m = 37.7\nstart = "ordinary"', "ordinary"),
+    ],
+)
+def test_the_start_is_by_the_method_of_the_search_unless_named(circle: str, start: str, file: Any) -> None:
+    scene = load(file(LODALEN.replace('critical = "bishop"', circle)))
+    assert isinstance(scene, SlopeScene)
+    assert scene.start == start
+    assert scene.stability is not None
+    assert solve(scene).factor_of_safety == pytest.approx(scene.stability.factor_of_safety[start], rel=1e-9)
+
+
+def test_every_strength_is_multiplied_and_no_other_resistance() -> None:
+    """Friction of each law and cohesion, not drag and viscosity: as if they were entered so."""
+    arc = Arc(60.0, 3.8, 5.0, 19e3)
+    effects: Any = {"rotation": {}, "centripetal": {}, "drag": {"xi": 500.0}, "cohesion": {"cohesion": 4e3}}
+    effects["viscosity"] = {"viscosity": 1e4, "thickness": 0.1}
+    stronger = effects | {"cohesion": {"cohesion": 5e3}}
+    linear = SOFTENING | {"law": "linear"}
+    tabulated = {"law": "tabulated", "slip": [0.0, 1.0, 3.0], "coefficient": [0.3, 0.25, 0.2]}
+    rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 0.1}
+    laws: list[Any] = [
+        0.2,
+        SOFTENING,
+        linear,
+        tabulated,
+        rate | {"peak": 0.3, "residual": 0.2},
+        SOFTENING | {"rate": rate},
+    ]
+    laws.append(lambda slip: 0.2 + 0.1 * np.exp(-slip))
+    for law in laws:
+        scaled = Scene(arc, law, effects, initial_velocity=0.5, end_time=9.0, strength_factor=1.25)
+        entered = Scene(arc, _times(law, 1.25), stronger, initial_velocity=0.5, end_time=9.0)
+        one, other = solve(scaled), solve(entered)
+        assert (one.run_out, one.duration) == pytest.approx((other.run_out, other.duration), rel=1e-12)
+        assert one.friction == pytest.approx(other.friction / 1.25, rel=1e-12)
+        assert one.limit_friction == pytest.approx(other.limit_friction / 1.25, rel=1e-12)
+        half = 0.5
+        assert one.friction_at(half) == pytest.approx(other.friction_at(half) / 1.25, rel=1e-9)
+        assert one.holding_friction_at(half) == pytest.approx(other.holding_friction_at(half) / 1.25, rel=1e-9)
+
+
+def _times(law: Any, factor: float) -> Any:
+    """Return a law of friction with coefficients times a factor; a law of speed beside one of slip remains."""
+    if callable(law):
+        return lambda slip: factor * law(slip)
+    if isinstance(law, float):
+        return factor * law
+    numbers = {name: np.multiply(law[name], factor) for name in ("peak", "residual", "coefficient") if name in law}
+    return law | {name: value.tolist() for name, value in numbers.items()}
+
+
+def test_it_is_computed_anew_for_samples_neighbours_and_trial_values() -> None:
+    """As with the same values in a scene of its own, of arrays, of lanes of arrays and of what follows from them."""
+    scene: Any = load("real-slope")
+    assert "strength_factor" not in parameters(scene)
+    values = {"friction.peak": np.array([0.3, 0.4]), "unit_weight": np.array([18e3, 21e3])}
+    lanes: Any = with_parameter_arrays(scene, values)[0]
+    for k in range(2):
+        alone = with_parameters(scene, {name: float(value[k]) for name, value in values.items()})
+        assert lanes.strength_factor[k] == pytest.approx(alone.strength_factor, rel=1e-14)
+        lane = solve(lanes)[k].plan.scene
+        close(lane, alone)
+        close(with_parameters(lane, {"friction.peak": 0.35}), with_parameters(alone, {"friction.peak": 0.35}))
+    assert alone.strength_factor != scene.strength_factor
+    explicit = with_parameters(replace(scene, strength_factor=1.5), {"friction.peak": 0.35})
+    assert explicit.strength_factor == 1.5
+
+
+def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
+    scene = load("real-slope")
+    still = with_parameters(scene, {"friction.peak": 0.0, "friction.residual": 0.0, "cohesion.cohesion": 25e3})
+    assert still.strength_factor == 1.0
+    assert Scene(scene.arc, 0.3).strength_factor == 1.0
+
+
+def test_a_start_without_a_result_is_a_sentence_or_a_status(file: Any) -> None:
+    """Bishop's method refuses a circle whose toe rises steeply, under a pore pressure that leaves little strength."""
+    dry = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n[pore_pressure]\nratio = {}\n"
+    steep = dry.replace('critical = "bishop"', "centre_m = [37, 18]\nradius_m = 28").replace("_kPa = 10", "_kPa = 1")
+    scene = load(file(steep.format(0.2)))
+    lanes, _ = with_parameter_arrays(scene, {"pore_pressure.ratio": np.array([0.2, 0.3, 0.9])})
+    motion = solve(lanes)
+    assert motion.status.tolist()[2] == Status.UNSTARTED
+    assert np.isnan(motion.run_out).tolist() == [False, False, True]
+    with pytest.raises(ValueError, match=r'circle.start: by bishop .* such as start = "ordinary" or "paper"'):
+        load(file(steep.format(0.9)))
+    uncertain = {"pore_pressure.ratio": {"distribution": "uniform", "low": 0.8, "high": 0.9}}
+    study = slipcircle.ensemble(replace(scene, uncertain=uncertain), 2, rng=1, sensitivity=0)
+    assert "not valid scenes and not counted: the starting method gives this circle" in " ".join(study.warnings)
