@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4c260d25a1cc63d6f78e09d4f43914ef1cf479d2617e0c75187a9533b8a0b1f1
+# sha256 of the text below: f1e3d3884fc9c4827591d92db850422af72b68100b9c3eafbcbc8b96aed063a9
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -345,7 +345,7 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         'adds soil_mu soil_share to mu')),
     'softening_cohesion': Effect('softening_cohesion', '3.11', (
         Parameter('moment', '', -INFINITY, INFINITY, 'resisting moment of a unit of the law', '', 1.0,
-            'softening_cohesion', lambda value, scales: value, True, 'rotation'),
+            'softening_cohesion', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'strength without normal stress changes with slip', False, (),
-        ('adds Theta cohesion_law softening_cohesion to resistance',)),
+        ('adds Theta cohesion_law softening_cohesion* to resistance', 'softening_cohesion* = moment strength_factor')),
 }

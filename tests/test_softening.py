@@ -76,7 +76,7 @@ def test_an_arc_runs_as_far_as_a_plain_integration_says(name: str) -> None:
 def test_layers_accelerate_as_their_strength_at_this_slip_says(seed: int) -> None:
     """Laws of friction and of cohesion and growth with depth, with the base and with the mass, along the way."""
     stream = softening.scenes(np.random.default_rng(seed))
-    kinds = set()
+    kinds = set[str]()
     while len(kinds) < 2:
         section, motion = next(stream)
         if section.strength in kinds:
@@ -158,3 +158,16 @@ def test_layers_on_the_base_share_the_law_and_length_of_cohesion() -> None:
     with pytest.raises(ValueError, match="the cohesion of soils along an arc follows one law of slip with one length"):
         LayeredSection(layers=layers, **CIRCLE)
     assert solve(Scene(LayeredSection(layers=layers, strength="mass", **CIRCLE), None, TURNING)).moves
+
+
+@pytest.mark.parametrize("law", [LAW, {"cohesion": lambda slip: 4e3 + 10e3 * np.exp(-slip / 0.4)}])
+def test_a_factor_of_strength_multiplies_the_law_of_cohesion(law: Any) -> None:
+    section = Section(unit_weight=19e3, **CIRCLE)
+    weaker = {**LAW, "peak": 0.9 * 14e3, "residual": 0.9 * 4e3}
+    known = solve(Scene(section, 0.045, TURNING | {"cohesion": weaker}))
+    motion = solve(Scene(section, 0.05, TURNING | {"cohesion": law}, strength_factor=0.9))
+    assert motion.run_out == pytest.approx(known.run_out, rel=1e-11)
+    soil = Soil(19e3, law.get("cohesion", law), 0.05, name="clay")
+    layered = LayeredSection(layers=[(soil, None)], strength="mass", **CIRCLE)
+    motion = solve(Scene(layered, None, TURNING, strength_factor=0.9))
+    assert motion.run_out == pytest.approx(known.run_out, rel=1e-11)

@@ -43,26 +43,27 @@ class Softened(AlongTheArc):
         numbers = [replace(soil, friction=0.0, cohesion=0.0) for soil, _ in section.layers]
         plain = replace(section, layers=[(soil, top) for soil, (_, top) in zip(numbers, section.layers, strict=True)])
         super().__init__(plain, section)
-        self.given = [soil for soil, _ in section.layers]
+        self.given: list[Any] = [soil for soil, _ in section.layers]
 
-    def columns(self, rotation: float = 0.0, strength: str = "base") -> Any:
+    def columns(self, rotation: float = 0.0, strength: str = "base") -> Any:  # type: ignore[override]
         slip = rotation * self.radius
-        self.soils = []
+        at_this_slip: list[Any] = []
         for soil in self.given:
-            cohesion = at_slip(soil.cohesion, slip)
-            growth = soil.cohesion_gradient
-            if isinstance(soil.cohesion, dict) or callable(soil.cohesion):
-                growth = growth * cohesion / at_slip(soil.cohesion, 0.0)
-            friction = at_slip(soil.friction, slip)
-            self.soils.append(
+            cohesion, before = (at_slip(soil.cohesion, s) for s in (slip, 0.0))
+            changes = isinstance(soil.cohesion, dict) or callable(soil.cohesion)
+            at_this_slip.append(
                 SimpleNamespace(
-                    friction=friction, cohesion=cohesion, cohesion_gradient=growth, pore_ratio=soil.pore_ratio
+                    friction=at_slip(soil.friction, slip),
+                    cohesion=cohesion,
+                    cohesion_gradient=soil.cohesion_gradient * (cohesion / before if changes else 1.0),
+                    pore_ratio=soil.pore_ratio,
                 )
             )
+        self.soils = at_this_slip
         return AlongTheArc.columns.__wrapped__(self, rotation, strength)
 
 
-def farthest(section: LayeredSection) -> tuple[float, float]:
+def farthest(section: Any) -> tuple[float, float]:
     """Greatest displacement down-slope and its time by DOP853, m and s."""
     slope, radius = Softened(section), float(section.radius)
 

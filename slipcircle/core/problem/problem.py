@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
@@ -108,7 +109,8 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
     farther = numbers.add_rotations(plan, lanes)
-    for path, (name, parameters) in zip(law_paths(scene.law), scene.laws, strict=True):
+    paths = chain(law_paths(scene.law), repeat("cohesion"))
+    for path, (name, parameters) in zip(paths, scene.laws, strict=False):
         numbers.add_law(path, name, parameters)
     numbers.add_start(scene.initial_velocity, scene.until)
     factor = numbers.start["strength_factor"]
@@ -214,9 +216,9 @@ class Numbers:
         return farther
 
     def add_law(self, path: str, name: str, parameters: Parameters) -> None:
-        """Add a friction law: a table, or dimensionless numbers by its name; a law of speed beside it is a factor."""
+        """Add a law: a table, or dimensionless numbers by its name; those of speed and of cohesion are factors."""
         law = without_soil(name)
-        strength = 1.0 if path == "friction.rate" else self.start["strength_factor"]
+        strength = 1.0 if path in ("friction.rate", "cohesion") else self.start["strength_factor"]
         units = {
             "": 1.0 / strength,
             "m": self.radius,
