@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 7cc463fba2ec69c7be7c5939c2eb9f4ff8157cf22c420341e36b68b07f4e58ee
+# sha256 of the text below: 2ddc53e253e8ec49697eb94108c430e1337ddbe28db7531ffaed200a29c9a67e
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -9,6 +9,7 @@ of a level, such as ``baseline``, asks for the loops of lesser processors.
 import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import cache, partial
 from importlib import import_module
 from importlib.machinery import ModuleSpec
@@ -17,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from generated._evaluate import BLOCK, Array, evaluate, real
+from generated._evaluate import BLOCK, OWN, Array, check_items, evaluate, real
 from generated.tiers import BOUNDS, DIGEST, LIMIT
 
 Text = Callable[..., Array]
@@ -105,21 +106,31 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: 
     best = compiled["float32"] = compiled["best"]
     cheapest = partial(_checked, name, cache(partial(_cheapest, name, form)))
     numpy = partial(_numpy_of_ends if both_ends else _numpy, name)
-    general = partial(_general, name, texts, compiled, cheapest, numpy)
+    own = partial(_general, name, texts, compiled, cheapest, numpy)
+    inside = _is_arc if both_ends else _inside
+
+    def general(args: tuple[Any, ...], out: Any, where: Any, accuracy: float | None) -> Any:
+        kinds = map(type, (*args, where))
+        is_own = out is None or isinstance(out, np.ndarray)
+        if is_own and OWN.issuperset(kinds):
+            return own(args, out, where, accuracy)
+        return _elsewhere(name, texts, inside, args, out, where, accuracy)
 
     def of_alpha(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
-        simple = best is not None and where is True
+        simple = best is not None and where is True and (out is None or type(out) is np.ndarray)
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
             loop = best
             if accuracy is not None:
                 loop = compiled[cheapest("d" if of is float else alpha.dtype.char, accuracy)]
             return loop(alpha) if out is None else loop(alpha, out)
-        if _is_foreign(alpha):
-            return _elsewhere(name, texts, alpha, out, where, accuracy)
         return general((alpha,), out, where, accuracy)
 
     def of_ends(one: Any, two: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+        simple = best is not None and where is True and out is None
+        simple = simple and accuracy is None
+        if simple and type(one) is type(two) is float:
+            return best(one, two)
         return general((one, two), out, where, accuracy)
 
     return of_ends if both_ends else of_alpha
@@ -146,11 +157,6 @@ def _general(
         return numpy(texts[tier], items, kind, out, where)
     arrays = [np.asarray(x, dtype=kind) for x in items]
     return _masked(loop, arrays, out, where)
-
-
-def _is_foreign(alpha: Any) -> bool:
-    """Whether it is an array of another library."""
-    return not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS)
 
 
 def _checked(name: str, cheapest: Callable[[str, float], str], kind: str, accuracy: float) -> str:
@@ -248,14 +254,16 @@ def _clipped(text: Text, alpha: Array) -> Array:
 
 # --- arrays of other libraries ---------------------------------------------------------------------------------------
 
-_PROTOCOLS = ("__array_namespace__", "__array_ufunc__")
+# Libraries whose arrays stay what they are; of several arguments, the first library here decides.
+LIBRARIES = ("xarray", "pandas", "pint", "dask", "jax", "jaxlib")
 
 
 class _Space:
     """The functions of an array library that traces. At a tie, minimum and maximum pass on the whole slope."""
 
-    def __init__(self, functions: Any) -> None:
+    def __init__(self, functions: Any, least: float) -> None:
         self._functions = functions
+        self._least = least  # normal number of the float type
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._functions, name)
@@ -266,28 +274,78 @@ class _Space:
 
     def maximum(self, a: Any, b: Any) -> Any:
         a, b = (b, a) if isinstance(a, float) else (a, b)
+        if isinstance(b, float) and b > 0.0:
+            b = max(b, self._least)
         return self.where(a < b, b, a)
 
 
-def _elsewhere(name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None) -> Any:
-    """The kernel of an array of another library, as an array of that library."""
-    call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name
+def _library(x: Any) -> int:
+    """Return the rank of an array's library, or the number of libraries if it belongs to none of them."""
+    modules = [base.__module__ for base in type(x).__mro__]
+    roots = {module.partition(".")[0] for module in modules}
+    for rank, library in enumerate(LIBRARIES):
+        if library in roots:
+            return rank
+    return len(LIBRARIES)
+
+
+def _elsewhere(
+    name: str,
+    texts: Mapping[str, Text],
+    inside: Callable[..., Any],
+    args: tuple[Any, ...],
+    out: Any,
+    where: Any,
+    accuracy: float | None,
+) -> Any:
+    """Compute a function of arrays of other libraries, as an array of the library that ranks first."""
+    check_items(name, [x for x in args if _library(x) == len(LIBRARIES)])
     if out is not None or where is not True:
-        raise TypeError(f"`out` and `where` are for NumPy's arrays, not for {type(alpha).__name__}")
-    if hasattr(alpha, "dimensionality"):  # pint: radians and degrees are dimensionless, a length is an error
-        return type(alpha)(call(alpha.to("dimensionless").magnitude, accuracy=accuracy))
-    if not hasattr(alpha, "__array_namespace__"):  # dask, xarray, pandas: as if this were a ufunc
-        ufunc = partial(call, accuracy=accuracy)
-        ufunc.__dict__.update(__name__="kernel", nin=1, nout=1, signature=None)
-        result = alpha.__array_ufunc__(ufunc, "__call__", alpha)
+        raise TypeError(f"{name}: `out` and `where` are supported for numbers and NumPy arrays only")
+    first = min(args, key=_library)
+    library = LIBRARIES[_library(first)]
+    # The public function travels to other processes by its name.
+    call = partial(getattr(import_module("generated.kernels"), name), accuracy=accuracy)
+    if library == "pint":  # radians and degrees are dimensionless, a length is an error
+        numbers = []
+        for x in args:
+            has_unit = hasattr(x, "dimensionality")
+            numbers.append(x.to("dimensionless").magnitude if has_unit else x)
+        return type(first)(call(*numbers))
+    if library in ("xarray", "pandas", "dask"):  # as if this were a ufunc
+        count = len(args)
+        call.__dict__.update(__name__="kernel", nin=count, nout=1, signature=None)
+        result: Any = NotImplemented
+        if hasattr(first, "__len__") and hasattr(first, "__array_ufunc__"):  # not the missing number of pandas
+            with suppress(NotImplementedError):
+                result = first.__array_ufunc__(call, "__call__", *args)
         if result is NotImplemented:
-            raise TypeError(f"arguments of type {type(alpha).__name__} are not supported")
+            names = [type(x).__name__ for x in args]
+            kinds = " and ".join(names)
+            raise TypeError(f"{name}: {library} does not support arguments of type {kinds} here")
         return result
     if accuracy is not None:
-        raise ValueError(f"nothing is proved in the arithmetic of {alpha.__array_namespace__().__name__}")
-    xp = _Space(alpha.__array_namespace__())
-    alpha = alpha * 1.0  # of integers, the library's own float
-    eps = float(xp.finfo(alpha.dtype).eps)
-    single = eps > 2.0**-52 and "float32" in texts
-    value = texts["float32" if single else "best"](xp.minimum(alpha, HALF_PI), xp)
-    return xp.where(_inside(eps, alpha), value, np.nan)
+        raise ValueError(f"{name}: nothing is proved in the arithmetic of {library}; leave out accuracy")
+    return _traced(name, texts, inside, args)
+
+
+def _traced(name: str, texts: Mapping[str, Text], inside: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    """Compute a function in the arithmetic of an array library that traces."""
+    (traced, *_) = [x for x in args if hasattr(x, "__array_namespace__")]
+    library = traced.__array_namespace__()
+    given = [library.asarray(x) * 1.0 for x in args]  # of integers, the library's own float
+    values = given
+    kind = library.result_type(*values)
+    if not library.isdtype(kind, "real floating"):
+        raise TypeError(f"{name}: arguments of type {kind} are not supported: give real numbers")
+    limits = library.finfo(kind)
+    eps = float(limits.eps)
+    tiny = float(limits.tiny)
+    xp = _Space(library, tiny)
+    text = texts["best"]  # that of float32 needs the range of float64
+    if len(values) == 1:
+        (alpha,) = values
+        values = [xp.minimum(HALF_PI, alpha)]
+    value = text(*values, xp)
+    is_inside = inside(eps, *given)
+    return xp.where(is_inside, value, np.nan)

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "20c11a4dcb3dd89153b0537d1aa2d9f2502e607d302d6e9fcaf54410bfcb69c2"
+#define DIGEST "57f59ee65247a22fd866db4fea54e3a0a22f5cc7b9c3f2af502e769337f2b891"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2513,7 +2513,7 @@ static void make_step(Batch *b, M here)
     advance_states(b, here, top);
     keep_faster(b, here, c[OMEGA], until, c[X], rate);
     c[TIME] = pick(here, until, c[TIME]);
-    c[STEPS] = pick(here, c[STEPS] + pick(at_limit, broadcast(0.0), pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
+    c[STEPS] = pick(here, pick(at_limit, broadcast(0.0), c[STEPS] + pick(steady, broadcast((double)STIFF_STEP), broadcast(1.0))), c[STEPS]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
     EACH(lane, bits(here)) {
         settle(b, lane, rate[lane], at_limit[lane], endless[lane]);
@@ -2592,7 +2592,8 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     if (job->samples > 0) {
         read_samples(b, lane, c[TIME][lane], fmin(until, c[END_TIME][lane]), 0, 0);
     }
-    c[STEPS][lane] = c[STEPS][lane] + (breaks ? 0.0 : 1.0);
+    int rested = starts && (stretch > (TOGETHER * until));
+    c[STEPS][lane] = (breaks || rested) ? 0.0 : (c[STEPS][lane] + 1.0);
     c[PASSED][lane] = NOTHING;
     if (for_ever || (until >= c[END_TIME][lane])) {
         c[TIME][lane] = for_ever ? c[TIME][lane] : c[END_TIME][lane];
@@ -2660,7 +2661,7 @@ static void rest_on(Batch *b, M here)
     }
 }
 
-/* Stop lanes that take too many steps or reversals, or overflow. */
+/* Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow. */
 INLINE void stop_endless(Batch *b, M here)
 {
     const Job *const job = b->job;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f1e3d3884fc9c4827591d92db850422af72b68100b9c3eafbcbc8b96aed063a9
+# sha256 of the text below: 6d9da257133b7cc6fa9bb2177812471e366f855cd37c3f1883ee8e905bffa8df
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -59,9 +59,11 @@ LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-13, 1e+20), 's': (1e-12, 1e+18)
     'm/s^2': (1e-13, 1000000000000000.0), 'N/m^3': (0.001, 1000000000.0), 'Pa': (1e-09, 1000000000000000.0),
     'Pa s': (1e-12, 1e+20), 'Pa/K': (1e-09, 1000000000000000.0), 'J/m^3 K': (0.001,
     1000000000000000.0)}  # between which what has a unit lies
+LEAST = {'N/m^3': 1000.0, 'Pa': 50.0}  # less is questioned, but for 0
 USUAL = {'N/m^3': (5000.0, 100000.0), 'Pa': (50.0, 100000000.0)}  # ranges that soils have
 OTHER_UNITS = {'N/m^3': {'kN/m^3': 1000.0, 'kg/m^3': 9.81}, 'Pa': {'kPa': 1000.0, 'MPa': 1000000.0}}
 USUAL_FRICTION = (0.0174550649282176, 10.0)
+QUESTIONED_FRICTION = 2.0
 
 LAWS = {
     'constant': Law('constant', '1.14', (

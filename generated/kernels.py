@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c47c2b0831cbcc7ed0fbe43cbc31a69103e77b952f86c9f39f3f1e8337df1bed
+# sha256 of the text below: b60549865695133a75421f454571c0600cf30a0d05d6c43983e424bacff24eaa
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ SERIES_2 = (-0.08333333333333333, 0.002777777777777727, -4.960317460298492e-05,
 TEXTS: dict[str, dict[str, Text]] = {}
 
 
-def _cos_psi(theta_1: Array, theta_2: Array) -> tuple[Array, Array, Array]:
+def _cos_psi(theta_1: Array, theta_2: Array, xp: Any = np) -> tuple[Array, Array, Array]:
     t1 = theta_1 + theta_2
-    t2 = t1 * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0
+    t2 = xp.rint(t1 * 0.15915494309189535)
     t3 = t2 * 2.0
     t4 = t3 * -3.1415926535846666
     t5 = t3 * -5.1266883031679116e-12
@@ -71,18 +71,18 @@ def _cos_psi(theta_1: Array, theta_2: Array) -> tuple[Array, Array, Array]:
     t30 = t29 + t26
     t31 = t30 + t25
     t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25)
-    t33 = np.maximum(np.minimum(t31 + t32, 3.141592653589793), -3.141592653589793)
+    t33 = xp.maximum(xp.minimum(t31 + t32, 3.141592653589793), -3.141592653589793)
     t34 = t2 * 0.5
-    t35 = t34 - (t34 + 6755399441055744.0 - 6755399441055744.0)
+    t35 = t34 - xp.rint(t34)
     t36 = t33 * 0.5
     t37 = t36 * t36
     t38 = (t37 * -0.00021164021164021165 + -0.0021164021164021165) * t37 + -0.022222222222222223
     return t33, ((t38 * t37 + -0.3333333333333333) * t37 + 1.0) * lost(t31, t32), t35 * t35 * 4.0 - 0.5
 
 
-def _sin_psi(theta_1: Array, theta_2: Array) -> tuple[Array, Array, Array]:
+def _sin_psi(theta_1: Array, theta_2: Array, xp: Any = np) -> tuple[Array, Array, Array]:
     t1 = theta_1 + theta_2
-    t2 = t1 * 0.15915494309189535 - 0.5 + 6755399441055744.0 - 6755399441055744.0
+    t2 = xp.rint(t1 * 0.15915494309189535 - 0.5)
     t3 = t2 * 2.0 + 1.0
     t4 = t3 * -3.1415926535846666
     t5 = t3 * -5.1266883031679116e-12
@@ -113,21 +113,21 @@ def _sin_psi(theta_1: Array, theta_2: Array) -> tuple[Array, Array, Array]:
     t30 = t29 + t26
     t31 = t30 + t25
     t32 = lost(t18, t20) + lost(t27, t22) + lost(t28, t24) + lost(t29, t26) + lost(t30, t25)
-    t33 = np.maximum(np.minimum(t31 + t32, 3.141592653589793), -3.141592653589793)
+    t33 = xp.maximum(xp.minimum(t31 + t32, 3.141592653589793), -3.141592653589793)
     t34 = t2 * 0.5
-    t35 = t34 - (t34 + 6755399441055744.0 - 6755399441055744.0)
+    t35 = t34 - xp.rint(t34)
     t36 = t33 * 0.5
     t37 = t36 * t36
     t38 = (t37 * -0.00021164021164021165 + -0.0021164021164021165) * t37 + -0.022222222222222223
     return t33, ((t38 * t37 + -0.3333333333333333) * t37 + 1.0) * lost(t31, t32), t35 * t35 * -4.0 - -0.5
 
 
-def _share(theta_1: Array, theta_2: Array) -> Array:
+def _share(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
     t1 = theta_2 - theta_1
-    t2 = np.minimum(t1 * 0.5, 1.5707963267948966)
+    t2 = xp.minimum(t1 * 0.5, 1.5707963267948966)
     t3 = t2 * t2
     t4 = (t3 * -0.00021164021164021165 + -0.0021164021164021165) * t3 + -0.022222222222222223
-    t5 = lost(theta_2, -theta_1) / np.maximum(t1, 9.332636185032189e-302)
+    t5 = lost(theta_2, -theta_1) / xp.maximum(t1, 9.332636185032189e-302)
     return ((t4 * t3 + -0.3333333333333333) * t3 + 1.0) * 3.0 * t5
 
 
@@ -583,7 +583,7 @@ def _dynamic_coefficient(alpha: Array, xp: Any = np) -> Array:
     t2 = alpha < 1.14
     t3 = xp.where(t2, 1.0 + p1 * alpha_2, alpha + -0.5390625 + t1)
     p4 = horner(alpha_2, SERIES_2)
-    t4 = xp.where(t2, 1.0 + p4 * alpha_2, _resistance_factor(alpha))
+    t4 = xp.where(t2, 1.0 + p4 * alpha_2, _resistance_factor(alpha, xp))
     return xp.where(t2, t3 / 1.5, t3) / xp.where(t2, t4, t4)
 
 
@@ -902,41 +902,41 @@ def weight_moment_per_radial_weight(alpha, /, out=None, *, where=True, accuracy=
     return _call_weight_moment_per_radial_weight(alpha, out, where, accuracy)
 
 
-def _radial_weight(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _radial_weight_amplitude(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _cos_psi(theta_1, theta_2)
+def _radial_weight(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _radial_weight_amplitude(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _cos_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -3.868170170630684e-23 + 1.9572941063391263e-20) * t6 + -8.22063524662433e-18
     t8 = ((t7 * t6 + 2.8114572543455206e-15) * t6 + -7.647163731819816e-13) * t6
     t9 = ((t8 + 1.6059043836821613e-10) * t6 + -2.505210838544172e-08) * t6 + 2.7557319223985893e-06
     t10 = ((t9 * t6 + -0.0001984126984126984) * t6 + 0.008333333333333333) * t6 + -0.16666666666666666
-    return t1 * (t10 * t6 + 1.0) * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2)))
+    return t1 * (t10 * t6 + 1.0) * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2, xp)))
 
 
-def _radial_weight_1e_10(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _radial_weight_amplitude_1e_10(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _cos_psi(theta_1, theta_2)
+def _radial_weight_1e_10(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _radial_weight_amplitude_1e_10(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _cos_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -7.647163731819816e-13 + 1.6059043836821613e-10) * t6 + -2.505210838544172e-08
     t8 = ((t7 * t6 + 2.7557319223985893e-06) * t6 + -0.0001984126984126984) * t6
     t9 = t1 * (((t8 + 0.008333333333333333) * t6 + -0.16666666666666666) * t6 + 1.0)
-    return t9 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2)))
+    return t9 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2, xp)))
 
 
-def _radial_weight_float32(theta_1: Array, theta_2: Array) -> Array:
-    return _radial_weight_1e_10(theta_1, theta_2)
+def _radial_weight_float32(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    return _radial_weight_1e_10(theta_1, theta_2, xp)
 
 
-def _radial_weight_1e_6(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _radial_weight_amplitude_1e_6(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _cos_psi(theta_1, theta_2)
+def _radial_weight_1e_6(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _radial_weight_amplitude_1e_6(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _cos_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -2.505210838544172e-08 + 2.7557319223985893e-06) * t6 + -0.0001984126984126984
     t8 = ((t7 * t6 + 0.008333333333333333) * t6 + -0.16666666666666666) * t6 + 1.0
-    return t1 * t8 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2)))
+    return t1 * t8 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2, xp)))
 
 
 TEXTS["radial_weight"] = {"best": _radial_weight, "1e-10": _radial_weight_1e_10, "float32": _radial_weight_float32,
@@ -987,41 +987,41 @@ def radial_weight(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     return _call_radial_weight(theta_1, theta_2, out, where, accuracy)
 
 
-def _weight_moment(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _weight_moment_amplitude(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _sin_psi(theta_1, theta_2)
+def _weight_moment(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _weight_moment_amplitude(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _sin_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -3.868170170630684e-23 + 1.9572941063391263e-20) * t6 + -8.22063524662433e-18
     t8 = ((t7 * t6 + 2.8114572543455206e-15) * t6 + -7.647163731819816e-13) * t6
     t9 = ((t8 + 1.6059043836821613e-10) * t6 + -2.505210838544172e-08) * t6 + 2.7557319223985893e-06
     t10 = ((t9 * t6 + -0.0001984126984126984) * t6 + 0.008333333333333333) * t6 + -0.16666666666666666
-    return t1 * (t10 * t6 + 1.0) * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2)))
+    return t1 * (t10 * t6 + 1.0) * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2, xp)))
 
 
-def _weight_moment_1e_10(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _weight_moment_amplitude_1e_10(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _sin_psi(theta_1, theta_2)
+def _weight_moment_1e_10(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _weight_moment_amplitude_1e_10(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _sin_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -7.647163731819816e-13 + 1.6059043836821613e-10) * t6 + -2.505210838544172e-08
     t8 = ((t7 * t6 + 2.7557319223985893e-06) * t6 + -0.0001984126984126984) * t6
     t9 = t1 * (((t8 + 0.008333333333333333) * t6 + -0.16666666666666666) * t6 + 1.0)
-    return t9 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2)))
+    return t9 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2, xp)))
 
 
-def _weight_moment_float32(theta_1: Array, theta_2: Array) -> Array:
-    return _weight_moment_1e_10(theta_1, theta_2)
+def _weight_moment_float32(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    return _weight_moment_1e_10(theta_1, theta_2, xp)
 
 
-def _weight_moment_1e_6(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _weight_moment_amplitude_1e_6(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _sin_psi(theta_1, theta_2)
+def _weight_moment_1e_6(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _weight_moment_amplitude_1e_6(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _sin_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -2.505210838544172e-08 + 2.7557319223985893e-06) * t6 + -0.0001984126984126984
     t8 = ((t7 * t6 + 0.008333333333333333) * t6 + -0.16666666666666666) * t6 + 1.0
-    return t1 * t8 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2)))
+    return t1 * t8 * t4 * (t2 + (t3 + t2 * _share(theta_1, theta_2, xp)))
 
 
 TEXTS["weight_moment"] = {"best": _weight_moment, "1e-10": _weight_moment_1e_10, "float32": _weight_moment_float32,
@@ -1072,16 +1072,16 @@ def weight_moment(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     return _call_weight_moment(theta_1, theta_2, out, where, accuracy)
 
 
-def _limit_friction(theta_1: Array, theta_2: Array) -> Array:
-    t1 = _weight_moment_per_radial_weight(np.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966))
-    t2, t3, t4 = _sin_psi(theta_1, theta_2)
+def _limit_friction(theta_1: Array, theta_2: Array, xp: Any = np) -> Array:
+    t1 = _weight_moment_per_radial_weight(xp.minimum((theta_2 - theta_1) * 0.5, 1.5707963267948966), xp)
+    t2, t3, t4 = _sin_psi(theta_1, theta_2, xp)
     t5 = t2 * 0.5
     t6 = t5 * t5
     t7 = (t6 * -3.868170170630684e-23 + 1.9572941063391263e-20) * t6 + -8.22063524662433e-18
     t8 = ((t7 * t6 + 2.8114572543455206e-15) * t6 + -7.647163731819816e-13) * t6
     t9 = ((t8 + 1.6059043836821613e-10) * t6 + -2.505210838544172e-08) * t6 + 2.7557319223985893e-06
     t10 = ((t9 * t6 + -0.0001984126984126984) * t6 + 0.008333333333333333) * t6 + -0.16666666666666666
-    t11, t12, t13 = _cos_psi(theta_1, theta_2)
+    t11, t12, t13 = _cos_psi(theta_1, theta_2, xp)
     t14 = t11 * 0.5
     t15 = t14 * t14
     t16 = (t15 * -3.868170170630684e-23 + 1.9572941063391263e-20) * t15 + -8.22063524662433e-18

@@ -1,17 +1,40 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2e65e02ef999ce9ff95ff918b68f3726dc5ea6e69d970eed19ebc86895f19f5d
+# sha256 of the text below: 56c1dc1f72f0de6e1a08618c20db9529ee0e0e6a1384b6de68451cb102828bf8
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar, overload
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from generated._compiled import Text
 from generated._evaluate import Out
 
+F = TypeVar("F", np.float64, np.float32, np.float16)
 __all__: list[str]
 TEXTS: dict[str, dict[str, Text]]
 
+@overload
+def polar_moment(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def polar_moment(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def polar_moment(
     alpha: ArrayLike,
     /,
@@ -21,6 +44,27 @@ def polar_moment(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def moment_of_inertia(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def moment_of_inertia(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def moment_of_inertia(
     alpha: ArrayLike,
     /,
@@ -30,6 +74,27 @@ def moment_of_inertia(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def radial_weight_amplitude(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def radial_weight_amplitude(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def radial_weight_amplitude(
     alpha: ArrayLike,
     /,
@@ -39,6 +104,27 @@ def radial_weight_amplitude(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def weight_moment_amplitude(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def weight_moment_amplitude(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def weight_moment_amplitude(
     alpha: ArrayLike,
     /,
@@ -48,6 +134,27 @@ def weight_moment_amplitude(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def resistance_factor(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def resistance_factor(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def resistance_factor(
     alpha: ArrayLike,
     /,
@@ -57,6 +164,27 @@ def resistance_factor(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def dynamic_coefficient(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def dynamic_coefficient(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def dynamic_coefficient(
     alpha: ArrayLike,
     /,
@@ -66,6 +194,27 @@ def dynamic_coefficient(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def weight_moment_per_inertia(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def weight_moment_per_inertia(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def weight_moment_per_inertia(
     alpha: ArrayLike,
     /,
@@ -75,6 +224,27 @@ def weight_moment_per_inertia(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def radial_weight_per_inertia(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def radial_weight_per_inertia(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def radial_weight_per_inertia(
     alpha: ArrayLike,
     /,
@@ -84,6 +254,27 @@ def radial_weight_per_inertia(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def polar_moment_per_inertia(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def polar_moment_per_inertia(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def polar_moment_per_inertia(
     alpha: ArrayLike,
     /,
@@ -93,6 +284,27 @@ def polar_moment_per_inertia(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def weight_moment_per_radial_weight(
+    alpha: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def weight_moment_per_radial_weight(
+    alpha: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def weight_moment_per_radial_weight(
     alpha: ArrayLike,
     /,
@@ -102,6 +314,37 @@ def weight_moment_per_radial_weight(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def radial_weight(
+    theta_1: float, theta_2: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def radial_weight(
+    theta_1: NDArray[F], theta_2: NDArray[F] | float,
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
+def radial_weight(
+    theta_1: float, theta_2: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def radial_weight(
     theta_1: ArrayLike, theta_2: ArrayLike,
     /,
@@ -111,6 +354,37 @@ def radial_weight(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def weight_moment(
+    theta_1: float, theta_2: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def weight_moment(
+    theta_1: NDArray[F], theta_2: NDArray[F] | float,
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
+def weight_moment(
+    theta_1: float, theta_2: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def weight_moment(
     theta_1: ArrayLike, theta_2: ArrayLike,
     /,
@@ -120,6 +394,37 @@ def weight_moment(
     accuracy: float | None = None,
 ) -> Any: ...
 
+@overload
+def limit_friction(
+    theta_1: float, theta_2: float,
+    /,
+    out: None = None,
+    *,
+    where: bool = True,
+    accuracy: float | None = None,
+) -> np.float64: ...
+
+@overload
+def limit_friction(
+    theta_1: NDArray[F], theta_2: NDArray[F] | float,
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
+def limit_friction(
+    theta_1: float, theta_2: NDArray[F],
+    /,
+    out: None = None,
+    *,
+    where: ArrayLike = True,
+    accuracy: float | None = None,
+) -> NDArray[F]: ...
+
+@overload
 def limit_friction(
     theta_1: ArrayLike, theta_2: ArrayLike,
     /,

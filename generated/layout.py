@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9d313e49c6e33552adecc71f9fdc5a65d647becc4efbdec147393f61b0d2d09d
+# sha256 of the text below: de50f4f92bf97965a93abb51a5598ddea755bc139bf0b3a8b697a5fc88954e3f
 """Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -9,7 +9,7 @@ SLIP = 2  # slip over the radius where the phase began
 DIRECTION = 3  # of travel, 1 or -1; 0 at rest
 LIFTED = 4  # 1 where nothing presses on the slip surface, else 0
 STATUS = 5  # what the lane is doing
-STEPS = 6  # steps taken
+STEPS = 6  # steps since the last rest or break
 PHASES = 7  # phases ended
 ORDER = 8  # of its series
 FACTOR = 9  # length of a step over the radius of convergence

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: db1e1fbe5114a27f515f8fdae8a4eb961e84b8e7b20d7ebed53634f1d3d98aa8
+# sha256 of the text below: 284988fc9be5e97a1b8e2e4ae9e556c1cd1a751f9d5cfe88355b48ceffe0bd44
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -1531,7 +1531,7 @@ def make_step(s: Lanes, here: Mask) -> None:
     advance_states(s, here, top)
     keep_faster(s, here, c[ix.OMEGA], until, c[ix.X], rate)
     c[ix.TIME] = np.where(here, until, c[ix.TIME])
-    c[ix.STEPS] = np.where(here, c[ix.STEPS] + np.where(at_limit, 0.0, np.where(steady, float(ix.STIFF_STEP), 1.0)),
+    c[ix.STEPS] = np.where(here, np.where(at_limit, 0.0, c[ix.STEPS] + np.where(steady, float(ix.STIFF_STEP), 1.0)),
         c[ix.STEPS])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
     i = np.flatnonzero(here)
@@ -1599,7 +1599,8 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     for_ever = np.logical_not(starts) & np.logical_not(until < INFINITY)
     if lane.samples:
         read_samples(lane, i, c[ix.TIME, i], np.fmin(until, c[ix.END_TIME, i]), 0, 0)
-    c[ix.STEPS, i] = c[ix.STEPS, i] + np.where(breaks, 0.0, 1.0)
+    rested = starts & (stretch > TOGETHER * until)
+    c[ix.STEPS, i] = np.where(breaks | rested, 0.0, c[ix.STEPS, i] + 1.0)
     c[ix.PASSED, i] = ix.NOTHING
     holds_1 = for_ever | (until >= c[ix.END_TIME, i])
     i_1, lifts_1, starts_1, breaks_1, until_1, for_ever_1 = (i, lifts, starts, breaks, until, for_ever)
@@ -1681,7 +1682,7 @@ def rest_on(s: Lanes, here: Mask) -> None:
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:
-    """Stop lanes that take too many steps or reversals, or overflow."""
+    """Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow."""
     c = s.cells
     going = c[ix.STATUS] <= float(ix.RESTING)
     most = np.where(c[ix.OMEGA] > 0.0, float(ix.MOST_STEPS), float(2 * ix.MOST_STEPS))

@@ -204,9 +204,12 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "velocity": ("vaiont", {}, lambda motion: motion.velocity_class),
     "history": ("vaiont", {}, lambda motion: motion.factor_of_safety),
     "journey": ("vaiont", {}, lambda motion: motion.journey),
+    "validity": ("vaiont", {}, lambda motion: motion.outside_range),
+    "toe": ("real-slope", {}, lambda motion: motion.plan.scene.arc.rotation_range),
     "refusal": ("vaiont-frozen", {"end_time": None}, bool),
     "parameters": ("vaiont", {"friction": [0.1, 0.2]}, lambda motion: motion[0]),
     "sensitivity": ("vaiont", {}, lambda motion: motion.sensitivity()),
+    "plausible": ("vaiont", {"friction": 15.0}, lambda motion: motion),
 }
 
 

@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from slipcircle import Motion, Scene, solve
+from generated import layout
+from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.tables import LaneSeries, Series
+from tests.campaigns import long_records
 from tests.support import oracle, taylor
 from tests.support.blocks import ARC, GRAVITY, MU, exactly, factor, of_block, quake, series
 from tests.support.lanes import BACKENDS, backend
@@ -260,3 +262,14 @@ def test_orders_between_samples_keep_the_accuracy(name: str) -> None:
             motion = solve(lanes, accuracy)
         assert motion.run_out == pytest.approx(float(exact["run_out"]), rel=accuracy)
         assert motion.duration == pytest.approx(float(exact["duration"]), rel=accuracy)
+
+
+@pytest.mark.parametrize("effects", [{}, {"rotation": {}}], ids=["frozen", "turning"])
+def test_steps_are_counted_since_the_last_break(effects: dict[str, Any]) -> None:
+    """Thousands of starts and arrests under a long record do not use up the explicit steps of a lane."""
+    shaking = {"horizontal": long_records.record(4_000)}
+    scene = Scene(Arc(100.0, 3.8, 4.8, 20e3), 0.5, {"shaking": shaking, **effects})
+    motion = solve(scene)
+    assert motion.slips > 500
+    assert motion._final[layout.STEPS] < 20
+    assert long_records.nanoseconds(1_000, 1) > 0.0

@@ -6,16 +6,20 @@ import json
 import os
 import re
 import shlex
+from collections import Counter
+from copy import copy
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from scipy import stats
 
-from slipcircle import Motion, Scene, load, solve
+from slipcircle import Motion, Scene, Status, ensemble, load, solve
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.common.records import record as record_of
@@ -23,8 +27,9 @@ from slipcircle.workbench.files.scenefile import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.provenance import comments, inputs
-from slipcircle.workbench.outputs.report import report
-from slipcircle.workbench.outputs.tables import motion_column
+from slipcircle.workbench.outputs.report import _energy, report, study_report
+from slipcircle.workbench.outputs.tables import cell_text, interval, motion_column
+from slipcircle.workbench.studies import export
 from tests.support.outputs import rows, tree, words_of
 
 COMMAND = "slipcircle run wet-slope --report report.html"
@@ -57,6 +62,49 @@ def test_numbers_are_those_of_the_json() -> None:
     folded_record = json.loads(folded["All numbers, as JSON in SI units and radians"])
     assert folded_record == {"format": "slipcircle-json-1"} | record
     assert folded["The scene's file"] == find("wet-slope").read_text("utf-8")
+
+
+def test_every_energy_and_the_share_of_the_residual() -> None:
+    """From the record, where the residual is start + work - dissipation - end; also of a motion that loses some."""
+    energy = record_of(motion("wet-slope"))["energy"]
+    for residual in (energy["residual"], -1e-3 * energy["work"]):
+        known = energy | {"residual": residual}
+        lossy = copy(motion("wet-slope"))
+        lossy.__dict__["energy"] = SimpleNamespace(**known)
+        part = _energy(lossy)
+        order = ("kinetic_start", "work", "dissipation", "kinetic_end", "residual")
+        for (_, text), name in zip(part.rows, order, strict=True):
+            value, (number, unit) = known[name], text.split(" ")
+            factor = {"J/m": 1.0, "kJ/m": 1e3, "MJ/m": 1e6, "GJ/m": 1e9, "TJ/m": 1e12}[unit]
+            assert float(number) * factor == pytest.approx(value, rel=1e-5)
+        largest = max(abs(value) for name, value in energy.items() if name != "residual")
+        assert part.note == f"The residual is {abs(residual) / largest:.6g} of the largest of them."
+
+
+@pytest.mark.usefixtures("unseen")
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol"])
+def test_every_number_of_a_study_is_an_estimate_of_it(method: str) -> None:
+    """Of each table in its full precision; and the settings."""
+    inputs = {"friction.angle_deg": stats.norm(10, 1), "arc.radius_m": stats.uniform(1400, 100)}
+    study = ensemble(replace(load("vaiont"), uncertain=inputs), 512, 5, method=method, sensitivity=64)
+    root = tree(study_report(study, b"[arc]\n", "slipcircle sweep scene.toml"))
+    cells = ["".join(cell.itertext()) for cell in root.iter("td")]
+    printed = Counter(cells)
+    expected = Counter(
+        cell_text(row.estimate.value) if row.table.startswith("linear") else interval(row.estimate)
+        for row in export.estimates(study)
+        if row.table != "exceedance"
+    )
+    assert expected <= printed
+    facts = {"samples": f"512, {method}", "seed": "5", "samples of a block": str(study.size),
+             "requested relative error of each solution": "1e-09",
+             "relative error of quantiles from bins": "none: samples were kept",
+             "friction.angle_deg": "scipy.stats.norm(10.0, 1.0)",
+             "arc.radius_m": "scipy.stats.uniform(1400.0, 100.0)"}  # fmt: skip
+    facts["samples by how they ended"] = ", ".join(f"{n} {Status(k).words}" for k, n in enumerate(study.counts) if n)
+    rows_of_page = [["".join(cell.itertext()) for cell in row] for row in root.iter("tr")]
+    assert [name for name, text in facts.items() if [name, text] not in rows_of_page] == []
+    assert "slipcircle sweep scene.toml --seed 5" in [pre.text for pre in root.iter("pre")]
 
 
 def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:

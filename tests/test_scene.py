@@ -2,6 +2,7 @@
 
 import math
 import re
+import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 
 import slipcircle
 from slipcircle import Arc, Scene, load, plan, solve
+from slipcircle.base.checks import UnusualInput
 from slipcircle.core.scene.arc import QUANTITIES
 from slipcircle.tables import Pulse
 from slipcircle.workbench.files.scenefile import load as read
@@ -34,7 +36,14 @@ def test_effects_by_name_or_as_a_mapping() -> None:
 
 @pytest.mark.parametrize("friction", [0, 0.0, -0.0, 5e-324, 0.2, 7, np.float32(0.5), [0.1, 0.2], np.arange(3)])
 def test_friction_that_is_accepted(friction: Any) -> None:
-    assert Scene(ARC, friction).friction is friction
+    """One number stays what it is; of several the scene has a copy of its own, which cannot be changed."""
+    own: Any = Scene(ARC, friction).friction
+    if np.ndim(friction) == 0:
+        assert own == friction
+        return
+    np.testing.assert_array_equal(own, friction)
+    with pytest.raises((TypeError, ValueError)):
+        own[0] = 9.0
 
 
 RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
@@ -195,8 +204,8 @@ PRINTED: Any = load("vaiont-as-printed").arc
           for f, more in (("solve", ()), ("plan", ()), ("ensemble", (3,)), ("grid", (3,)))),
         (lambda: ANY.solve(None), r"scene = None: must be a Scene; load\(name\)"),
         (lambda: ANY.backanalyse("vaiont", run_out=1.0), r"scene = 'vaiont': must be a Scene; load\('vaiont'\)"),
-        *((lambda x=x: ANY.solve(VAIONT, x), "accuracy = .*: must be a relative error") for x in ("a", 2, [1e-9])),
-        (lambda: CHANGED(VAIONT, accuracy=[1e-9]), "accuracy = .*: must be a relative error"),
+        *((lambda x=x: ANY.solve(VAIONT, x), "accuracy = .*: must be") for x in ("a", 2, [1e-9])),
+        (lambda: CHANGED(VAIONT, accuracy=[1e-9]), "accuracy = .*: must be one number"),
         *((lambda n=n: ANY.ensemble(DRAWN, 3, **{n: "a"}), f"{n} = 'a': must be")
           for n in ("method", "confidence", "size", "sensitivity", "correlation", "rng")),
         (lambda: ANY.grid(VAIONT, 3), "levels = 3: must be a mapping"),
@@ -250,10 +259,42 @@ def test_a_bad_friction_function_is_one_error(law: Any, said: str) -> None:
         (replace(ARC, unit_weight=20.0), 0.3, {}, "unit_weight = 20 N/m^3: is that in kN/m^3? 1 kN/m^3 is 1000 N/m^3"),
         (replace(ARC, unit_weight=2000.0), 0.3, {}, "unit_weight = 2000 N/m^3: is that in kg/m^3?"),
         (ARC, 0.3, {"cohesion": {"cohesion": 2.0}}, "cohesion.cohesion = 2 Pa: is that in kPa? 1 kPa is 1000 Pa"),
+        (ARC, 0.3, {"cohesion": {"cohesion": 1e-9}}, "cohesion.cohesion = 1e-09 Pa: soils have at least 50 Pa"),
+        (
+            replace(ARC, unit_weight=300),
+            0.3,
+            {},
+            "unit_weight = 300 N/m^3: soils have at least 1000 N/m^3; in which unit",
+        ),
+        (
+            ARC,
+            {"law": "linear", "peak": 0.5, "residual": 12, "length": 9.0},
+            {},
+            "friction.residual = 12: is that an an",
+        ),
+        (ARC, 100, {}, "friction = 100: soils have less than 2"),
+        (ARC, 2.0, {"cohesion": {"cohesion": 50.0}}, ""),
         (ARC, 0.3, {"cohesion": {"cohesion": 0.0}}, ""),
     ],
 )
 def test_numbers_of_an_odd_size_are_questioned(arc: Any, friction: Any, effects: Any, said: str) -> None:
-    warnings = " ".join(solve(Scene(arc, friction, effects, end_time=1.0)).warnings)
-    assert said in warnings
-    assert said or "?" not in warnings
+    """By the motion, and in Python where the scene is made if the number is far from those of soils."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        scene = Scene(arc, friction, effects, end_time=1.0)
+    in_words = " ".join(solve(scene).warnings)
+    assert said in in_words
+    assert said or "?" not in in_words
+    far = bool(said) and "0.26 deg" not in said and "2000" not in said
+    assert {x.filename for x in caught} == ({__file__} if far else set())
+    assert all(str(x.message) in in_words for x in caught)
+    if far:
+        with pytest.warns(UnusualInput, match=re.escape(said)) as of_copy:
+            replace(scene, note="a copy")
+        assert of_copy[0].filename == __file__
+
+
+def test_an_ensemble_is_not_questioned() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        Scene(ARC, [1.9, 30.0])

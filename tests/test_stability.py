@@ -277,7 +277,7 @@ def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, objec
         ({"ponds": [(0, 32, 27)]}, r"pond\.1\.level: .* to 34; extend the pond to both shores"),
         ({"ponds": [(0, 90, 27)], "level": [(0, 26), (90, 26)]}, "ponds: lies in other free water"),
         ({"ponds": [(0, 90, 24)]}, r"pond\.1\.level: the ground from x = 0 to 90 lies above it"),
-        ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "exclude each other"),
+        ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "level gives the pore pressure, too; remove one of them"),
         ({"level": [(200, 20), (300, 20)]}, "beside the ground"),
         ({"cohesion": 0.0, "friction": 0.0}, "no strength"),
         ({"crack": 1.0, "crack_water": 2.0}, "crack_water = 2.0: must be at most the depth of the crack"),

@@ -24,6 +24,7 @@ from slipcircle.workbench.studies.statistics import (
     ranks,
     sums,
 )
+from tests.campaigns import coverage
 
 _LOG = math.log1p(0.3**2)
 
@@ -137,3 +138,13 @@ def test_indices_and_their_intervals() -> None:
         assert value == pytest.approx(exact, abs=0.15)
         inside.append((low <= exact) & (exact <= high))
     assert 0.91 < np.mean(inside) < 0.98
+
+
+@pytest.mark.parametrize("part", ["samples", "indices", "suites"])
+def test_the_campaign_of_coverage(part: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sample of it: with so few repetitions far from the true value only a faulty interval is noticed."""
+    monkeypatch.setattr(coverage, "SIZES", (100, 256))
+    monkeypatch.setattr(coverage, "RECORDS", (12,))
+    rows = [row for row in coverage.PARTS[part](12) if row.given]
+    assert len(rows) > 5
+    assert min(row.coverage for row in rows) > 0.5

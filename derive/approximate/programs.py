@@ -19,7 +19,7 @@ from derive.algebra.integrate import derive
 from derive.approximate import shapes
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
 from derive.check import ends
-from derive.code.program import Builder, Program, Value, without_dead
+from derive.code.program import ROUND, Builder, Program, Value, without_dead
 from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
 
 
@@ -339,8 +339,6 @@ def variants() -> tuple[Variant, ...]:
 
 
 # --- both ends -------------------------------------------------------------------------------------------------------
-
-ROUND = 1.5 * 2.0**52  # added and taken off, it rounds to an integer
 
 
 def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:

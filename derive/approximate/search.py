@@ -23,7 +23,7 @@ from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, 
 from derive.check import certify, midpoints
 from derive.check.patches import patches
 from derive.check.proof import ProofError
-from derive.check.records import TIERS
+from derive.check.records import TIERS, seal
 from derive.declare.symbols import alpha
 from derive.progress import track
 
@@ -60,7 +60,7 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
             record = certificates.plain(form)
             goal = TIERS[tier].goal(record)
             goals = {"bound": goal, "bound_to_quarter_pi": goal, "bound_underflow": math.inf}
-            certify.prove(record | goals)
+            certify.prove(seal(record | goals))
             if tier == "float32":
                 midpoints.hard(record | goals)
     except ProofError:

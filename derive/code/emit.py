@@ -4,7 +4,7 @@ import re
 import runpy
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -32,7 +32,12 @@ class Function:
 
 
 PYTHON = Language(
-    "python", "{name} = {text}", repr, "horner({x}, ({coefficients}))", several="{names} = {function}({arguments})"
+    "python",
+    "{name} = {text}",
+    repr,
+    "horner({x}, ({coefficients}))",
+    several="{names} = {function}({arguments})",
+    integer="{space}.rint({0})",
 )
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 PROCESSOR = (TEMPLATES / "_processor.h").read_text(encoding="utf-8").strip()  # part of each C file
@@ -62,7 +67,8 @@ class PythonText:
         ``space`` is the name of the module of array functions; if it is not NumPy's own, callers may pass another.
         """
         name = f"_{name or program.name}"
-        lines, results = statements(program, replace(PYTHON, space=space), self.parts)
+        passed = () if space == "np" else (space,)
+        lines, results = statements(program, replace(PYTHON, space=space, passed=passed), self.parts)
         parameters = [f"{x}: Array" for x in program.inputs]
         if space != "np":
             parameters.append(f"{space}: Any = np")
@@ -150,13 +156,9 @@ def function(f: Function, text: PythonText) -> str:
         f"Source: {f.equation}. Operations: {operations(f.program.operations())}.",
         examples=example(f.program, "generated", f.given),
     )
-    space = "xp"
-    more = ""
-    if len(inputs) > 1:
-        space = "np"
-        more = ", both_ends=True"
+    more = ", both_ends=True" if len(inputs) > 1 else ""
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
-    texts = "".join(f"{text.body(of, bodies[tier], space)}\n\n" for tier, of in f.tiers.items())
+    texts = "".join(text.body(of, bodies[tier], "xp") + "\n\n" for tier, of in f.tiers.items())
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
     names = ", ".join(inputs)
     return (
@@ -181,22 +183,34 @@ def module(docstring: str, functions: Sequence[Function], parts: Sequence[Progra
     """The module of the certified functions, after the parts that they call."""
     text = PythonText()
     code = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    code += "".join(f"\n\n{text.body(p)}" for p in parts)
+    code += "".join("\n\n" + text.body(p, space="xp") for p in parts)
     code += "".join(f"\n\n{function(f, text)}" for f in functions)
     return _module(docstring, [f.program.name for f in functions], code)
 
 
 def stub(functions: Sequence[Function]) -> str:
     """The types of the certified functions, apart: with them `help` has no line for a signature."""
-    code = "__all__: list[str]\nTEXTS: dict[str, dict[str, Text]]\n"
+    code = 'F = TypeVar("F", np.float64, np.float32, np.float16)\n__all__: list[str]\n'
+    code += "TEXTS: dict[str, dict[str, Text]]\n"
     for f in functions:
-        typed = ", ".join(f"{x}: ArrayLike" for x in f.program.inputs)
-        code += (
-            f"\ndef {f.program.name}(\n    {typed},\n    /,\n    out: Out = None,\n    *,\n"
-            "    where: ArrayLike = True,\n    accuracy: float | None = None,\n) -> Any: ...\n"
-        )
-    imports = _imports(code).replace("import numpy as np\n", "")
-    return f"{imports}\n\n{code}"
+        for kinds, out, where, result in _overloads(len(f.program.inputs)):
+            typed = ", ".join(f"{x}: {kind}" for x, kind in zip(f.program.inputs, kinds, strict=True))
+            code += (
+                f"\n@overload\ndef {f.program.name}(\n    {typed},\n    /,\n    out: {out} = None,\n    *,\n"
+                f"    where: {where} = True,\n    accuracy: float | None = None,\n) -> {result}: ...\n"
+            )
+    return f"{_imports(code)}\n\n{code}"
+
+
+def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
+    """Return types of arguments, `out`, `where` and result: of numbers, of arrays and numbers, of anything else."""
+    yield ["float"] * count, "None", "bool", "np.float64"
+    for k in range(count):
+        before = ["float"] * k
+        after = ["NDArray[F] | float"] * (count - k - 1)
+        kinds = [*before, "NDArray[F]", *after]
+        yield kinds, "None", "ArrayLike", "NDArray[F]"
+    yield ["ArrayLike"] * count, "Out", "ArrayLike", "Any"
 
 
 _GIVEN = {"theta_1": 5.0, "theta_2": 6.0, "alpha": 0.5}  # where the appendices have a value
@@ -232,10 +246,10 @@ def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: 
 IMPORTS = (
     "from __future__ import annotations",
     "",
-    "from typing import Any",
+    "from typing import Any, TypeVar, overload",
     "",
     "import numpy as np",
-    "from numpy.typing import ArrayLike",
+    "from numpy.typing import ArrayLike, NDArray",
     "",
     "from generated._compiled import Text, kernel",
     "from generated._evaluate import Array, Out, horner, lost",

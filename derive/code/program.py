@@ -19,6 +19,7 @@ from derive.algebra.remainders import Exp, Horner, Primitive, Select
 from derive.code.operations import OPERATIONS
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
+ROUND = 1.5 * 2.0**52  # added and subtracted, it rounds to an integer
 _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | {Exp: "exp"}
 
 
@@ -109,6 +110,9 @@ class Value(NDArrayOperatorsMixin):
     place: int
 
     def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
+        if function is np.rint:
+            (x,) = operands
+            return x + ROUND - ROUND
         if function is np.greater:  # Python turns 1.0 < x around
             function = np.less
             operands = operands[::-1]

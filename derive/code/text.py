@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import Builder, Op, Program, walk
+from derive.code.program import ROUND, Builder, Op, Program, walk
 
 WIDTH = 116  # of a statement, including its indent
 INLINE = 72  # a value that is used once is written where it is used, up to this length
@@ -27,6 +27,8 @@ class Language:
     number: Callable[[float], str]
     polynomial: str  # of {x}, {degree} and {coefficients}
     space: str = ""
+    passed: tuple[str, ...] = ()  # arguments of every call of a part, after those of the program
+    integer: str = ""  # rounding to an integer, where the language has a function for it
     several: str = ""  # a call with more results than one: {names}, {function}, {arguments}, {places} of results
 
 
@@ -58,6 +60,7 @@ class _Text:
         self.names = _known(program)
         self.calls = _calls(program, parts)
         self.polynomials = _polynomials(program)
+        self.integers = _integers(program) if language.integer else {}
         uses = self._uses()
         for i in sorted(uses):
             if i in self.calls and len(self.calls[i].results) > 1:
@@ -83,6 +86,8 @@ class _Text:
                 called.add(call)
             elif i in self.polynomials:
                 uses[self.polynomials[i][0]] += 1
+            elif i in self.integers:
+                uses[self.integers[i]] += 1
             else:
                 uses.update(ops[i].args)
         return uses
@@ -98,6 +103,9 @@ class _Text:
         if i in self.calls:
             call = self.calls[i]
             return f"{call.function}({self._arguments(call)})", 9
+        if i in self.integers:
+            x, _ = self.text[self.integers[i]]
+            return self.language.integer.format(x, space=self.language.space), 9
         if i in self.polynomials:
             return self._polynomial(*self.polynomials[i]), 9
         while len(self._operation(op)) > WIDTH - 24:  # room for the name
@@ -106,7 +114,7 @@ class _Text:
         return self._operation(op), OPERATIONS[op.kind].binds
 
     def _arguments(self, call: Call) -> str:
-        return ", ".join(self.text[a][0] for a in call.arguments)
+        return ", ".join([*(self.text[a][0] for a in call.arguments), *self.language.passed])
 
     def _several(self, call: Call) -> None:
         """The statement of a call with several results, which have names, at the first one that is met."""
@@ -220,6 +228,22 @@ def seam(program: Program) -> tuple[float, int, int] | None:
     if less.kind != "less" or compared != ["input", "const"]:
         return None
     return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
+
+
+def _integers(program: Program) -> dict[int, int]:
+    """Values rounded to integers by adding and subtracting a large constant, by the value they are rounded from."""
+    ops = program.ops
+    rounded = {}
+    for i, op in enumerate(ops):
+        if op.kind != "sub":
+            continue
+        raised, subtracted = op.args
+        if ops[raised].kind != "add":
+            continue
+        x, added = ops[raised].args
+        if added == subtracted and ops[added].value == ROUND:
+            rounded[i] = x
+    return rounded
 
 
 def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:

@@ -11,7 +11,7 @@ CELLS = {
     "DIRECTION": "of travel, 1 or -1; 0 at rest",
     "LIFTED": "1 where nothing presses on the slip surface, else 0",
     "STATUS": "what the lane is doing",
-    "STEPS": "steps taken",
+    "STEPS": "steps since the last rest or break",
     "PHASES": "phases ended",
     "ORDER": "of its series",
     "FACTOR": "length of a step over the radius of convergence",

@@ -12,8 +12,10 @@ from derive.declare.effects import (
     EFFECTS,
     GRAVITY,
     LAWS,
+    LEAST,
     LIMITS,
     OTHER_UNITS,
+    QUESTIONED_FRICTION,
     RADIUS,
     REFERENCE,
     SECTION_EFFECTS,
@@ -30,7 +32,8 @@ from derive.flow.equation import term
 
 def module() -> str:
     """The runtime half of the effects: plain data."""
-    marks = {"LIMITS": LIMITS, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS, "USUAL_FRICTION": USUAL_FRICTION}
+    marks: dict[str, object] = {"LIMITS": LIMITS, "LEAST": LEAST, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS}
+    marks |= {"USUAL_FRICTION": USUAL_FRICTION, "QUESTIONED_FRICTION": QUESTIONED_FRICTION}
     rows: dict[str, tuple[Effect | Law, ...]] = {"LAWS": LAWS, "EFFECTS": EFFECTS, "SECTION_EFFECTS": SECTION_EFFECTS}
     rows["COHESION_LAWS"] = COHESION_LAWS
     texts = {mark: "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries) for mark, entries in rows.items()}

@@ -4,11 +4,12 @@ import math
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import nullcontext
+from operator import is_
 from os import PathLike
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
@@ -88,6 +89,10 @@ def _lines(sentences: Iterable[str], what: str) -> str:
     return "\n".join(f"{what}: {sentence}" if what else sentence for sentence in sentences)
 
 
+class UnusualInput(UserWarning):
+    """A number that was probably meant in another unit."""
+
+
 def plain(value: Any) -> Any:
     """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
     if type(value) is float:
@@ -105,6 +110,105 @@ def may_overflow(shape: tuple[int, ...]) -> Any:
     if not shape:
         return _WITHOUT_WARNING
     return np.errstate(over="ignore")
+
+
+_NUMBERS = frozenset((bool, int, float, np.float64))
+
+
+def loses_something(value: Any) -> bool:
+    """Return whether `numpy.asarray` would drop a mask or a unit of a value, or of one within a list."""
+    kind = type(value)
+    if isinstance(value, list | tuple):
+        others = set(map(type, value)) - _NUMBERS
+        return bool(others) and any(map(loses_something, value))
+    if isinstance(value, np.ndarray):  # subclasses have units, or a mask
+        return kind not in (np.ndarray, np.memmap)
+    if hasattr(kind, "dims"):  # of xarray
+        return loses_something(value.data)
+    has_unit = hasattr(kind, "dimensionality") or hasattr(kind, "unit")
+    return has_unit or hasattr(kind, "units")
+
+
+def array_of(value: Any) -> NDArray[Any]:
+    """Return an input as an array; one of objects, which no check accepts, if a mask or a unit would be lost."""
+    nothing = np.asarray(None)
+    try:
+        array = nothing if loses_something(value) else np.asarray(value)
+    except (ValueError, RuntimeError):  # ragged, or nested too deep
+        return nothing
+    if array.dtype.kind == "f":
+        return array.astype(np.float64, copy=False)
+    return array
+
+
+def real_number(value: Any) -> float:
+    """Return one real number as a float; NaN for anything else."""
+    array = array_of(value)
+    is_number = array.ndim == 0 and array.dtype.kind in "iuf"
+    return float(array) if is_number else math.nan
+
+
+class Frozen(dict[Any, Any]):
+    """A mapping that its owner has checked and that stays as it is."""
+
+    def _refuse(self, *_: Any, **__: Any) -> Any:
+        raise TypeError("a scene's mappings are read-only: use dataclasses.replace(scene, ...) to change a copy")
+
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    clear = pop = popitem = setdefault = update = _refuse
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Frozen, (dict(self),)
+
+
+EMPTY = Frozen()
+_FIXED = frozenset((bool, int, float, str, Frozen))
+
+
+def frozen(value: Any) -> Any:
+    """Return an input as its owner keeps it: arrays, lists and mappings as read-only copies, others as they are."""
+    kind = type(value)
+    if kind in _FIXED:
+        return value
+    if kind is dict or isinstance(value, Mapping):
+        if not value:
+            return EMPTY
+        if _FIXED.issuperset(map(type, value.values())):
+            return Frozen(value)
+        return Frozen({key: frozen(one) for key, one in value.items()})
+    if kind is list or kind is tuple:
+        items = tuple(map(frozen, value))
+        same = kind is tuple and all(map(is_, items, value))
+        return value if same else items
+    if isinstance(value, np.floating):
+        return float(value)
+    if not hasattr(kind, "__array__") or isinstance(value, np.generic):
+        return value
+    if not loses_something(value):
+        array = _read_only(array_of(value))
+        if hasattr(kind, "dims"):  # xarray's stay labelled
+            return value.copy(data=array)
+        return array
+    return value
+
+
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array that nobody can change, a copy unless it is one already."""
+    base = getattr(array.base, "flags", array.flags)
+    can_change = array.flags.writeable or base.writeable
+    if can_change:
+        array = array.copy()
+        array.flags.writeable = False
+    return array
+
+
+def freeze(owner: Any, fields: Iterable[str]) -> None:
+    """Replace the fields of a frozen dataclass by read-only copies of what it was given."""
+    for name in fields:
+        value = getattr(owner, name)
+        own = frozen(value)
+        if own is not value:
+            object.__setattr__(owner, name, own)
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
@@ -125,6 +229,8 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 def shown(value: Any) -> str:
     """A value in one line; for a long one its type and beginning."""
+    if isinstance(value, int) and abs(value) >= 10**100:
+        return f"an integer of {value.bit_length()} bits"
     words = repr(value).split()
     text = " ".join(words)
     if len(text) <= 80:
@@ -149,10 +255,7 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
 def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> list[str]:
     """A sentence if a field is not what its bounds allow."""
     lower, upper, allowed = bounds
-    try:
-        array = np.asarray(value)
-    except ValueError:  # a ragged list
-        array = np.asarray(None)
+    array = array_of(value)
     if one and array.ndim > 0:
         return [f"{{{name}}} = {shown(value)}: must be one number"]
     if array.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import effects as declared
-from slipcircle.base.checks import InputError, plain
+from slipcircle.base.checks import InputError, array_of, plain, real_number
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.effects import declared_parameters, without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.ground.coordinates import changed_fields, replace_unchecked
 from slipcircle.ground.ground import BOUNDS, FAR
 
@@ -115,7 +115,7 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     a shaking that is 0, a pore pressure ratio of a soil that is 0, and an increase of cohesion without a datum. A
     length that all soils share is named once, and so is what scales a record: its peak.
     """
-    if scene.shape:
+    if checked(scene, "parameters").shape:
         raise ValueError("parameters: takes a single scene; give one case of the ensemble")
     left_out = _left_out(scene)
     numbers = scene.numbers
@@ -225,7 +225,10 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     ValueError
         If that is no scene; lists every mistake.
     """
-    numbers = {name: value if np.ndim(value) else float(value) for name, value in values.items()}
+    numbers = {}
+    for name, value in values.items():
+        is_array = array_of(value).ndim > 0
+        numbers[name] = value if is_array else real_number(value)
     changed = _fields_with(scene, numbers)
     of_arc = changed.pop("arc")
     arc = replace(scene.arc, **of_arc) if of_arc else scene.arc

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, array_of, complaint, mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Floats, Values
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.plane import Vectors
@@ -43,10 +43,7 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
 def points_errors(name: str, given: Any, many: bool) -> list[str]:
     """What is wrong with points that should make a line from left to right, or with the first of many that is."""
-    try:
-        points = np.asarray(given)
-    except (ValueError, RuntimeError):  # ragged, or nested too deep
-        points = np.asarray(None)
+    points = array_of(given)
     most_axes = 15 if many else 2
     shape = points.shape
     are_numbers = points.dtype.kind in "iuf"

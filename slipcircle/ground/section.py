@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, complaint, raise_all
+from slipcircle.base.checks import Fault, complaint, freeze, raise_all
 from slipcircle.base.kinds import Effects, Floats
 from slipcircle.core.doors import room
 from slipcircle.core.scene.effects import rotates
@@ -105,8 +105,13 @@ class Section(SectionGeometry, Mass):
     rounding: ClassVar[float] = 1e-14
 
     def __post_init__(self) -> None:
+        freeze(self, self.quantities)
+        freeze(self, ("between", "base"))
         errors = section_errors(vars(self), self.quantities)
-        raise_all("Section", errors or complaint(geometry_errors(self), self.shape))
+        if not errors:
+            impossible = geometry_errors(self)
+            errors = complaint(impossible, self.shape)
+        raise_all("Section", errors)
 
     def numbers_by_name(self) -> dict[str, Any]:
         return coordinates(self) | self.other_numbers()
@@ -149,6 +154,9 @@ class Section(SectionGeometry, Mass):
             return effects
         ratio_or_pressure = effects.get("pore_pressure", {})
         return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
+
+    # Rotations between which the method applies, rad: the toe must not rise far above the original ground.
+    rotation_range = cached_property(lambda self: room("toe").rotation_range(self))
 
     @property
     def lanes_shape(self) -> tuple[int, ...]:

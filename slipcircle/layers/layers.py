@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, complaint, mistakes, raise_all
+from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Names, Values
 from slipcircle.core.scene.effects import Law, symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -78,6 +78,8 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
+        own = ("layers", "surcharge", "rate", "crack")
+        freeze(self, own)
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
             for soil, _ in self.layers:  # whose numbers may have been replaced
@@ -85,7 +87,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         if self.rate is not None:
             errors += rate_mistakes(self.rate)
         raise_all("LayeredSection", errors)
-        least = 0.0 if np.ndim(self.crack) else -5e-324  # of arrays none is without a crack
+        least = 0.0 if array_of(self.crack).ndim else -5e-324  # of arrays none is without a crack
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()

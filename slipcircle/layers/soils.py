@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
@@ -55,6 +55,7 @@ class Soil:
     name: str = ""
 
     def __post_init__(self) -> None:
+        freeze(self, (*SOIL_NUMBERS, "friction", "datum"))
         raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
 
     @property
@@ -121,21 +122,21 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
-def layer_mistakes(layers: Layers, surcharge: Sequence[Any], strength: str = "", foreland: Any = None) -> list[str]:
+def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> list[str]:
     """A sentence for each mistake in the layers of a section, its foreland and its surcharges.
 
     Without ``strength``, of what does not move.
     """
-    pairs = list(layers)
+    pairs = list(layers) if isinstance(layers, Sequence) else []
     if not pairs or not all(map(_is_layer, pairs)):
         return ["layers: must be pairs of a Soil and its top, from the ground down; the top of the first is None"]
     found = []
     for k, (_, top) in enumerate(pairs):
         found += _top_mistakes(k, top)
     if strength not in ("", "base", "mass"):
-        found.append(f"strength = {strength!r}: must be 'base' or 'mass'")
+        found.append(f"strength = {shown(strength)}: must be 'base' or 'mass'")
     if foreland is not None and not isinstance(foreland, Soil):
-        found.append(f"foreland = {foreland!r}: must be a Soil")
+        found.append(f"foreland = {shown(foreland)}: must be a Soil")
     elif foreland is not None and strength == "mass":
         found.append(
             "{foreland}: cannot be combined with {strength} = 'mass', by which the sole of the mass keeps its own"
@@ -147,6 +148,9 @@ def layer_mistakes(layers: Layers, surcharge: Sequence[Any], strength: str = "",
     found += _together_mistakes(soils, strength)
     for soil in soils:
         found += datum_mistakes(soil, pairs)
+    if not isinstance(surcharge, Sequence):
+        found.append(f"surcharge = {shown(surcharge)}: must be a list of x1, x2 in m and pressures there in Pa")
+        return found
     for k, load in enumerate(surcharge):
         found += _load_mistakes(k, load)
     return found
@@ -184,10 +188,10 @@ def datum_mistakes(soil: Soil, layers: Layers) -> list[str]:
 
 def _load_mistakes(k: int, load: Any) -> list[str]:
     """What is wrong with a surcharge, counted from 0."""
-    words = f"surcharge[{k}] = {load!r}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
+    words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
-    numbers = [np.asarray(number) for number in load]
+    numbers = [array_of(number) for number in load]
     for number in numbers:
         if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
             return [words]
@@ -200,11 +204,11 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
 def _top_mistakes(k: int, top: Any) -> list[str]:
     """What is wrong with the top of a layer, counted from 0 at the ground."""
     if k == 0:
-        words = f"layers[0]: top = {top!r}: must be None, as its top is the ground"
+        words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
         return [] if top is None else [words]
     if top is None:
         return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
-    if np.ndim(top) > 1:
+    if array_of(top).ndim > 1:
         return points_errors(f"layers.{k + 1}.top", top, True)
     name = f"layers.{k + 1}.top"
     return mistakes({name: top}, {name: BOUNDS["top"]})

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import InputError
+from slipcircle.base.checks import InputError, array_of
 from slipcircle.base.kinds import Effects, Parameters
 from slipcircle.tables.series import Pulse, Series
 
@@ -82,13 +82,13 @@ def _water(given: Parameters) -> dict[str, Any]:
             raise InputError("", [f"{{{name}}}: applies to a record; remove it, or give {{record}}"])
     if "time" not in given:  # without it a list is an ensemble
         return rest
-    time = np.asarray(given["time"])
+    time = array_of(given["time"])
     numbers = {name: value for name, value in rest.items() if not callable(value)}
     lists = [name for name in numbers if np.ndim(numbers[name]) == 1]
     if time.ndim != 1 or not lists:
         raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
     for name in lists:
-        values = np.asarray(rest[name])
+        values = array_of(rest[name])
         rest[name] = Series(time, values)
     return rest
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, Bounds, array_of, frozen, mistakes, raise_all
 from slipcircle.base.kinds import Floats
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
@@ -60,10 +60,10 @@ class Series:
 
     def __post_init__(self) -> None:
         for name in ("time", "values"):
-            given = np.asarray(getattr(self, name))
+            given = array_of(getattr(self, name))
             if given.ndim != 1 or given.dtype.kind not in "iuf":
-                raise ValueError(f"Series: {name}: must be a plain list of numbers")
-            object.__setattr__(self, name, given.astype(np.float64))
+                raise ValueError(f"Series: {name}: must be a plain list of numbers, without mask or unit")
+            object.__setattr__(self, name, frozen(given.astype(np.float64, copy=False)))
         if self.time.shape != self.values.shape or self.time.size < 2:
             raise ValueError(
                 f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "

@@ -2,7 +2,17 @@
 
 from slipcircle.words.accuracy import ROUNDED, RUNS, perturbed_runs
 from slipcircle.words.choice import integrator
-from slipcircle.words.summary import standing, swings_back
+from slipcircle.words.summary import OUTSIDE, range_words, standing, swings_back
 from slipcircle.words.velocity import VelocityTimes
 
-__all__ = ["ROUNDED", "RUNS", "VelocityTimes", "integrator", "perturbed_runs", "standing", "swings_back"]
+__all__ = [
+    "OUTSIDE",
+    "ROUNDED",
+    "RUNS",
+    "VelocityTimes",
+    "integrator",
+    "perturbed_runs",
+    "range_words",
+    "standing",
+    "swings_back",
+]

@@ -1,15 +1,19 @@
 """Numbers of an unusual size are questioned: a soil's weight, strength or friction that was meant in another unit.
 
 One rule for all parameters, by what `generated.effects` declares for their unit: a value outside what soils have, which
-another unit would bring inside. Such a scene is solved all the same; `Motion.warnings` asks.
+another unit would bring inside. Such a scene is solved all the same; `Motion.warnings` asks, and a scene that is made
+in Python warns.
 """
 
 import math
+import sys
+import warnings
 from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from generated import effects as declared
+from slipcircle.base.checks import UnusualInput
 from slipcircle.core.scene.scene import Scene
 from slipcircle.derivatives.parameters import possible_parameters
 
@@ -45,6 +49,21 @@ def questions(scene: Scene, written: Callable[[str, float], str] | None) -> Iter
             yield f"{in_words(name, numbers[0])}: {exchanged}"
 
 
+_MAKERS = ("slipcircle.core.scene.scene", "dataclasses", "copy", __name__)
+
+
+def warn(scene: Scene) -> None:
+    """Warn of unusual numbers where a user makes a scene; a scene file's are printed with its result."""
+    level = 1
+    frame = sys._getframe()
+    while frame.f_back and frame.f_globals["__name__"] in _MAKERS:
+        frame = frame.f_back
+        level += 1
+    if not frame.f_globals["__name__"].startswith("slipcircle."):
+        for question in questions(scene, None):
+            warnings.warn(question, UnusualInput, stacklevel=level)
+
+
 def _is_friction(name: str, unit: str) -> bool:
     words = name.split(".")
     return "friction" in words and "rate" not in words and not unit
@@ -71,11 +90,15 @@ def _of_unit(value: float, unit: str) -> str:
         if least <= value * size <= most:
             gravity = " under 9.81 m/s^2" if size == 9.81 else ""
             return f"is that in {other}? 1 {other} is {size:g} {unit}{gravity}"
+    if 0.0 < value < declared.LEAST[unit]:
+        return f"soils have at least {declared.LEAST[unit]:g} {unit}; in which unit was it meant?"
     return ""
 
 
 def _of_friction(coefficient: float) -> str:
-    least, most = declared.USUAL_FRICTION
+    least, most = declared.USUAL_FRICTION[0], declared.QUESTIONED_FRICTION
+    if coefficient >= 90.0:
+        return f"soils have less than {most:g}; it is tan(phi)"
     if coefficient > most:
         of_angle = math.tan(math.radians(coefficient))
         return f"is that an angle? The coefficient of {coefficient:.6g} deg is {of_angle:.4g}"

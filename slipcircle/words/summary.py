@@ -7,6 +7,7 @@ import numpy as np
 from slipcircle.base.text import digits_left, shown
 from slipcircle.core.motion.states import Status
 
+OUTSIDE = "outside the range of the method"
 SWING = 1e-6  # of the run-out: a mass that ends farther from it has swung back
 
 
@@ -54,3 +55,9 @@ def ensemble_summary(motion: Any) -> str:
 def swings_back(motion: Any) -> Any:
     """Return whether a mass ends elsewhere than at its run-out."""
     return np.abs(motion.run_out - motion.end.displacement) > SWING * np.abs(motion.run_out)
+
+
+def range_words(motion: Any) -> str:
+    """Return when and where a single motion leaves the range of validity, in words; empty if it does not."""
+    state = motion.range_end
+    return f"after {shown(state.time, 3)} s, {shown(state.displacement, 3)} m" if state else ""

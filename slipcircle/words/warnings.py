@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.words.plausible import questions
+from slipcircle.words.summary import OUTSIDE, range_words
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
 ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
@@ -15,12 +16,13 @@ LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many tim
 
 
 def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
-    """Sentences about odd input as it was written, lift-off, conditioning and water; empty where all is well.
+    """Sentences about odd input as it was written, lift-off, conditioning, water and range of validity.
 
     ``written`` words a number by its name and its value in SI units.
     """
     odd_input = questions(motion.plan.scene, written)
-    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion))
+    outside = [f"{OUTSIDE} {range_words(motion)}"] * motion.outside_range
+    return (*odd_input, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *outside)
 
 
 def _lift_offs(motion: Any) -> Iterator[str]:

@@ -25,6 +25,8 @@ from slipcircle.workbench.studies.tally import Tally, counted
 LOW, HIGH = 0.92, 0.98  # accepted coverage
 WEIGHTS = np.array([0.5, 0.4, 0.3])  # of three normal inputs in the logarithm of the output
 SCALE = float(np.hypot.reduce(WEIGHTS))
+SIZES = (100, 256, 1024, 4096)  # of samples; of base points every second one
+RECORDS = (12, 30)
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 
 
@@ -80,7 +82,7 @@ def of_samples(count: int) -> Iterator[Row]:
     mean = math.exp(SCALE**2 / 2)
     at = np.exp(SCALE * stats.norm.ppf(QUANTILES))
     for method in ("monte-carlo", "sobol"):
-        for n in (100, 256, 1024, 4096):
+        for n in SIZES:
             counts, moments = (Coverage(f"{method}, {n} samples") for _ in range(2))
             for seed in range(count):
                 drawn = design(method, n, 0, seed)
@@ -110,7 +112,7 @@ def of_indices(count: int) -> Iterator[Row]:
     whole = np.prod(1 + alone)
     first, total = alone / (whole - 1), alone * whole / (1 + alone) / (whole - 1)
     for method in ("monte-carlo", "sobol"):
-        for base in (256, 4096):
+        for base in SIZES[1::2]:
             coverage = Coverage(f"{method}, {base} base points")
             for seed in range(count):
                 drawn = design(method, 1, base, seed)
@@ -130,7 +132,7 @@ def of_indices(count: int) -> Iterator[Row]:
 def of_suites(count: int) -> Iterator[Row]:
     """Fragility and shares of exceedance of records whose polarities correlate."""
     median, dispersion, scales = 0.3, 0.4, np.linspace(0.5, 2.0, 5)
-    for records in (12, 30):
+    for records in RECORDS:
         for polarities in (1, 2):
             coverage, shares = (Coverage(f"{records} records, polarities: {polarities}") for _ in range(2))
             for seed in range(count):

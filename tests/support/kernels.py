@@ -65,3 +65,16 @@ def errors(
         for v, x in zip(values, alphas, strict=True)
     )
     return sorted(found, reverse=True)
+
+
+# --- every function, at some arcs ---
+
+ENDS = ("radial_weight", "weight_moment", "limit_friction")
+NAMES = (*oracle.BASE, *oracle.QUOTIENTS, *ENDS)
+ALPHAS = np.array([0.0, 1e-8, 0.3, np.pi / 4, 0.9, 1.1, 1.5, np.pi / 2])
+MIDDLES = 1.5 * np.pi + np.array([0.0, 0.4, 1e-3, -0.7, 0.4, 1.2, -1.5, 0.3])
+
+
+def arguments(name: str, alphas: Any = ALPHAS, middles: Any = MIDDLES) -> tuple[Any, ...]:
+    """Arguments of a function: half angles, or both ends of the same arcs."""
+    return (middles - alphas, middles + alphas) if name in ENDS else (alphas,)

@@ -27,15 +27,36 @@ def lost(a: Any, b: Any) -> Any:
     return (a - (total - of_b)) + (b - of_b)
 
 
-def real(name: str, args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
-    """The arguments of a function as arrays or Python's numbers, and the type of its result: real, at most 64 bits."""
-    items = []
-    for x in args:
-        if isinstance(x, np.ma.MaskedArray):
+_NUMBERS = frozenset((bool, int, float, *np.sctypeDict.values()))
+# Types of arguments that NumPy converts without losing a unit or a mask.
+OWN = _NUMBERS | {np.ndarray, np.memmap, list, tuple, range}
+
+
+def check_items(name: str, items: Sequence[Any]) -> None:
+    """Raise a TypeError unless items, and those of lists among them, are numbers and NumPy arrays without a mask."""
+    if _NUMBERS.issuperset(map(type, items)):
+        return
+    for x in items:
+        if type(x) in (list, tuple):
+            check_items(name, x)
+        elif isinstance(x, np.ma.MaskedArray):
             how = "give x.filled(np.nan), or x.data with where=~x.mask"
             raise TypeError(f"{name}: masked arrays are not supported: {how}")
+        elif type(x) not in OWN:
+            kind = f"{type(x).__module__}.{type(x).__qualname__}".removeprefix("builtins.")
+            how = "give real numbers or a NumPy array of them"
+            raise TypeError(f"{name}: arguments of type {kind} are not supported: {how}")
+
+
+def real(name: str, args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
+    """Return the arguments as arrays or Python's numbers, and the type of the result: real, at most 64 bits."""
+    check_items(name, args)
+    items = []
+    for x in args:
         number = isinstance(x, (bool, int, float)) and not isinstance(x, np.generic)
-        items.append(x if number else np.asarray(x))
+        if isinstance(x, int) and not -(2**1023) < x < 2**1023:
+            raise OverflowError(f"{name}: an integer of {x.bit_length()} bits is too large")
+        items.append(float(x) if number else np.asarray(x))
     kind = np.result_type(*items)
     if kind.kind in "biu":
         kind = np.dtype(np.float64)

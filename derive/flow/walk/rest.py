@@ -28,7 +28,7 @@ from derive.flow.walk.step import make_step
 from derive.flow.walk.tables import next_break, pass_breaks
 
 TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at rest is zero
-TOGETHER = 1e-9  # relative times of lift-off and start that are the same
+TOGETHER = 1e-9  # relative times that are the same
 
 
 def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
@@ -90,7 +90,8 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
     for_ever = not starts and not (until < INFINITY)
     if lane.samples:
         read_samples(lane, lane.time, minimum(until, lane.end_time), 0, 0)
-    lane.steps = lane.steps + where(breaks, 0.0, 1.0)
+    rested = starts and stretch > TOGETHER * until  # a start at once after an arrest counts: the mass may tremble
+    lane.steps = where(breaks or rested, 0.0, lane.steps + 1.0)
     lane.passed = Passed.NOTHING
     if for_ever or until >= lane.end_time:  # what happens after its end time decides nothing
         lane.time = where(for_ever, lane.time, lane.end_time)
@@ -147,7 +148,7 @@ def rest_on(s: Lanes, here: M) -> None:
 
 
 def stop_endless(s: Lanes, here: M) -> None:
-    """Stop lanes that take too many steps or reversals, or overflow."""
+    """Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow."""
     going = s.status <= number(Status.RESTING)
     most = where(s.omega > 0.0, number(Limit.MOST_STEPS), number(2 * Limit.MOST_STEPS))  # at rest it can wait
     too_long = s.steps > most

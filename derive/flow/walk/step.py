@@ -284,7 +284,7 @@ def make_step(s: Lanes, here: M) -> None:
     advance_states(s, here, top)
     keep_faster(s, here, s.omega, until, s.x, rate)
     s.time = until
-    s.steps = s.steps + where(at_limit, 0.0, where(steady, number(Limit.STIFF_STEP), 1.0))
+    s.steps = where(at_limit, 0.0, s.steps + where(steady, number(Limit.STIFF_STEP), 1.0))
     s.passed = number(Passed.NOTHING)
     if here:
         settle(s, rate, at_limit, endless)

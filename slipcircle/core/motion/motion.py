@@ -46,8 +46,7 @@ class Motion(Forms, Generic[Numbers]):
     settling_time : float
         Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
     run_out : float
-        Greatest displacement along the arc, m, with its sign: negative up-slope.
-        Where the mass swings back it rests elsewhere, at `end.displacement`.
+        Greatest displacement along the arc, m, negative up-slope. A mass that swings back rests at `end.displacement`.
     slow_run_out : float
         Displacement along the arc at which a mass that is moved slowly from its start rests, m.
         NaN with `no_slow_run_out`.
@@ -57,6 +56,10 @@ class Motion(Forms, Generic[Numbers]):
         `run_out`, `peak_velocity` and `duration` by name.
     farthest, peak, end : State
         States at the greatest displacement, at the greatest speed and at the end.
+    outside_range : bool
+        Whether it leaves the range of validity, the `rotation_range` of its mass.
+    range_end : State or None
+        State in which a single motion leaves it.
     limit_friction : float
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
@@ -166,8 +169,7 @@ class Motion(Forms, Generic[Numbers]):
                 "run_out": self._radius * final[ix.REACH_ROTATION],
                 "peak_velocity": self._radius * angular_velocity,
             }
-        known = {name: self._known(value) for name, value in values.items()}
-        return known | {"duration": self.duration}
+        return {name: self._known(value) for name, value in values.items()} | {"duration": self.duration}
 
     @cached_property
     def duration(self) -> Numbers:
@@ -177,8 +179,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def settling_time(self) -> Numbers:
-        time = self._final[ix.REST_SINCE] * self._time_scale
-        return choose(self.status == Status.CREEPS, time, self.duration)
+        return choose(self.status == Status.CREEPS, self._final[ix.REST_SINCE] * self._time_scale, self.duration)
 
     @property
     def run_out(self) -> Numbers:
@@ -208,8 +209,7 @@ class Motion(Forms, Generic[Numbers]):
     def farthest(self) -> State:
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
-        reach_time = final[ix.REACH_TIME] * self._time_scale
-        time = choose(at_end, self.duration, reach_time)
+        time = choose(at_end, self.duration, final[ix.REACH_TIME] * self._time_scale)
         return self._final_state(time, ix.REACH_ROTATION, ix.END_OMEGA, ix.END_RATE, moving=at_end)
 
     @cached_property
@@ -241,6 +241,14 @@ class Motion(Forms, Generic[Numbers]):
     def journey(self) -> Any:
         """Return how far toe and centroid move to the farthest position: rise, horizontal travel, travel angle."""
         return self.plan.scene.arc.journey(self.farthest.rotation)
+
+    @cached_property
+    def outside_range(self) -> Any:
+        return room("validity").outside(self)
+
+    @cached_property
+    def range_end(self) -> Any:
+        return room("validity").range_end(self)
 
     # --- along the way -----------------------------------------------------------------------------------------------
 
@@ -289,8 +297,7 @@ class Motion(Forms, Generic[Numbers]):
     @property
     def velocity_class(self) -> str:
         """Class of the peak velocity by Cruden and Varnes (1996), such as "extremely rapid"; empty without a motion."""
-        name: str = room("velocity").velocity_class(self)
-        return name
+        return str(room("velocity").velocity_class(self))
 
     @cached_property
     def velocity_times(self) -> Any:
@@ -347,8 +354,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        sentences: tuple[str, ...] = room("warnings").collect_warnings(self)
-        return sentences
+        return tuple(room("warnings").collect_warnings(self))
 
     def sensitivity(self) -> Any:
         """Derivatives of a single motion by every number of its scene, with stated errors.

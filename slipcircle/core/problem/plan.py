@@ -98,7 +98,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     raise_all("plan", accuracy_mistakes(accuracy))
     if accuracy is None:
         accuracy = DEFAULT_ACCURACY if scene.accuracy is None else scene.accuracy
-    return Plan(scene, recipe_of(scene), accuracy)
+    return Plan(scene, recipe_of(scene), float(accuracy))
 
 
 def recipe_of(scene: Scene) -> Recipe:

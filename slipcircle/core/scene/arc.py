@@ -11,7 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import Bounds, Fault, choose, complaint, mistakes, plain, raise_all, shape_mistakes, two_sum
+from slipcircle.base.checks import (
+    Bounds,
+    Fault,
+    choose,
+    complaint,
+    freeze,
+    mistakes,
+    plain,
+    raise_all,
+    shape_mistakes,
+    two_sum,
+)
 from slipcircle.base.kinds import Array, Numbers, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
@@ -108,6 +119,8 @@ class Arc(Mass, Generic[Numbers]):
 
     def __post_init__(self) -> None:
         raise_all("Arc", self._mistakes())
+        if not self.has_plain_numbers:
+            freeze(self, ARC_BOUNDS)
 
     def _mistakes(self) -> list[str]:
         """What is wrong with its fields."""

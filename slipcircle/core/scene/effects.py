@@ -6,7 +6,7 @@ from typing import Any
 
 from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
-from slipcircle.base.checks import parameter_mistakes, raise_all
+from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
@@ -52,7 +52,7 @@ def in_order(effects: Names) -> Names:
 # --- as a scene gives them -------------------------------------------------------------------------------------------
 
 
-def named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
+def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
     """Effects by name, each with its parameters, and a sentence for what is no such thing."""
     if isinstance(effects, str) or not hasattr(effects, "__iter__"):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
@@ -61,7 +61,7 @@ def named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
     faults = []
     for name, parameters in given.items():
         if isinstance(parameters, MAPPING):
-            named[str(name)] = dict(parameters)
+            named[str(name)] = frozen(parameters) if parameters else EMPTY
         else:
             what = f"effects.{name} = {parameters!r}"
             faults.append(f"{what}: must be a mapping of parameters, {{}} where there are none")
@@ -118,7 +118,7 @@ def cohesion_law(given: Any) -> Law | None:
     return str(parameters.pop("law")), parameters
 
 
-def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
+def resolved(name: str, given: Frozen) -> Frozen:
     """An effect's parameters, checked, with functions of time in the place of what they are made of."""
     if name in WITHOUT_PARAMETERS and not given:
         return given
@@ -126,5 +126,4 @@ def resolved(name: str, given: dict[str, Any]) -> dict[str, Any]:
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given
-    resolved: dict[str, Any] = room("forcing").resolved(name, given)
-    return resolved
+    return Frozen(room("forcing").resolved(name, given))

@@ -3,6 +3,7 @@
 Whatever implements it can be solved: nothing in the core asks what kind of mass it has.
 """
 
+import math
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
@@ -87,6 +88,8 @@ class Mass:
         That of its soils, in place of the scene's.
     given : mapping or None
         Coefficients in place of computed ones.
+    rotation_range : tuple
+        Rotations up-slope and down-slope between which the method applies, rad; by convention 30 degrees.
     centre, exit, centroid : array
         x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
     area : float or array
@@ -110,6 +113,7 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
+    rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
 

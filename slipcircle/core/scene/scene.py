@@ -9,8 +9,19 @@ from typing import TYPE_CHECKING, Any, Generic, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated.effects import LAWS
-from slipcircle.base.checks import INFINITY, Bounds, InputError, mistakes, plain, raise_all, shape_mistakes
+from generated.effects import LAWS, LEAST, QUESTIONED_FRICTION
+from slipcircle.base.checks import (
+    EMPTY,
+    INFINITY,
+    Bounds,
+    Frozen,
+    InputError,
+    freeze,
+    mistakes,
+    plain,
+    raise_all,
+    shape_mistakes,
+)
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
@@ -89,8 +100,8 @@ class Scene(Generic[Numbers]):
     accuracy: float | None = None
     name: str = ""
     note: str = ""
-    uncertain: Values = field(default_factory=dict)
-    observed: Values = field(default_factory=dict)
+    uncertain: Values = field(default_factory=lambda: EMPTY)
+    observed: Values = field(default_factory=lambda: EMPTY)
     strength_factor: Numbers | float = AS_ENTERED
 
     if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
@@ -147,6 +158,8 @@ class Scene(Generic[Numbers]):
         faults += self._field_faults()
         if own_friction is None:
             faults += law_mistakes(self.friction)
+            if type(self.friction) is not float:
+                freeze(self, ("friction",))
         else:
             object.__setattr__(self, "friction", own_friction)
         for name, parameters in effects.items():
@@ -154,10 +167,30 @@ class Scene(Generic[Numbers]):
                 effects[name] = resolved(name, parameters)
             except InputError as error:
                 faults += error.messages
+        object.__setattr__(self, "effects", Frozen(effects))
         if not (faults or self._has_plain_numbers):
+            freeze(self, (*START, *END))
             faults += shape_mistakes(self.numbers)
         if faults:
             raise_all(f"Scene {self.name}".rstrip(), faults)
+        if self._is_unusual:
+            room("plausible").warn(self)
+
+    @property
+    def _is_unusual(self) -> bool:
+        """Whether one of its strengths or weights is outside what soils have, at a quick look."""
+        arc: Any = self.arc
+        if arc.friction is not None:
+            return any(map(_is_unusual, arc.other_numbers().items()))
+        friction: Any = self.friction
+        weight = arc.unit_weight
+        effects: Any = self.effects
+        is_plain = type(friction) is float and type(weight) is float
+        if is_plain and friction <= _MOST and weight >= _OF_WEIGHT and "cohesion" not in effects:
+            return False
+        law = friction.items() if isinstance(friction, dict) else (("friction", friction),)
+        cohesion = effects.get("cohesion", EMPTY).items()
+        return any(map(_is_unusual, (*law, *cohesion, ("unit_weight", weight))))
 
     def start_anew(self) -> None:
         """Set what follows from other fields, which have changed."""
@@ -170,7 +203,11 @@ class Scene(Generic[Numbers]):
             faults += mistakes(fields, END)
         faults += accuracy_mistakes(self.accuracy)
         for name, which in MAPS.items():
-            if not isinstance(value := fields[name], MAPPING):
+            value = fields[name]
+            if value is EMPTY:
+                continue
+            freeze(self, (name,))
+            if not isinstance(value, MAPPING):
                 faults.append(f"{name} = {value!r}: must be a mapping {which}")
         return faults
 
@@ -225,7 +262,7 @@ class Scene(Generic[Numbers]):
         """Whether it is given floats alone, as most single scenes are, so that `numbers` need not be asked."""
         friction = self.friction
         values: list[Any] = [self.initial_velocity, self.end_time, self.strength_factor]
-        values += friction.values() if type(friction) is dict else [friction]
+        values += friction.values() if isinstance(friction, dict) else [friction]
         assert isinstance(self.effects, dict)
         for parameters in self.effects.values():
             values += parameters.values()
@@ -237,6 +274,21 @@ class Scene(Generic[Numbers]):
         if self._has_plain_numbers:
             return ()
         return np.broadcast_shapes(*map(np.shape, self.numbers.values()))
+
+
+_MOST, _OF_WEIGHT, _OF_STRENGTH = QUESTIONED_FRICTION, LEAST["N/m^3"], LEAST["Pa"]
+_UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
+    **dict.fromkeys(("friction", "peak", "residual"), lambda value: value > _MOST),
+    "cohesion": lambda value: 0.0 < value < _OF_STRENGTH,
+    "unit_weight": lambda value: value < _OF_WEIGHT,
+}
+
+
+def _is_unusual(number: tuple[str, Any]) -> bool:
+    """Whether a number is one, and unusual, by the last part of its name."""
+    name, value = number
+    check = _UNUSUAL.get(name.rpartition(".")[2])
+    return check is not None and isinstance(value, int | float) and check(value)
 
 
 def _friction_numbers(friction: Any) -> dict[str, Any]:
@@ -257,8 +309,7 @@ def accuracy_mistakes(accuracy: Any) -> list[str]:
     """A sentence if it is given, and no relative error."""
     if accuracy is None:
         return []
-    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
-    return mistakes({"accuracy": one}, {"accuracy": ACCURACY})
+    return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
 
 
 def checked(scene: Any, what: str) -> Scene:

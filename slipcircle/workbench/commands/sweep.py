@@ -217,7 +217,8 @@ def _of_grid(study: Study) -> _Tables:
 
     def record() -> Any:
         scenes = [dict(zip(head, row, strict=True)) for row in rows]
-        return {"scene": study.scene.name, "rows": scenes, "factor_of_safety": shares}
+        shared = {"factor_of_safety": shares, "outside_range": study.outside_range}
+        return {"scene": study.scene.name, "rows": scenes} | shared
 
     return _Tables(head, rows, record, [table, _factor_part(shares)])
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
+from slipcircle.base.checks import shown
 from slipcircle.base.optional import optional
 
 _FAR = 30.0  # standard deviations, beyond which the probability is zero in float64
@@ -102,7 +103,7 @@ def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float])
     for k in known:
         value = numbers.get(k, 0.0)
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            faults.append(f"{k} = {value!r}: must be a finite number")
+            faults.append(f"{k} = {shown(value)}: must be a finite number")
     faults = faults or [rule for rule, holds in kind.rules.items() if not holds(numbers)]
     return faults or _limit_mistakes(distribution_of(given), *limits)
 

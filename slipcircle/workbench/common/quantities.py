@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.core import Status
-from slipcircle.words import VelocityTimes, swings_back
+from slipcircle.words import OUTSIDE, VelocityTimes, range_words, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
@@ -62,13 +62,13 @@ class Quantity:
         """The printed value of a single motion, with as many digits as its error justifies."""
         if not self.where(motion):
             return ""
+        if text := self.instead(motion):
+            return text
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
         if isinstance(value, str):
             return value
-        if missing := self.instead(motion):
-            return missing
         if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
@@ -112,6 +112,9 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
+    Quantity(
+        "outside_range", "", OUTSIDE, "outside_range", key=True, where=attrgetter("outside_range"), instead=range_words
+    ),
     Quantity("factor_of_safety", "", "factor of safety at the start", "factor_of_safety"),
     Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
     Quantity("friction", "", "friction angle", "friction", degrees=True),
@@ -235,8 +238,6 @@ OBSERVABLE: Mapping[str, Quantity] = {
     for q in (*RESULTS, *JOURNEY)
     if q.name in ("run_out", "end_displacement", "peak_velocity", "duration", "toe_rise")
 }
-_GREATEST = "which is the greatest displacement"
-REMOVED = {"observed.reach": f"use run_out, {_GREATEST}", "observed.reach_m": f"use run_out_m, {_GREATEST}"}
 
 
 def observable(motion: Any, name: str) -> Any:

@@ -29,6 +29,7 @@ def record(motion: Any) -> dict[str, Any]:
         | {"factor_of_safety_method": method_of(motion), "strength_factor": scene.strength_factor}
         | {"starts": [start.record() for start in starts(motion) or ()]}
         | states
+        | {"range_end": motion.range_end}
         | ({"observed": scene.observed} if scene.observed else {})
         | ({"stability": stability.record()} if stability else {})
         | ({"stretches": stretch_records(motion)} if isinstance(scene.arc, LayeredSection) else {})

@@ -151,7 +151,7 @@ def plain_numbers(cells: list[str]) -> Floats:
 
 def is_even(numbers: Floats, longest: float) -> bool:
     """Whether numbers increase by equal steps below the longest one, but for their rounding."""
-    if numbers.size < 2:
+    if numbers.size < 2 or not np.all(np.abs(numbers) < 1e300):
         return False
     even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)
     is_even = np.all(np.diff(numbers) > 0.0) and np.all(np.abs(numbers - even) < 0.25 * step)

@@ -11,7 +11,6 @@ from difflib import get_close_matches
 from typing import Any
 
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
-from slipcircle.workbench.common.quantities import REMOVED
 from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
 from slipcircle.workbench.files.numbers import numbers
 
@@ -90,7 +89,7 @@ class Document:
                 self.typed[joined(path, key.name)] = full
                 arguments[key.name] = self._argument(full, key, value, content, table)
             else:
-                meant, advice = ("", REMOVED[full]) if full in REMOVED else _advice(path, name, self._tables)
+                meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
                 self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
         self._note_missing(path, content)
@@ -208,6 +207,8 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
     In the same table a similar key or the only one with that unit; in other tables only an almost identical one.
     """
+    if unknown == "reach_m":
+        return "", "use run_out_m, which is the greatest displacement"
     within = {path: list(table.keys) for path, table in tables.items()}
     for table in filter(None, tables):
         parent, _, key = table.rpartition(".")

@@ -17,6 +17,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     SERIES,
     area,
     axis,
+    curve,
     ending,
     label,
     lines,
@@ -93,12 +94,12 @@ def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
         if motion.moves and k not in styles:
             colour, dashes, _ = REST
             columns = drawn(motion)
-            ax.plot(columns["time"], columns[column], color=colour, ls=dashes, lw=0.8)
+            curve(ax, motion, columns["time"], columns[column], color=colour, ls=dashes, lw=0.8)
     for k, (colour, dashes, _) in styles.items():
         columns = drawn(motions[k])
         times = columns["time"]
         values = columns[column]
-        ax.plot(times, values, color=colour, ls=dashes, lw=1.8)
+        curve(ax, motions[k], times, values, color=colour, ls=dashes, lw=1.8)
         later = slice(len(times) // 8, None)
         name = motions[k].plan.scene.name
         label(ax, name, points_of(times[later], values[later]), colour, parse_math=False)

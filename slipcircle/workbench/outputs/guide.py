@@ -54,8 +54,8 @@ def guide() -> str:
         lines += ["", *_title(f"[{name}]", _with_source(effect))]
         lines += [INDENT * " " + formula for formula in effect.formulas]
         lines += _keys(EFFECT_TABLES[name])
-        for law, table in EFFECT_TABLES[name].laws.items():
-            lines += [*_title(f'  law = "{law}"', table.title), *_keys(table)]
+        for of_law, table in EFFECT_TABLES[name].laws.items():
+            lines += [*_title(f'  law = "{of_law}"', table.title), *_keys(table)]
     lines += ["", *_title("uncertain numbers", _of_uncertain_numbers())]
     return "\n".join(lines)
 

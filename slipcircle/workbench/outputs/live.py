@@ -133,6 +133,7 @@ def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_no
         "observed": {n: list(x) if isinstance(x, Interval) else x for n, x in scene.observed.items()},
         "sliders": [],
         "model": None,
+        "range": [float(rotation) for rotation in scene.arc.rotation_range],
     }
     if not why_not:
         chosen = default_sliders(scene) if sliders is None else sliders
@@ -189,7 +190,8 @@ def _stored(motion: Motion) -> dict[str, Any]:
         states = motion.at(times)
         columns |= {"s": states.displacement, "v": states.velocity}
     rounded = {name: [float(f"{x:.{_DIGITS}g}") for x in column.tolist()] for name, column in columns.items()}
-    return rounded | {"duration": _duration(motion)}
+    left = _is_motion(motion) and motion.range_end
+    return rounded | {"duration": _duration(motion), "left": left and float(left.time)}
 
 
 def _first(motion: Motion) -> dict[str, Any]:

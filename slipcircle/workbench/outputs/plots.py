@@ -23,6 +23,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
     axis,
+    curve,
     empty,
     ending,
     known,
@@ -80,20 +81,20 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     ax, columns, quantity = axis(ax), drawn(motion), HISTORY[what]
     symbol, every = HISTORIES[what]
     times, values = columns["time"], columns[what]
-    curves = [curve for curve in every if curve.column == what or _differs(columns[curve.column], values)]
-    in_si = [columns[curve.column] for curve in curves]
+    curves = [line for line in every if line.column == what or _differs(columns[line.column], values)]
+    in_si = [columns[line.column] for line in curves]
     factor, unit = _unit(quantity, in_si)
     drawn_values = [factor * column for column in in_si]
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         return still(motion, ax)
-    for curve, heights in zip(curves, drawn_values, strict=True):
-        ax.plot(times, heights, **LINES[curve.line])
+    for line, heights in zip(curves, drawn_values, strict=True):
+        curve(ax, motion, times, heights, **LINES[line.line])
     _limit(ax, motion, what, drawn_values)
     _mark_times(ax, motion, (times, drawn_values[0]), unit, what == "displacement", brief)
     if len(curves) > 1:
-        for curve, heights in zip(curves, drawn_values, strict=True):
-            label(ax, curve.label, _in_view(ax, times, heights), LINES[curve.line]["color"])
+        for line, heights in zip(curves, drawn_values, strict=True):
+            label(ax, line.label, _in_view(ax, times, heights), LINES[line.line]["color"])
     if what == "displacement":
         _rotation_axis(ax, motion)
     return ax
@@ -196,7 +197,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     ax.set_xlim(0.0, farthest)  # a motion to the left, too, is drawn from left to right
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
-    right.plot(along, speed, **LINES["main"])
+    curve(right, motion, along, speed, **LINES["main"])
     right.set_ylabel("speed $|v|$ (m/s)", color=LINES["main"]["color"])
     right.set_ylim(0.0, 1.2 * float(np.max(speed)))
     for role, time, words in _marks(motion):

@@ -11,6 +11,7 @@ from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.outputs.trace import drawn
 
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
@@ -225,6 +226,17 @@ def described(figure: Any) -> list[str]:
 def _is_fixed(text: Any) -> bool:
     """Whether a text is a label without measured values."""
     return hasattr(text, "anchors") and text.get_gid() != MEASURED
+
+
+def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
+    """Draw a curve over the times of `drawn`, grey where the motion is outside the range of the method."""
+    from matplotlib.collections import LineCollection
+
+    ax.plot(x, y, **style)
+    if motion.outside_range:
+        outside = drawn(motion)["time"] >= motion.range_end.time
+        points = np.transpose([x, y])[outside]
+        ax.add_collection(LineCollection([points], colors="0.6", lw=2.4, zorder=2.1), autolim=False)
 
 
 def ending(motion: Motion) -> str:

@@ -100,8 +100,8 @@ def _shown(value: Any) -> str:
     if isinstance(value, Mapping):
         parameters = dict(value)
         name = parameters.pop("distribution")
-        words = [f"{key} {number}" for key, number in parameters.items() if key != "key"]
-        return f"{name}: {', '.join(words)}"
+        words = ", ".join(f"{key} {number}" for key, number in parameters.items() if key != "key")
+        return f"{name}: {words}" if words else str(name)
     if isinstance(value, str):
         return value
     if isinstance(value, bool):

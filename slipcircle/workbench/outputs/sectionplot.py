@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc, Motion
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
-from slipcircle.words import swings_back
+from slipcircle.words import OUTSIDE, range_words, swings_back
 from slipcircle.workbench.common.starting import start_words, starts
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.layerplot import draw_stretches
@@ -158,6 +158,8 @@ def _continuation(ax: Any, motion: Motion, mass: Mass, turn: float) -> None:
     height = toe_words(motion)
     ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
     outcome = f"\nand comes {height}" if height else ""
+    if motion.outside_range:
+        outcome += f"\n{OUTSIDE}\n{range_words(motion)}"
     words = f"toe assumed to follow the circle{outcome}"
     label(ax, words, points[20:50:5], LINES["help"]["color"])
 

@@ -47,7 +47,7 @@ def telling_times(motion: Motion) -> Floats:
     if not motion.moves:
         return np.zeros(1)
     scene = motion.plan.scene
-    extremes = [float(motion.peak.time), float(motion.farthest.time)]
+    extremes = [float(state.time) for state in (motion.peak, motion.farthest, motion.range_end) if state]
     times: list[Any] = [even_times(motion), extremes]
     each = max(4, SAMPLES // len(motion.phases))
     angle = np.linspace(0.0, np.pi, each + 1)

@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, mistakes, raise_all
+from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, array_of, frozen, mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (
@@ -144,13 +144,14 @@ class Record(Series):
         numbers = {"gravity": gravity} if dt is None else {"gravity": gravity, "dt": dt}
         allowed = {"gravity": "a positive number in m/s^2", "dt": "a positive time in s"}
         raise_all("Record", mistakes(numbers, {n: (0.0, INFINITY, allowed[n]) for n in numbers}, one=numbers))
-        values = np.asarray(samples[-1])
-        if dt is None:
-            super().__init__(np.asarray(samples[0]), values, held=False)
-        else:
-            super().__init__(dt * np.arange(float(values.size)), values, held=False)
+        time = samples[0]
+        values = array_of(samples[-1])
+        if dt is not None:
+            time = dt * np.arange(float(values.size))
+        super().__init__(array_of(time), values, held=False)
         check_strength("Record", self.values, unit)
-        object.__setattr__(self, "values", over_gravity(self.values, unit, holds, gravity))
+        driving = over_gravity(self.values, unit, holds, gravity)
+        object.__setattr__(self, "values", frozen(driving))
 
     read = staticmethod(read_record)
 

@@ -121,16 +121,17 @@ class Design:
         Returns
         -------
         dict of ndarray
-            ``status`` counts; of each output the bins that are not empty, their counts, and of its finite values the
-            extremes and the `moments`; where `with_factors`, what `at_start` has; the samples where they are kept. For
-            sensitivity indices instead the `sums` of each outcome.
+            Counts by ``status`` and of what is ``outside_range``; of each output the bins that are not empty, their
+            counts, and of its finite values the extremes and the `moments`; where `with_factors`, the numbers of
+            `at_start`; the samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
         """
         if index >= self.sample_blocks:
             return {"sums": _sums(self, index)}
         values = self.values(index)
         solved = _solve(self, values)
         valid, status = ~np.isnan(solved.moves), solved.motion.status
-        result: Result = {"status": np.bincount(status, minlength=len(Status))}
+        outside = np.count_nonzero(solved.motion.outside_range)
+        result: Result = {"status": np.bincount(status, minlength=len(Status)), "outside_range": np.array(outside)}
         for name, outcome in solved.outcomes.items():
             result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
         by_method: dict[str, Floats] = {}

@@ -155,13 +155,13 @@ class Folder:
     """Finished blocks on the disk, for one study, seed and size; each says which block of which study it is."""
 
     def __init__(self, path: str | os.PathLike[str], description: dict[str, Any]) -> None:
+        held = stored(path)
         self.path, text = Path(path), json.dumps(description, indent=2).encode()
         self._study = hashlib.sha256(text).hexdigest()
         try:
             self.path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise ValueError(f"{self.path}: can be no folder for blocks: {error.strerror}") from error
-        held = stored(self.path)
         if held is None:
             write(self.path / "study.json", text)
         elif other := [k for k in description | held if description.get(k) != held.get(k)]:
@@ -196,6 +196,8 @@ class Folder:
 
 def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
     """The description of the study whose blocks a folder holds."""
+    if not isinstance(folder, str | os.PathLike):
+        raise ValueError(f"folder = {folder!r}: must be a path")
     path = Path(folder) / "study.json"
     if not path.exists():
         return None

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base import VERSION
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, array_of, mistakes, raise_all
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
@@ -138,7 +138,7 @@ def _design(
     inputs = {k: u.number for k, u in drawn.items()}
     base = _base_points(sensitivity, len(drawn), n, correlation)
     accuracy = plan(scene, accuracy).accuracy
-    size = size or _size(n, method)
+    size = int(size or _size(n, method))
     return Design(scene, accuracy, inputs, drawn, (), method, n, base, keep, matrix, seed, size, search_each)
 
 
@@ -229,7 +229,7 @@ def grid(
             inputs[number.name] = number
         except ValueError as error:
             found.append(str(error))
-    n = math.prod(np.size(values) for values in levels.values())
+    n = math.prod(array_of(values).size for values in levels.values())
     if n > _MOST_GRID:
         found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
@@ -246,7 +246,8 @@ def varied_number(scene: Scene, path: str, values: Any) -> Number:
         keys = by_name(scene)
         has = listed([keys[name].key for name in scene.numbers])
         raise ValueError(f"{path}: the scene has no value of it to vary; it has {has}")
-    if np.ndim(values) != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not np.size(values):
+    array = array_of(values)
+    if array.ndim != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not array.size:
         raise ValueError(f"{path}: must be a list of numbers")
     return number
 

@@ -92,6 +92,7 @@ def record(study: Any) -> dict[str, Any]:
         "samples": design.n,
         "valid_samples": study.n,
         "samples_without_result": study.without_result,
+        "samples_outside_range": study.outside_range,
         "seed": study.seed,
         "block": study.size,
         "accuracy": design.accuracy,

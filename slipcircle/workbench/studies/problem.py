@@ -1,7 +1,7 @@
 """What a back-analysis is asked: which numbers of a scene, over which ranges, and what was observed."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import raise_all, real_number, shown
 from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
-from slipcircle.workbench.common.quantities import OBSERVABLE, REMOVED, Interval, Observed, observable
+from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
@@ -129,7 +129,8 @@ class SearchProblem:
 def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Values and standard errors of what is observed, and what of it are intervals."""
     found = dict[str, tuple[float, float | None]]()
-    mistakes = _unknown_outcomes(given)
+    unknown = [name for name in given if name not in OBSERVABLE]
+    mistakes = [f"observed.{name}: is no outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
     asked = {name: value for name, value in given.items() if name in OBSERVABLE}
     for name, value in asked.items():
         seen, sigma = _observation(value)
@@ -142,7 +143,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
         else:
             allowed = "a positive number" if is_duration else "a number other than 0"
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
-            mistakes.append(f"{name} = {value!r}: must be {allowed}, {also}")
+            mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
         mistakes.append(f"nothing observed: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
@@ -152,24 +153,15 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
     return found, {name: value for name, value in asked.items() if isinstance(value, Interval)}
 
 
-def _unknown_outcomes(given: Iterable[str]) -> list[str]:
-    """Return a message for each name that is not an outcome."""
-    unknown = [f"observed.{name}" for name in given if name not in OBSERVABLE]
-    known = f"known are {', '.join(OBSERVABLE)}"
-    return [f"{path}: is no outcome; {REMOVED.get(path, known)}" for path in unknown]
-
-
 def _observation(given: Any) -> tuple[float, float | None]:
     """A value and its standard error; NaN for what is neither a number nor a pair of them."""
-    try:
-        if isinstance(given, Interval):
-            return given.middle, given.standard_error
-        if isinstance(given, tuple | list):
-            seen, sigma = given
-            return float(seen), float(sigma)
-        return float(given), None
-    except (TypeError, ValueError):
-        return math.nan, None
+    if isinstance(given, Interval):
+        ends = Interval(*map(real_number, given))
+        return ends.middle, ends.standard_error
+    if isinstance(given, tuple | list):
+        seen, sigma = map(real_number, given) if len(given) == 2 else (math.nan, math.nan)
+        return seen, sigma
+    return real_number(given), None
 
 
 def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations) -> SearchProblem:

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import shown
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
@@ -13,6 +14,7 @@ from slipcircle.workbench.studies.suitedesign import OfRecords
 
 _MOST = 10**12
 _MOST_BASE = 2**22
+_LARGEST = 2**30  # block
 OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
 _Flag = bool | np.bool_ | None  # None where it is not given
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
@@ -47,21 +49,20 @@ def _number_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[st
     """A sentence for each setting out of bounds."""
     mistakes = []
     if not (whole(n) and 1 <= n <= _MOST):
-        mistakes.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
+        mistakes.append(f"n = {shown(n)}: must be a whole number of samples, from 1 to {_MOST:.0e}")
     if method not in METHODS:
-        mistakes.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+        mistakes.append(f"method = {shown(method)}: must be one of {', '.join(METHODS)}")
     if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
-        mistakes.append(f"confidence = {confidence!r}: must be between 0 and 1")
-    is_power = whole(size) and size >= 4 and not size & (size - 1)
-    if size is not None and not is_power:
-        mistakes.append(f"size = {size!r}: must be a power of two, 4 at least")
+        mistakes.append(f"confidence = {shown(confidence)}: must be between 0 and 1")
+    if size is not None and not (whole(size) and 4 <= size <= _LARGEST and not int(size) & (int(size) - 1)):
+        mistakes.append(f"size = {shown(size)}: must be a power of two from 4 to {_LARGEST}")
     return mistakes
 
 
 def _sensitivity_mistakes(points: Any, correlation: Any) -> list[str]:
     mistakes = []
     if points is not None and not (whole(points) and 0 <= points <= _MOST_BASE and points != 1):
-        mistakes.append(f"sensitivity = {points!r}: must be 0, or 2 to {_MOST_BASE} base points")
+        mistakes.append(f"sensitivity = {shown(points)}: must be 0, or 2 to {_MOST_BASE} base points")
     if correlation is not None and not (isinstance(correlation, Mapping) and all(map(_is_pair, correlation))):
         mistakes.append(f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
     if correlation and points:

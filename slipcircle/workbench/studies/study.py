@@ -16,6 +16,7 @@ from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
 from slipcircle.core import ANSWERED, Motion, Scene, Status
+from slipcircle.words import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
@@ -66,6 +67,8 @@ class Study(Pictured):
     seed, size : int
         Repeat the same samples.
     confidence : float
+    outside_range : int
+        Number of samples that leave the range of validity, `Motion.outside_range`; statistics include them.
     sensitivity : mapping
         `Indices` of each output, and of whether the mass moves, if there is more than one input.
     convergence : list of Convergence
@@ -84,6 +87,7 @@ class Study(Pictured):
         self.samples: Mapping[str, NDArray[Any]] = {}
         replicates = design.replicates
         self._counts = np.zeros((replicates, len(Status)), np.int64)
+        self.outside_range = 0
         self._tallies = {name: Tally(replicates) for name in OUTCOMES}
         self._with_motions = Factors(replicates)
         self._add_all(results)
@@ -110,6 +114,7 @@ class Study(Pictured):
     def _add(self, replicate: int, result: Result) -> None:
         """Add a block up."""
         self._counts[replicate] += result["status"]
+        self.outside_range += int(result["outside_range"])
         for name, tally in self._tallies.items():
             tally.add(replicate, {part: result[f"{name}.{part}"] for part in COUNTED})
         self._with_motions.add(replicate, result)
@@ -357,6 +362,8 @@ class Study(Pictured):
                 found.append(f"{share} still move at their end: run-out and duration are those until then")
         if self.without_result and not is_grid:
             found.append("means, standard deviations and indices of outputs are not given: samples without a result")
+        if self.outside_range:
+            found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
         if self._invalid_points:
             found.append(f"{self._invalid_points} of {self.design.base} base points are invalid and not in the indices")
         for name, linear in self.linear.items():

@@ -29,6 +29,7 @@ LANE_RESULTS: Mapping[str, str] = {
     "end_displacement": "m",
     "rotation": "rad",
     "slips": "",
+    "outside_range": "",
 }
 
 
@@ -101,7 +102,7 @@ class SuiteDesign:
         motion = motions(self.shaken(records), lanes, self.sampling.accuracy)
         end = motion.end
         further = {"end_displacement": end.displacement, "rotation": end.rotation, "slips": motion.slips}
-        solved = {**motion.outcomes, **further, "status": motion.status}
+        solved = {**motion.outcomes, **further, "outside_range": motion.outside_range, "status": motion.status}
         result = {name: np.reshape(lane_values, shape) for name, lane_values in solved.items()}
         samples = {f"sample.{number.key}": value for number, value in zip(inputs.values(), values, strict=True)}
         return result | samples

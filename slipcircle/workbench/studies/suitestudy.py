@@ -15,6 +15,7 @@ from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, Status, solve
 from slipcircle.tables import Pulse
+from slipcircle.words import OUTSIDE
 from slipcircle.workbench.common.quantities import plain
 from slipcircle.workbench.studies.design import NO_RESULT, Result
 from slipcircle.workbench.studies.fragility import FragilityCurve, fragility_curve
@@ -38,8 +39,8 @@ class SuiteStudy(Pictured):
         1 as recorded and -1 reversed; factors, or peak accelerations over gravity (`design.to_pga`).
     values : mapping of str to ndarray
         ``run_out``, ``peak_velocity``, ``duration``, ``end_displacement`` (permanent), ``rotation`` (at the end, rad),
-        ``slips`` (how often it begins to slide) and ``status`` (`Status`), each (record, polarity, scale, sample), SI;
-        signed, 0 of what does not move, NaN without a result.
+        ``slips`` (how often it begins to slide), ``outside_range`` and ``status`` (`Status`), each (record, polarity,
+        scale, sample), SI; signed, 0 of what does not move, NaN without a result.
     samples : mapping of str to ndarray
         Values of the uncertain numbers by key, in its unit; the same for every record.
     """
@@ -205,6 +206,8 @@ class SuiteStudy(Pictured):
                 found.append(f"{share} motions have no result: {status.reason}")
             elif count and status is Status.MOVING:
                 found.append(f"{share} still move at their end: displacements are those until then")
+        if count := np.count_nonzero(self.values["outside_range"]):
+            found.append(f"{count} of {statuses.size} motions move {OUTSIDE}")
         return found
 
     def __repr__(self) -> str:

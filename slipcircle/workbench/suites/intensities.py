@@ -10,6 +10,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.tables import Series
 
 _DRIFT = 0.05  # of the peak velocity
+_LONGEST = 2**24  # samples of a spectrum, for any time step
 _BAND = 0.25, 20.0  # Hz, of the mean period
 _RESOLUTION = 0.05  # Hz, at most, of its spectrum
 _DAMPING = 0.05  # of an oscillator, over the critical one
@@ -93,7 +94,7 @@ def _mean_period(record: Series) -> float:
     count = record.time.size
     times, step = np.linspace(record.time[0], record.time[-1], count, retstep=True)
     needed = math.ceil(1.0 / (_RESOLUTION * step))
-    length = max(count, needed)
+    length = max(count, min(needed, _LONGEST))
     amplitudes = np.abs(np.fft.rfft(record(times), length))
     frequencies = np.fft.rfftfreq(length, step)
     lowest, highest = _BAND

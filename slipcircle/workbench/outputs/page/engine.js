@@ -180,6 +180,7 @@ function solverOf(model, x) {
       peak_velocity: units['m/s'] * omega,
       error: Math.min(Math.max(model.rounded * spread, 9e-16), 1),
       t: Array.from(times, (time) => units.s * time),
+      rotation: row(0, 1),
       s: row(0, units.m),
       v: row(1, units['m/s']),
       a: row(2, units['m/s^2']),

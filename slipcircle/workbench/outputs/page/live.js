@@ -32,6 +32,7 @@ function start(figure, addressed) {
   const find = (selector) => figure.querySelector(selector);
   const data = JSON.parse(find('script').textContent);
   const given = { ...data.stored, ...data.first }; // the scene as it is, solved when the page was made
+  given.cut = given.left ? given.t.findIndex((t) => t >= given.left) : null;
   const sliders = data.sliders.map((slider) => ({ ...slider, now: slider.value }));
   const slider = find('.at input'), button = find('.play'), shape = find('.shape');
   const mass = find('.mass'), ghost = mass.querySelector('.edge').cloneNode();
@@ -94,17 +95,31 @@ function start(figure, addressed) {
         ['duration', text(found.duration, 's') + verdict('duration', found.duration)]]
       : [];
     if (swingsBack) facts.push(['displacement at the end', text(found.end_displacement, 'm') + verdict('end_displacement', found.end_displacement)]);
+    const left = found.moves ? departure(found) : { cut: null };
+    if (left.words) facts.push(['outside the range of the method', left.words]);
     facts.push(['factor of safety by the paper\u2019s method', String(Number(found.factor.toPrecision(4)))]);
     if (found.moves) facts.push(['estimated error', found.error.toExponential(1)]);
     if (data.input_error > 1e-14) facts.push(['inputs interpolated within', data.input_error.toExponential(0)]);
     const warnings = found.moves && Number.isFinite(found.lift) ? [`contact lost from ${text(found.lift, 's')} (lift-off)`] : [];
+    if (left.words) warnings.push(`outside the range of the method ${left.words}`);
     const [time, last] = swingsBack ? [found.run_out_time, `swings back to ${text(found.end_displacement, 'm')}`] : [found.duration, end.words];
     const headline = found.moves ? `${text(found.run_out, 'm')} in ${text(time, 's')}, ${last}` : end.words;
     return {
       ...(found.moves ? found : still),
+      cut: left.cut,
       ...(asGiven ? { headline: given.headline, end: given.end, warnings: given.warnings } : { headline, end: end.words, warnings }),
       facts,
     };
+  }
+
+  // The first sample outside the range of the method, and in words when and where the mass leaves it.
+  function departure({ rotation, t, s }) {
+    const [upslope, downslope] = data.range, cut = rotation.findIndex((phi) => phi > downslope || phi < upslope);
+    if (cut < 1) return { cut: null };
+    const [before, after] = rotation.slice(cut - 1, cut + 1), bound = after > 0 ? downslope : upslope;
+    const between = (column) => column[cut - 1] + (column[cut] - column[cut - 1]) * (bound - before) / (after - before);
+    const [time, way] = [t, s].map((column) => Number(between(column).toPrecision(3)));
+    return { cut, words: `after ${time} s, ${way} m` };
   }
 
   function verdict(name, value) {
@@ -285,7 +300,13 @@ function start(figure, addressed) {
     const words = number ? `${dragged.label}${dragged.unit ? ` (${dragged.unit})` : ''}` : over === 's' ? 'displacement (m)' : 'time (s)';
     parts.push(drawn('text', { x: box.right, y: height - 3, 'text-anchor': 'end' }, words));
     const kinds = of === 'energy' ? ['work', 'dissipation', 'kinetic'] : of === 'stress' ? ['', 'dissipation'] : ['', 'other'];
-    const lines = pairs.map(([a, b], k) => drawn('path', { class: `curve ${kinds[k]}`, d: line(a, b, x, y) }));
+    const lines = pairs.flatMap(([a, b], k) => {
+      const cut = over === 'number' || kinds[k] === 'other' ? null : motion.cut;
+      const parts = cut ? [[0, cut], [cut - 1]] : [[0]];
+      return parts.map((part, beyond) => drawn('path', {
+        class: `curve ${kinds[k]}${beyond ? ' beyond' : ''}`, d: line(a.slice(...part), b.slice(...part), x, y),
+      }));
+    });
     chart.cursor = drawn('path', { class: 'cursor' });
     chart.hover = drawn('path', { class: 'hover' });
     chart.words = drawn('text', { class: 'values', x: box.right, y: 13, 'text-anchor': 'end' });
