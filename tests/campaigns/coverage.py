@@ -170,7 +170,12 @@ def of_back_analyses(count: int) -> Iterator[Row]:
     yield from coverage.rows()
 
 
-PARTS: dict[str, Callable[[int], Iterator[Row]]] = {"samples": of_samples, "indices": of_indices, "suites": of_suites}
+PARTS: dict[str, Callable[[int], Iterator[Row]]] = {
+    "samples": of_samples,
+    "indices": of_indices,
+    "suites": of_suites,
+    "back-analyses": of_back_analyses,
+}
 
 
 def main() -> int:
