@@ -119,8 +119,8 @@ def test_a_byte_order_mark_and_windows_line_ends(file: Path) -> None:
             )
         ),
         *(
-            (f"law = 'tabulated'\nslip_m = [0, 2.5]\n{text}", {"law": "tabulated", "slip": [0, 2.5], "coefficient": mu})
-            for text, mu in (("angle_deg = [20, 8]", [tan(20.0), tan(8.0)]), ("coefficient = [0.5, 0]", [0.5, 0.0]))
+            (f"law = 'tabulated'\nslip_m = [0, 2.5]\n{text}", {"law": "tabulated", "slip": (0, 2.5), "coefficient": mu})
+            for text, mu in (("angle_deg = [20, 8]", (tan(20.0), tan(8.0))), ("coefficient = [0.5, 0]", (0.5, 0.0)))
         ),
     ],
 )  # fmt: skip
@@ -408,7 +408,7 @@ def test_several_mistakes_are_lines_of_their_own(tmp_path: Path, refused: Any) -
     assert refused("run", path).splitlines() == [
         f"slipcircle: {path}: friction.phi_deg = 27: is unknown; did you mean angle_deg?",
         f"slipcircle: {path}: cohesion.c_kPa = 10: is unknown; did you mean cohesion_kPa?",
-        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are cohesion_kPa",
+        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are law, cohesion_kPa",
     ]
     path.write_text("[arc]\nradius_m = 60\ntheta_1_deg = 280\ntheta_2_deg = 215\nunit_weight_kN_m3 = 19\n[friction]\n"
                     "angle_deg = 12\n[rotation]\n[drag]\nxi_m_s2 = -1\n", "utf-8")  # fmt: skip
