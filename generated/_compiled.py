@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2ddc53e253e8ec49697eb94108c430e1337ddbe28db7531ffaed200a29c9a67e
+# sha256 of the text below: 3e98a415c82bbffcb06f20e85ef38e7f8658eb9935a742cf827c29d72dfe0a3f
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -7,6 +7,7 @@ of a level, such as ``baseline``, asks for the loops of lesser processors.
 """
 
 import os
+import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -61,8 +62,8 @@ def binary(name: str, digest: str) -> Any:
 
 
 def is_free_threaded() -> bool:
-    """Whether this Python is built without the global interpreter lock: it cannot load the binaries of wheels."""
-    return bool(import_module("sysconfig").get_config_var("Py_GIL_DISABLED"))
+    """Return whether this Python has no global interpreter lock, so that it cannot load the binaries of wheels."""
+    return "free-threading" in sys.version
 
 
 @cache

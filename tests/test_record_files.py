@@ -108,6 +108,22 @@ READ: dict[str, tuple[str, dict[str, Any], dict[str, float]]] = {
 }  # fmt: skip
 
 
+@pytest.mark.parametrize("head", ["time [ns]", "time_ns", "Time (NS)", "time ticks", "t/min", "elapsed time (h)"])
+def test_times_in_other_units_are_refused(tmp_path: Path, head: str) -> None:
+    """Also in units that resemble the names of directions."""
+    file = write(tmp_path, {"a.csv": f"{head},acc (g)\n" + rows(TIMES, NORTH)})
+    with pytest.raises(ValueError, match=r"column 1 .*: its unit '\w+' is not one of s, ms, us; give --step"):
+        read_suite([file])
+
+
+@pytest.mark.parametrize(
+    "head", ["Elapsed Time_s", "elapsed time", "zeit in s", "T (s)", "t/s", "Time:s", "Times [SEC]"]
+)
+def test_names_of_times_in_seconds(tmp_path: Path, head: str) -> None:
+    file = write(tmp_path, {"a.csv": f"{head};acc (g)\n" + rows(TIMES, NORTH, separator=";")})
+    assert read_suite([file]).entries[0].step == pytest.approx(STEP)
+
+
 @pytest.mark.parametrize(("text", "options", "peaks"), READ.values(), ids=READ)
 def test_tables_say_what_their_columns_are(
     tmp_path: Path, text: str, options: dict[str, Any], peaks: dict[str, float]

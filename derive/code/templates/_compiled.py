@@ -5,6 +5,7 @@ of a level, such as ``baseline``, asks for the loops of lesser processors.
 """
 
 import os
+import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -59,8 +60,8 @@ def binary(name: str, digest: str) -> Any:
 
 
 def is_free_threaded() -> bool:
-    """Whether this Python is built without the global interpreter lock: it cannot load the binaries of wheels."""
-    return bool(import_module("sysconfig").get_config_var("Py_GIL_DISABLED"))
+    """Return whether this Python has no global interpreter lock, so that it cannot load the binaries of wheels."""
+    return "free-threading" in sys.version
 
 
 @cache

@@ -17,7 +17,6 @@ _COUNTER = r"index|idx|samples?(?:no|number|index)?|n|no|nr|num|number|i|k|row|p
 _SPECTRAL = r"freq\w*|frequenz|fréquence|frec\w*|f|hz|per[ií]od\w*|tn|omega"
 _OTHER = r"p?s[adv]|spectr\w*|response|fourier|amplitude|arias|vel\w*|dis\w*|geschw\w*|temperature|depth"
 _OTHER_UNIT = r"(?:[mck]?m|in|ft|feet)(?:[/_ ]?s(?:ec)?|s-1)?|hz|k?pa|deg|counts?|v|mv|°c?"
-_LONG_TIME = r"min(?:ute)?s?|h|hrs?|hours?|d|days?|weeks?|years?"
 
 
 class Column(NamedTuple):
@@ -58,15 +57,16 @@ def _is_time(name: str) -> bool:
 def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
     """Name and unit of a field such as ``acc (g)``, ``a [m/s2]``, ``time_s`` or ``acc cm/s^2``."""
     bracketed = re.fullmatch(r"(.*?)\s*[(\[{]([^()\[\]{}]+)[)\]}]?\s*", field)
-    if bracketed and (unit_of(bracketed[2], TIME) or not is_direction(bracketed[2])):
+    is_unit = bracketed and (unit_of(bracketed[2], TIME) or _is_time(bracketed[1]) or not is_direction(bracketed[2]))
+    if bracketed and is_unit:
         return bracketed[1].strip(" _-,:"), bracketed[2].strip()
     for place in re.finditer(r"[\s_,/:-]+", field):
         name, tail = field[: place.start()], field[place.end() :]
         if is_direction(tail) and not _is_time(name):
             break
-        times = _is_time(name) and (unit_of(tail, TIME) or re.fullmatch(_LONG_TIME, tail.lower()))
+        times = _is_time(name) and not _is_time(tail)
         if times or unit_of(tail, quantity) or re.fullmatch(_OTHER_UNIT, tail.lower()):
-            return name, tail
+            return name, tail.removeprefix("in ")
     return field, ""
 
 
