@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6d9da257133b7cc6fa9bb2177812471e366f855cd37c3f1883ee8e905bffa8df
+# sha256 of the text below: 9462e1b2be311aad989ea9adc9e7726396216acdf265e47bf9d524e81893eedc
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -346,8 +346,8 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         'adds Theta soil_mu (k_h soil_slope + omega^2 soil_inertia + soil_turning (1 - k_v))/slip_mu to J_r',
         'adds soil_mu soil_share to mu')),
     'softening_cohesion': Effect('softening_cohesion', '3.11', (
-        Parameter('moment', '', -INFINITY, INFINITY, 'resisting moment of a unit of the law', '', 1.0,
-            'softening_cohesion', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
+        Parameter('moment', '', -INFINITY, INFINITY, 'moment of a unit of the law', '', 1.0, 'softening_cohesion',
+            lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'strength without normal stress changes with slip', False, (),
         ('adds Theta cohesion_law softening_cohesion* to resistance', 'softening_cohesion* = moment strength_factor')),
 }

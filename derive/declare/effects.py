@@ -29,7 +29,6 @@ STRENGTH = sp.Symbol("strength_factor", real=True)  # multiplies friction and co
 SLIP, SPEED = sp.symbols("slip speed", real=True)
 DEGREE = 7  # of the pieces of tabulated functions
 
-
 _ZERO = sp.Integer(0)
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
@@ -233,25 +232,6 @@ LAWS = (
         equation="1.14"),
 )  # fmt: skip
 
-
-def _of_cohesion(p: Parameter) -> Parameter:
-    """The parameter of a law of cohesion for that of a friction law."""
-    if p.unit:
-        return replace(p, help=p.help.replace("friction", "cohesion"))
-    name = "cohesion" if p.name == "coefficient" else p.name
-    words = p.help.replace("friction coefficients", "cohesions").replace("friction coefficient", "cohesion")
-    words = words.removesuffix(", tan(phi)")
-    return replace(p, name=name, unit="Pa", help=words, key=f"{name}_kPa")
-
-
-# Laws of slip, by which cohesion changes as friction does.
-COHESION_LAWS = tuple(
-    replace(law, help=law.help.replace("friction", "cohesion"), parameters=tuple(map(_of_cohesion, law.parameters)))
-    for law in LAWS
-    if {*law.depends_on} <= {"slip"}
-)
-
-
 _COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
@@ -269,8 +249,7 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
 SOIL_MU, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu soil_turning soil_slope", real=True)
-# Of cohesion that changes with slip the law, and the moment that it multiplies, over Theta*.
-COHESION_LAW, _SOFTENING_COHESION = sp.symbols("cohesion_law softening_cohesion", real=True)
+COHESION_LAW, _SOFTENING_COHESION = sp.symbols("cohesion_law softening_cohesion", real=True)  # and its moment
 _SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
@@ -370,7 +349,6 @@ EFFECTS = (
            equation="3.11", pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
-
 # What a section adds to the balance by itself: no user and no file asks for it.
 _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
@@ -409,12 +387,10 @@ SECTION_EFFECTS = (
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
     Effect("softening_cohesion", "strength without normal stress changes with slip", (
-        _of_section("moment", "resisting moment of a unit of the law", _SOFTENING_COHESION, "rotation",
-                    _STRONG),),
+        _of_section("moment", "moment of a unit of the law", _SOFTENING_COHESION, "rotation", _STRONG),),
            equation="3.11", resistance=THETA * _SOFTENING_COHESION * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
-
 
 # The derivatives by psi of what turns with the mass.
 BY_PSI = {DRIVING_MOMENT: DRIVING_MOMENT_SLOPE, DRIVING_MOMENT_SLOPE: -DRIVING_MOMENT,

@@ -5,9 +5,9 @@ import re
 import sympy as sp
 
 from derive.code.emit import filled
+from derive.declare.cohesion import COHESION_LAWS
 from derive.declare.effects import (
     ALPHA,
-    COHESION_LAWS,
     DENSITY,
     EFFECTS,
     GRAVITY,

@@ -95,7 +95,8 @@ def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     every += _parameters_of_friction(scene.friction)
     assert isinstance(scene.effects, dict)
     for name in declared.EFFECTS:
-        every += _scalars(name, declared_parameters(name, scene.effects.get(name, {})))
+        given = scene.effects.get(name, {})
+        every += _scalars(name, declared_parameters(name, given))
     return {parameter.name: parameter for parameter in every}
 
 
@@ -190,8 +191,9 @@ def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
                 yield Parameter(name, "m", -FAR, FAR)
     for name in arc.other_numbers():
         path, _, quantity = name.rpartition(".")
-        of_cohesion = path.endswith(".cohesion") and quantity in ("peak", "residual")
-        yield Parameter(name, *SOIL_BOUNDS["cohesion" if of_cohesion else quantity])
+        if path.endswith(".cohesion") and quantity != "length":
+            quantity = "cohesion"
+        yield Parameter(name, *SOIL_BOUNDS[quantity])
 
 
 def _parameters_of_friction(friction: Any) -> Iterator[Parameter]:

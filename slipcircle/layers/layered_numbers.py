@@ -10,8 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from generated.effects import COHESION_LAWS, LAWS, Law
+from generated import effects as declared
+from generated.effects import COHESION_LAWS, LAWS
 from slipcircle.base.kinds import Values
+from slipcircle.core.scene.effects import Law
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
 
@@ -34,6 +36,11 @@ class LayeredNumbers:
         if self.foreland is None:
             return of_layers
         return (*of_layers, self.foreland)
+
+    def cohesion_laws(self: Any, cohesion: Values) -> tuple[Law, ...]:
+        """The laws by which the cohesion of its soils changes with slip."""
+        laws: tuple[Law, ...] = self.arc_strength.cohesion_laws
+        return laws
 
     def other_numbers(self) -> dict[str, Any]:
         """Numbers by name."""
@@ -121,7 +128,7 @@ def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     return numbers
 
 
-def _numbers_of_law(start: str, law: Values, laws: Mapping[str, Law] = LAWS) -> dict[str, Any]:
+def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = LAWS) -> dict[str, Any]:
     """The numbers of a law by name; a table has none."""
     numbers = {}
     for parameter in laws[law["law"]].parameters:

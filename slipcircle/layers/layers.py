@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Names, Values
-from slipcircle.core.scene.effects import Law, symbols_of
+from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Tables
@@ -349,10 +349,6 @@ class LayeredSection(LayeredNumbers, CrackedSection):
                 without = [name for name in added if not name.endswith("inertia")]
                 terms[effect] = {name: added[name] for name in without}
         return {**effects, **terms}
-
-    def cohesion_laws(self, cohesion: Any) -> tuple[Law, ...]:
-        """The laws by which the cohesion of the soils changes with slip: one of all, over its peak, or each its own."""
-        return self.arc_strength.cohesion_laws
 
     def effects_of_means(self, effects: Effects) -> Effects:
         """The same effects, but of its soils only the mean of their pore pressures."""

@@ -15,9 +15,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.program import OF_COHESION, OF_SOIL
+from generated.program import OF_SOIL
 from slipcircle.base.kinds import Floats, Names, Parameters
-from slipcircle.core.scene.effects import Law, cohesion_law
+from slipcircle.core.scene.effects import Law
+from slipcircle.layers.cohesion import SoilCohesion
 from slipcircle.layers.soils import Soil, distinct, share_one_law
 from slipcircle.layers.stretches import StretchIntegrals
 
@@ -193,7 +194,7 @@ class ArcStrength(StretchIntegrals):
         soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out.
         """
         if needs not in self._terms:
-            cohesion, growth = self._lasting_cohesion
+            cohesion, growth = self._soil_cohesion.lasting
             terms = {"strength": self._cohesion(needs, cohesion, growth)}
             if not self._own_laws:
                 terms |= self._friction_terms(needs)
@@ -241,7 +242,7 @@ class ArcStrength(StretchIntegrals):
         added = self._gripping(("", "normal", "inertia"), along, at_start)
         added["lift"] = self._lift(along, at_start)
         gradient = self.section.of_soils("cohesion_gradient")
-        added["cohesion"] = self._cohesion(at_start, along * self._peak_cohesion, along * gradient)
+        added["cohesion"] = self._cohesion(at_start, along * self._soil_cohesion.peak, along * gradient)
         added["angle"] = self._function({"space": self._by_direction(along)}, False)
         return added
 
@@ -302,63 +303,18 @@ class ArcStrength(StretchIntegrals):
     # --- cohesion, which may change with slip ------------------------------------------------------------------------
 
     @cached_property
-    def _peak_cohesion(self) -> Floats:
-        return self.section.of_soils("peak_cohesion")
-
-    @cached_property
-    def _lasting_share(self) -> Floats:
-        """Share of the initial cohesion that slip leaves, (soils, lanes); 0 of soils with laws of their own."""
-        if self._own_cohesion:
-            laws = [cohesion_law(soil.cohesion) for soil in self.section.soils]
-            return np.array([[float(law is None)] for law in laws])
-        peak = self._peak_cohesion
-        is_none = peak == 0.0
-        share: Floats = np.where(
-            is_none, 1.0, self.section.of_soils("residual_cohesion") / np.where(is_none, 1.0, peak)
-        )
-        return share
-
-    @property
-    def _lasting_cohesion(self) -> tuple[Floats, Floats]:
-        """Cohesion that does not change with slip, and its growth with depth, (soils, lanes)."""
-        lasting = self._peak_cohesion * self._lasting_share
-        if not self._own_cohesion:
-            lasting = self.section.of_soils("residual_cohesion")
-        return lasting, self.section.of_soils("cohesion_gradient") * self._lasting_share
-
-    @cached_property
-    def _own_cohesion(self) -> bool:
-        return not share_one_law(self.section.soils, "cohesion")
-
-    @cached_property
-    def _softening(self) -> dict[str, tuple[Law, Floats, Floats]]:
-        """Laws of cohesion by their numbers, with the cohesion and the growth that each multiplies, (soils, lanes)."""
-        gradient = self.section.of_soils("cohesion_gradient")
-        every = [(soil, cohesion_law(soil.cohesion)) for soil in self.distinct_soils]
-        softening = [(soil, law) for soil, law in every if law is not None]
-        if not softening:
-            return {}
-        if not self._own_cohesion:
-            _, (name, given) = softening[0]
-            of_all: Law = name, {**given, "peak": 1.0, "residual": 0.0}
-            cohesion, growth = self._lasting_cohesion
-            return {OF_COHESION: (of_all, self._peak_cohesion - cohesion, gradient - growth)}
-        found = dict[str, tuple[Law, Floats, Floats]]()
-        for k, (soil, law) in enumerate(softening):
-            along = self._is_soil(soil)
-            peak = np.where(self._peak_cohesion == 0.0, 1.0, self._peak_cohesion)
-            found[f"{OF_COHESION}{k}"] = (law, along * np.ones_like(gradient), along * gradient / peak)
-        return found
+    def _soil_cohesion(self) -> SoilCohesion:
+        return SoilCohesion(self.section)
 
     @property
     def cohesion_laws(self) -> tuple[Law, ...]:
         """Laws of cohesion by their names in the program, with their parameters."""
-        return tuple((name + number, given) for number, ((name, given), _, _) in self._softening.items())
+        return tuple((name + number, given) for number, ((name, given), _, _) in self._soil_cohesion.softening.items())
 
     def cohesion_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
         """Moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
         terms = {}
-        for number, (_, cohesion, growth) in self._softening.items():
+        for number, (_, cohesion, growth) in self._soil_cohesion.softening.items():
             terms[f"softening_cohesion{number}"] = {"moment": self._cohesion(needs, cohesion, growth)}
         return terms
 

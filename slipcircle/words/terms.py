@@ -155,10 +155,7 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
         yield EquationTerm(symbol, SOIL_COEFFICIENTS[symbol], "soils", values)
     for effect in plan.effects:
         yield from _numbers_of_effect(effect, scene, problem)
-    for name, given in scene.laws:
-        for p in COHESION_LAWS[without_soil(name)].parameters if name.endswith(OF_COHESION) else ():
-            if p.kind == "number":
-                yield EquationTerm(f"cohesion_{p.name}", p.help, without_soil(name), given[p.name], p.unit)
+    yield from _numbers_of_cohesion(scene)
     paths = law_paths(scene.friction)
     laws = law_parts(scene.friction)
     for k, (path, (name, parameters)) in enumerate(zip(paths, laws, strict=True), 1):
@@ -174,6 +171,18 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
                 if index == "i" and not p.unit:
                     value = tuple(soil.residual if p.name == "residual" else soil.peak for soil in soils)
                 yield _indexed(EquationTerm(prefix + p.name, p.help, name, value, p.unit), index)
+
+
+def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
+    """The numbers of the law of a cohesion that changes with slip."""
+    for name, given in scene.laws:
+        if not name.endswith(OF_COHESION):
+            continue
+        law = without_soil(name)
+        declared = COHESION_LAWS[law].parameters if law in COHESION_LAWS else ()
+        for p in declared:
+            if p.kind == "number":
+                yield EquationTerm(f"cohesion_{p.name}", p.help, law, given[p.name], p.unit)
 
 
 def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> dict[str, tuple[Any, ...]]:
