@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9462e1b2be311aad989ea9adc9e7726396216acdf265e47bf9d524e81893eedc
+# sha256 of the text below: 736627144de3921c41d7d5942fd4e8111b0138b3933c9a667ab48721723d69d1
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -176,6 +176,8 @@ EFFECTS = {
         Parameter('level', 'Pa', -5e-324, INFINITY,
             'mean pressure on the arc of a real section below its water level, which stays while the mass turns '
             'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation'),
+        Parameter('standing', '', -INFINITY, INFINITY, 'moment of the water that the mass displaces, over Theta*', '',
+            1.0, 'standing_water', lambda value, scales: value, True, 'rotation'),
         Parameter('time', 's', -5e-324, 1e+18,
             'times of a ratio or pressure given as a list, with linear interpolation', 'time_s', 1.0, '', lambda value,
             scales: value, True, 'list'),
@@ -197,8 +199,8 @@ EFFECTS = {
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear'),
     ), ('time',), 'water pressure on the slip surface reduces friction', False, ('ratio', 'pressure', 'record'),
-        ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
-        'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
+        ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'adds -Theta standing_water to J_theta',
+        'pore_ratio* = cover ratio', 'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'shear strength without normal stress', 'cohesion_kPa',
             1000.0, 'cohesion', lambda value, scales: scales['strength_factor']*value/scales['reference_stress'], False,

@@ -235,7 +235,7 @@ LAWS = (
 _COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
-K_H, K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+K_H, K_V, _EXCESS, _KAPPA, _STANDING = sp.symbols("k_h k_v excess kappa standing_water", real=True)
 # Of the soils along an arc, over Theta*. What turns with the mass are numbers, the others functions of the rotation.
 SLIP_MU, TURNING, TURNING_SLOPE, REMAINING, REMAINING_SLOPE = sp.symbols(
     "slip_mu turning turning_slope remaining remaining_slope", real=True
@@ -289,6 +289,7 @@ EFFECTS = (
                   "pressure_kPa", _PRESSURE, VALUE / REFERENCE, optional=True, kind="series"),
         Parameter("level", "Pa", "mean pressure on the arc of a real section below its water level, which stays "
                   "while the mass turns through it", "", WATER, VALUE / REFERENCE, optional=True, kind="rotation"),
+        _of_section("standing", "moment of the water that the mass displaces, over Theta*", _STANDING, "rotation"),
         Parameter("time", "s", "times of a ratio or pressure given as a list, with linear interpolation", "time_s",
                   optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
@@ -297,7 +298,7 @@ EFFECTS = (
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
         *_OF_A_RECORD),
-           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + WATER,
+           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + WATER, driving_moment=-THETA * _STANDING,
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "the slip surface has strength without normal stress", (
         Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",

@@ -20,7 +20,7 @@ from slipcircle.base.kinds import Floats, Names, Parameters
 from slipcircle.core.scene.effects import Law
 from slipcircle.layers.cohesion import SoilCohesion
 from slipcircle.layers.soils import Soil, distinct, share_one_law
-from slipcircle.layers.stretches import StretchIntegrals
+from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
 
 class OfRotation(NamedTuple):
@@ -92,6 +92,8 @@ class ArcStrength(StretchIntegrals):
             names.append("growth")
         if self.section.level is not None:
             names.append("heads")
+        if self.section.in_standing_water:
+            names += ["standing", "displaced"]
         parts = self.parts(np.zeros((1, circles)), names)
         return {name: part[:, 0] for name, part in parts.items()}
 
@@ -247,14 +249,17 @@ class ArcStrength(StretchIntegrals):
         return added
 
     def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
-        """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
+        """What standing water and each soil with a friction law of its own add to the balance, over Theta*, by effect.
 
         With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
         normal force on the soil exceeds its share by as the mass turns.
         """
+        terms: dict[str, dict[str, Any]] = {}
+        if self.section.in_standing_water:
+            moment = self._standing_moment(needs)
+            terms["pore_pressure"] = {"standing": moment}
         if not self._own_laws:
-            return {}
-        terms = {}
+            return terms
         for k, soil in enumerate(self.distinct_soils):
             along = self._is_soil(soil)
             share = self._mean(along)
@@ -343,7 +348,20 @@ class ArcStrength(StretchIntegrals):
             below_level = np.where(ratio > 0.0, 0.0, share)
             weight = below_level * section.water_unit_weight / self._weight_scale
             coefficients["heads"] = self._by_direction(weight)
+        if section.in_standing_water:
+            stays_in_space = True
+            weight = share * section.water_unit_weight / self._weight_scale
+            by_direction = self._by_direction(weight)
+            coefficients["standing"] = by_direction / LIKE_WEIGHTS
         return self._function(coefficients, needs.rotates and stays_in_space)
+
+    def _standing_moment(self, needs: Needs) -> Any:
+        """The moment of displaced water over Theta*."""
+        section = self.section
+        inertia = section._moments["inertia"]
+        share = section.water_unit_weight * inertia / self._weight_scale
+        coefficients = share / LIKE_WEIGHTS
+        return self._function({"displaced": coefficients[None]}, needs.rotates)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
         """A function of the rotation, or the number that it is at the start; 0 of nothing."""

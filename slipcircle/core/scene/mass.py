@@ -88,6 +88,8 @@ class Mass:
         That of its soils, in place of the scene's.
     given : mapping or None
         Coefficients in place of computed ones.
+    in_standing_water : bool
+        Whether standing water covers its lower end.
     rotation_range : tuple
         Rotations up-slope and down-slope between which the method applies, rad; by convention 30 degrees.
     centre, exit, centroid : array
@@ -113,6 +115,7 @@ class Mass:
     own_effects: ClassVar[Names] = ()
     friction: Any = None
     given: Any = None
+    in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
     # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
