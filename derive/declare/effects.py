@@ -388,8 +388,8 @@ SECTION_EFFECTS = (
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
     Effect("softening_cohesion", "strength without normal stress changes with slip", (
-        _of_section("moment", "moment of a unit of the law", _SOFTENING_COHESION, "rotation", _STRONG),),
-           equation="3.11", resistance=THETA * _SOFTENING_COHESION * COHESION_LAW),
+        _of_section("moment", "moment of 1 Pa", _SOFTENING_COHESION, "rotation", _STRONG),), equation="3.11",
+           resistance=THETA * _SOFTENING_COHESION * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 
