@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 963ebe52eb347faef6951de17b7681be8e4b69d1c10794ac0f24965ccc82bc2e
+# sha256 of the text below: bd44d1d3bc4f4e1b3dce44e70e97ad6ca436bd8a2a5195ef4883582b29cfa9c2
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -664,23 +664,21 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=(),
         optional=(),
         scalar=(
-            ('mul', 'softening_cohesion.resisting', 'cohesion_law_0', 'softening_cohesion'),
+            ('mul', 'softening_cohesion.resisting', 'cohesion_law_0', 'softening'),
             ('abs', 'softening_cohesion.resisting_size', 'softening_cohesion.resisting'),
         ),
         series=(
             ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
-            ('lin', 'dsoftening_cohesion', '', (('softening_cohesion.Q1', 'x'), ('softening_cohesion.Q2', 'x^2'),
-                ('softening_cohesion.Q3', 'x^3'), ('softening_cohesion.Q4', 'x^4'), ('softening_cohesion.Q5', 'x^5'),
-                ('softening_cohesion.Q6', 'x^6'), ('softening_cohesion.Q7', 'x^7'))),
-            ('mul', 'dcohesion_law*dsoftening_cohesion', 'dcohesion_law', 'dsoftening_cohesion'),
+            ('lin', 'dsoftening', '', (('softening.Q1', 'x'), ('softening.Q2', 'x^2'), ('softening.Q3', 'x^3'),
+                ('softening.Q4', 'x^4'), ('softening.Q5', 'x^5'), ('softening.Q6', 'x^6'), ('softening.Q7', 'x^7'))),
+            ('mul', 'dcohesion_law*dsoftening', 'dcohesion_law', 'dsoftening'),
         ),
         adds={
-            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('softening_cohesion',
-                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoftening_cohesion'), ('cohesion_law_0',
-                'dsoftening_cohesion'))),
+            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('softening',
+                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoftening'), ('cohesion_law_0', 'dsoftening'))),
         },
         states=(),
-        tables=(('softening_cohesion', 'rotation', 'x', 7),),
+        tables=(('softening', 'rotation', 'x', 7),),
     ),
     'constant': Fragment(
         inputs=('constant.coefficient',),

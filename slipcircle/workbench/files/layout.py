@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-from slipcircle.workbench.files.keys import FRICTION, WITH_ARC, Table, fitted
+from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
 from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, WITH_ONE_SOIL
 
 _BY_SOILS = "is given by the soils beside [[layers]]"
@@ -44,6 +44,9 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     excluded = _excluded(on_slope, layered)
     if isinstance(content.get("pond"), dict):
         excluded["pond"] = _POND
+    if "cohesion" in content and not layered:  # alone it means phi = 0
+        friction = whole.tables["friction"]._replace(required=False)
+        whole = whole._replace(tables={**whole.tables, "friction": friction})
     mistakes = [f"{name}: {why}" for name, why in excluded.items() if name in content]
     known = {}
     for name, value in content.items():
@@ -54,8 +57,6 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     if layered and isinstance(ground, dict) and "unit_weight_kN_m3" in ground:
         known["ground"] = {k: value for k, value in ground.items() if k != "unit_weight_kN_m3"}
         mistakes.append(f"ground.unit_weight_kN_m3: {_BY_SOILS}: unit_weight_kN_m3 in [soils.NAME]; leave it out")
-    if "cohesion" in known and not layered:
-        whole = whole._replace(tables={**whole.tables, "friction": FRICTION._replace(required=False)})
     return Layout(fitted(whole, known), known, mistakes, on_slope, layered)
 
 

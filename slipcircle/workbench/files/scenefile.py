@@ -241,11 +241,9 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
 
 
 def _friction(given: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
-    """The law of slip of a file, with the law of speed that multiplies it; cohesion alone means no friction."""
-    if "cohesion" in given and "friction" not in given:
-        return {"law": "constant", "coefficient": 0.0}
+    """The law of slip of a file, with the law of speed that multiplies it."""
     rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
-    return {"law": "constant"} | given.get("friction", {}) | rate
+    return {"law": "constant"} | given.get("friction", {"coefficient": 0.0}) | rate
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:
