@@ -249,7 +249,7 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
 SOIL_MU, COHESION_LAW, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu cohesion_law soil_turning soil_slope", real=True)
-_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENING = sp.symbols("soil_share soil_inertia soil_lift softening", real=True)
+_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENED = sp.symbols("soil_share soil_inertia soil_lift softening", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -387,8 +387,8 @@ SECTION_EFFECTS = (
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
     Effect("softening_cohesion", "strength without normal stress changes with slip", (
-        _of_section("moment", "moment of 1 Pa", _SOFTENING, "rotation", _STRONG),), equation="3.11",
-           resistance=THETA * _SOFTENING * COHESION_LAW),
+        _of_section("moment", "moment of 1 Pa", _SOFTENED, "rotation", _STRONG),), equation="3.11",
+           resistance=THETA * _SOFTENED * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 
