@@ -156,7 +156,10 @@ def parameter(name: str) -> Parameter:
 
 def test_a_parameter_knows_its_sign_in_a_mirror() -> None:
     signs = {e.name: {str(x) for x in fragments.odd(e)} for e in EFFECTS}
-    assert {name: found for name, found in signs.items() if found} == {"shaking": {"k_h"}}
+    assert {name: found for name, found in signs.items() if found} == {
+        "shaking": {"k_h"},
+        "pore_pressure": {"standing_water"},
+    }
     k = sp.Symbol("k", real=True)
     lopsided = Effect("lopsided", "both ways at once", (parameter("k"),),
                       driving_moment=k * THETA * declared.DRIVING_MOMENT_SLOPE,
