@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4799f8a54c5e43a38b26ca9d1d5e198d7093571d6642cbe19412979ba545dcdd
+# sha256 of the text below: 50cae483f3aaa131736e228cf6a6943fe58f1670b83ec5e4185bff15d3ea6e2d
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -348,8 +348,8 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         'adds Theta soil_mu (k_h soil_slope + omega^2 soil_inertia + soil_turning (1 - k_v))/slip_mu to J_r',
         'adds soil_mu soil_share to mu')),
     'softening_cohesion': Effect('softening_cohesion', '3.11', (
-        Parameter('moment', '', -INFINITY, INFINITY, 'moment of 1 Pa', '', 1.0, 'softening', lambda value,
+        Parameter('moment', '', -INFINITY, INFINITY, 'moment of 1 Pa', '', 1.0, 'soft_share', lambda value,
             scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'strength without normal stress changes with slip', False, (),
-        ('adds Theta cohesion_law softening* to resistance', 'softening* = moment strength_factor')),
+        ('adds Theta cohesion_law soft_share* to resistance', 'soft_share* = moment strength_factor')),
 }

@@ -249,7 +249,7 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
 SOIL_MU, COHESION_LAW, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu cohesion_law soil_turning soil_slope", real=True)
-_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENED = sp.symbols("soil_share soil_inertia soil_lift softening", real=True)
+_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENED = sp.symbols("soil_share soil_inertia soil_lift soft_share", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
