@@ -32,14 +32,15 @@ def pressure_table(
     """Mean pore pressure below a section's water level, Pa, as a function of the rotation until contact is lost."""
 
     def pressure(rotation: Any) -> Any:
-        places = rotation if section.shape else rotation[:, 0]
-        values = pressure_of(places)
+        *axes, _ = rotation.shape
+        values = pressure_of(rotation.reshape(*axes, *section.shape))
         return values.reshape(1, *rotation.shape)
 
     last = upright(section)
     if rotates:
         first = first_rotation(last, upslope)
-        kinks = np.atleast_2d(section.pressure_kinks)
+        kinks = section.pressure_kinks
+        kinks = kinks.reshape(last.size, kinks.shape[-1])
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)
         coefficients = np.ascontiguousarray(coefficients[:, :, 0])
     else:

@@ -150,7 +150,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     has_many = circles.size > 1
     parts = list[Part]()
     whole = list[Floats]()
-    for first in range(0, circles.size, _CIRCLES):
+    for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
         part = _part_of(strips, weights, circles[some], edges[:, some])
         whole.append(part.before[-1])
@@ -217,7 +217,7 @@ def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
     *axes, pieces, circles = values.shape
     flat = values.reshape(*axes, pieces * circles)
     developed = _DEVELOPING @ flat
-    by_piece = developed.reshape(*axes[:2], -1, pieces, circles)
+    by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
     series = by_piece[:, :, : _COUNT + 1]
     sizes = by_piece[:, :, _COUNT + 1 :]
     of_terms = np.abs(sizes).max(axis=(0, 1))
