@@ -39,7 +39,8 @@ def test_what_moved_the_mass_is_found_again(name: str, output: str, field: str, 
 
 @pytest.mark.parametrize(
     ("scene", "number", "observed", "how"),
-    [("layered-slope", "soils.clay.cohesion", "run_out", "found"), ("layered-slope", "layers.2.top", "duration", "found"),
+    [("layered-slope", "soils.clay.cohesion", "run_out", "found"),
+     ("layered-slope", "layers.2.top", "duration", "found"),
      ("layered-slope", "ground.3.x", "run_out", "without effect"), ("vaiont", "gravity", "run_out", "without effect"),
      ("vaiont", "radius", "peak_velocity", "found")],
 )  # fmt: skip

@@ -11,6 +11,7 @@ import argparse
 import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -26,7 +27,8 @@ def outcome(scene: Scene, name: str, observed: str, value: float) -> str:
     """Return "found", "without effect", or how the number differs."""
     number = parameters(scene)[name].value
     try:
-        solutions = backanalyse(scene, **{observed: value}, field=name).solutions
+        asked: dict[str, Any] = {observed: value}
+        solutions = backanalyse(scene, field=name, **asked).solutions
     except ValueError as error:
         return "without effect" if "does not affect" in str(error) else f"{type(error).__name__}: {error}"
     nearest = min((abs(solution.values[name] / number - 1.0) for solution in solutions), default=np.inf)
