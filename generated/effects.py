@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f42697fd098a4f207dd56b0eba018e9ab46d0515f87627901e981b3d8f2b57d4
+# sha256 of the text below: 50cae483f3aaa131736e228cf6a6943fe58f1670b83ec5e4185bff15d3ea6e2d
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -122,6 +122,43 @@ LAWS = {
     ), ('time',), 'straight lines between the times of a table, the end values beyond'),
 }
 
+COHESION_LAWS = {  # of cohesion as a function of slip
+    'constant': Law('constant', '1.14', (
+        Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'cohesion', 'cohesion_kPa', 1000.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), (), 'cohesion does not change'),
+    'exponential': Law('exponential', 'Fig. 4-1', (
+        Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('residual', 'Pa', -5e-324, 1000000000000000.0, 'cohesion after much slip', 'residual_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which cohesion falls', 'length_m', 1.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), ('slip',), 'residual + (peak - residual) exp(-slip/length)'),
+    'linear': Law('linear', 'Fig. 4-1', (
+        Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('residual', 'Pa', -5e-324, 1000000000000000.0, 'cohesion after much slip', 'residual_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which cohesion falls', 'length_m', 1.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), ('slip',), 'falls from peak to residual over the length, then stays'),
+    'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
+        Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('residual', 'Pa', -5e-324, 1000000000000000.0, 'cohesion after much slip', 'residual_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which cohesion falls', 'length_m', 1.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)'),
+    'tabulated': Law('tabulated', 'Fig. 4-1', (
+        Parameter('slip', 'm', -5e-324, 1e+20, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '',
+            lambda value, scales: value, False, 'list'),
+        Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'cohesions at these slips', 'cohesion_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'list'),
+    ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond'),
+}
+
 EFFECTS = {
     'rotation': Effect('rotation', '1.2', (), ('slip',),
         'the mass turns as it slides, and its weight acts in its new position', True, (), ('psi = psi_0 - phi',)),
@@ -139,6 +176,8 @@ EFFECTS = {
         Parameter('level', 'Pa', -5e-324, INFINITY,
             'mean pressure on the arc of a real section below its water level, which stays while the mass turns '
             'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation'),
+        Parameter('standing', '', -INFINITY, INFINITY, 'moment of the water that the mass displaces, over Theta*', '',
+            1.0, 'standing_water', lambda value, scales: value, True, 'rotation'),
         Parameter('time', 's', -5e-324, 1e+18,
             'times of a ratio or pressure given as a list, with linear interpolation', 'time_s', 1.0, '', lambda value,
             scales: value, True, 'list'),
@@ -160,8 +199,8 @@ EFFECTS = {
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear'),
     ), ('time',), 'water pressure on the slip surface reduces friction', False, ('ratio', 'pressure', 'record'),
-        ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
-        'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
+        ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'adds -Theta standing_water to J_theta',
+        'pore_ratio* = cover ratio', 'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'shear strength without normal stress', 'cohesion_kPa',
             1000.0, 'cohesion', lambda value, scales: scales['strength_factor']*value/scales['reference_stress'], False,
@@ -308,4 +347,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         False, (), ('adds Theta soil_lift soil_mu/(lambda slip_mu) to u',
         'adds Theta soil_mu (k_h soil_slope + omega^2 soil_inertia + soil_turning (1 - k_v))/slip_mu to J_r',
         'adds soil_mu soil_share to mu')),
+    'softening_cohesion': Effect('softening_cohesion', '3.11', (
+        Parameter('moment', '', -INFINITY, INFINITY, 'moment of 1 Pa', '', 1.0, 'soft_share', lambda value,
+            scales: scales['strength_factor']*value, True, 'rotation'),
+    ), (), 'strength without normal stress changes with slip', False, (),
+        ('adds Theta cohesion_law soft_share* to resistance', 'soft_share* = moment strength_factor')),
 }

@@ -11,14 +11,17 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from slipcircle import Section, Slope, critical
+from slipcircle import LayeredSection, Scene, Section, Slope, Soil, critical, solve
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.stability.search import at_circle
+from slipcircle.workbench.stability.stability import factors_of_safety
+from tests.campaigns import standing_water
 
 WATER = 9810.0
+TURNING = ["rotation", "centripetal"]
 DAM = [(-40.0, 0.0), (0.0, 0.0), (40.0, 16.0), (50.0, 16.0), (90.0, 0.0), (130.0, 0.0)]
 Pond = tuple[float, float, float]
 
@@ -335,3 +338,81 @@ def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
     )
     with pytest.raises(ValueError, match="below the size of the ground"):
         critical(Slope(shifted(ground, by), **given), depth=61.0)
+
+
+# --- motions in standing water ----------------------------------------------------------------------------------------
+
+POOLS = [standing_water.drawn(np.random.default_rng([7, k])) for k in range(12)]
+
+
+@pytest.mark.parametrize("layered", [False, True])
+def test_motions_in_standing_water_are_those_of_a_plain_integration(layered: bool) -> None:
+    """``python -m tests.campaigns.standing_water 200`` compares more."""
+    pool = next(pool for pool in POOLS if layered == (pool.joint is not None))
+    assert standing_water.difference(pool) < 1e-8
+
+
+@pytest.mark.parametrize("number", range(len(POOLS)))
+def test_motion_and_statics_agree_at_the_start(number: int) -> None:
+    """Also from the other side and in map coordinates, where all is the same."""
+    pool = POOLS[number]
+    motion = solve(pool.scene())
+    factors = factors_of_safety(pool.scene())
+    assert motion.factor_of_safety == pytest.approx(float(factors["paper"]), rel=1e-12)
+    assert motion.yield_coefficient == pytest.approx(float(factors["k_y"]), rel=1e-11)
+    mirrored = solve(pool.scene(facing=-1.0))
+    assert mirrored.factor_of_safety == pytest.approx(motion.factor_of_safety, rel=1e-12)
+    assert mirrored.run_out == pytest.approx(motion.run_out, rel=1e-10)
+    assert solve(pool.scene(shift=5e6)).run_out == pytest.approx(motion.run_out, rel=1e-6)
+
+
+@pytest.mark.parametrize("layers", [{}, {"layers": [(Soil(2e4, 2e3, 0.2, name="soil"), None)]}])
+def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> None:
+    """With weight g' = g - g_w and inertia g, E = omega^2 is g'/g times as great everywhere: the same run-out."""
+    peaks = []
+    for weight, level in ((2e4, [(-40, 60), (130, 60)]), (2e4 - WATER, None)):
+        if layers:
+            soil = Soil(weight, 2e3, 0.2, name="soil")
+            scene = Scene(LayeredSection(DAM, (82, 44), 44.0, level=level, layers=[(soil, None)]), effects=TURNING)
+        else:
+            effects: dict[str, Any] = {name: {} for name in TURNING} | {"cohesion": {"cohesion": 2e3}}
+            scene = Scene(Section(DAM, (82, 44), 44.0, weight, level=level), 0.2, effects)
+        motion = solve(scene)
+        peaks.append(
+            (motion.run_out, motion.peak.velocity * (1.0 if level is None else math.sqrt(weight / (weight - WATER))))
+        )
+    (run_out, velocity), (buoyant, of_buoyant) = peaks
+    assert run_out == pytest.approx(buoyant, rel=1e-12)
+    assert velocity == pytest.approx(of_buoyant, rel=1e-12)
+
+
+def test_lanes_in_standing_water_are_their_scenes() -> None:
+    """Radii and levels, one of which leaves the toe dry."""
+    levels = np.array([[(-40.0, low), (0.0, low), (90 - 2.5 * low, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
+    every = Section(DAM, (82, 44), np.array([44.0, 43.0, 44.0]), 2e4, level=levels)
+    motion = solve(Scene(every, 0.2, TURNING))
+    factors = factors_of_safety(Scene(every, 0.2, TURNING))
+    for lane, radius in enumerate((44.0, 43.0, 44.0)):
+        alone = Scene(Section(DAM, (82, 44), radius, 2e4, level=levels[lane]), 0.2, TURNING)
+        assert motion.run_out[lane] == pytest.approx(solve(alone).run_out, rel=1e-9)
+        assert factors["bishop"][lane] == pytest.approx(factors_of_safety(alone)["bishop"], rel=1e-12)
+
+
+def test_a_motion_takes_free_water_of_one_level() -> None:
+    for ends, words in (
+        ((24, 97), r"y = 12 covers the mass, and free water at y = 3 its exit"),
+        ((26, 76), "not its exit"),
+    ):
+        truth = of(ends, 60.0, 1.0)
+        with pytest.raises(ValueError, match=words):
+            Scene(truth.section(level=SEEPS), 0.3, TURNING)
+
+
+def test_standing_water_is_told_of(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    weak = SLOPE.replace("angle_deg = 28", "angle_deg = 12").replace("LEVEL", "[[0, 6], [20, 5], [38, 1], [80, 1]]")
+    (tmp_path / "pool.toml").write_text(weak + "[rotation]\n", "utf-8")
+    assert main(["run", str(tmp_path / "pool.toml")]) == 0
+    printed = capsys.readouterr()
+    assert "whose drag and added mass are not included" in printed.err
+    assert "below the water level" not in printed.err
+    assert "x = 38 to 80 m, level 1 m" in printed.out

@@ -22,7 +22,7 @@ from unittest.mock import Mock
 import pytest
 
 from derive import build
-from slipcircle import Motion, load, solve
+from slipcircle import Motion, Section, load, solve
 from slipcircle.core import doors
 from slipcircle.core.program import build_program
 from tests.support.layered import of_each_soil
@@ -184,6 +184,7 @@ def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> No
             assert inside is None or names <= {*public[inside]["__all__"]}, path
 
 
+IN_WATER = Section([(-60, 20), (0, 20), (40, 0), (120, 0)], (30, 45), 48.0, 19e3, level=[(-60, 5), (120, 5)])
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # What opens each door: a scene that ships, with what no file can say, and a question about its motion.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
@@ -194,6 +195,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
     "soils": ("layered-slope", {"arc": of_each_soil()}, bool),
     "water": ("valley-side", {}, bool),
+    "standing": ("valley-side", {"arc": IN_WATER}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
     "plan": ("vaiont", {}, lambda motion: motion.plan.why),

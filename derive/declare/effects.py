@@ -29,7 +29,6 @@ STRENGTH = sp.Symbol("strength_factor", real=True)  # multiplies friction and co
 SLIP, SPEED = sp.symbols("slip speed", real=True)
 DEGREE = 7  # of the pieces of tabulated functions
 
-
 _ZERO = sp.Integer(0)
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
@@ -233,11 +232,10 @@ LAWS = (
         equation="1.14"),
 )  # fmt: skip
 
-
 _COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
-K_H, K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+K_H, K_V, _EXCESS, _KAPPA, _STANDING = sp.symbols("k_h k_v excess kappa standing_water", real=True)
 # Of the soils along an arc, over Theta*. What turns with the mass are numbers, the others functions of the rotation.
 SLIP_MU, TURNING, TURNING_SLOPE, REMAINING, REMAINING_SLOPE = sp.symbols(
     "slip_mu turning turning_slope remaining remaining_slope", real=True
@@ -250,8 +248,8 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 )
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
-SOIL_MU, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu soil_turning soil_slope", real=True)
-_SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
+SOIL_MU, COHESION_LAW, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu cohesion_law soil_turning soil_slope", real=True)
+_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENED = sp.symbols("soil_share soil_inertia soil_lift soft_share", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -290,6 +288,7 @@ EFFECTS = (
                   "pressure_kPa", _PRESSURE, VALUE / REFERENCE, optional=True, kind="series"),
         Parameter("level", "Pa", "mean pressure on the arc of a real section below its water level, which stays "
                   "while the mass turns through it", "", WATER, VALUE / REFERENCE, optional=True, kind="rotation"),
+        _of_section("standing", "moment of the water that the mass displaces, over Theta*", _STANDING, "rotation"),
         Parameter("time", "s", "times of a ratio or pressure given as a list, with linear interpolation", "time_s",
                   optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
@@ -298,7 +297,7 @@ EFFECTS = (
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
         *_OF_A_RECORD),
-           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + WATER,
+           equation="2.20", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + WATER, driving_moment=-THETA * _STANDING,
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "the slip surface has strength without normal stress", (
         Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",
@@ -350,7 +349,6 @@ EFFECTS = (
            equation="3.11", pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
-
 # What a section adds to the balance by itself: no user and no file asks for it.
 _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
@@ -388,9 +386,11 @@ SECTION_EFFECTS = (
         _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), equation="2.23",
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
+    Effect("softening_cohesion", "strength without normal stress changes with slip", (
+        _of_section("moment", "moment of 1 Pa", _SOFTENED, "rotation", _STRONG),), equation="3.11",
+           resistance=THETA * _SOFTENED * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
-
 
 # The derivatives by psi of what turns with the mass.
 BY_PSI = {DRIVING_MOMENT: DRIVING_MOMENT_SLOPE, DRIVING_MOMENT_SLOPE: -DRIVING_MOMENT,

@@ -129,6 +129,31 @@ def _below_base(section: Any) -> Fault:
     return lowest < base - AS_PRINTED * radius, sentence
 
 
+def _other_water(section: Any) -> Fault:
+    """Masses under free water of another level than that at the exit."""
+    _, centre, radius = section._circle
+    left, right = _x_of_ends(section)
+    water = section.free_water
+    first = np.maximum(water.first, left)
+    last = np.minimum(water.last, right)
+    at_exit = centre[:, 1] + radius * section.standing_level
+    difference = np.abs(water.level - at_exit)
+    differs = difference > 1e-9 * radius
+    covers = last > first
+    other = covers & differs
+
+    def sentence(k: int) -> str:
+        levels = np.broadcast_to(water.level, other.shape)
+        of_lane = levels[:, k]
+        level = of_lane[other[:, k]][0]
+        why = "not its exit" if np.isinf(at_exit[k]) else f"free water at y = {at_exit[k]:.6g} its exit"
+        return (
+            f"{{level}}: free water at y = {level:.6g} covers the mass, and {why}; a motion takes the level at the exit"
+        )
+
+    return other.any(axis=0), sentence
+
+
 def motion_errors(section: Any) -> Iterator[Fault]:
     """Lanes to which the method gives no motion."""
     half_angle = np.ravel(section.half_angle)
@@ -140,15 +165,7 @@ def motion_errors(section: Any) -> Iterator[Fault]:
             "stress of the method (2.9) loses its sense"
         ),
     )
-    left, right = _x_of_ends(section)
-    water = section.free_water
-    first = np.maximum(water.first, left)
-    last = np.minimum(water.last, right)
-    covered = last > first
-    yield (
-        covered.any(axis=0),
-        lambda k: "{level}: free water covers the mass, whose drag and added mass are not known; a motion refuses it",
-    )
+    yield _other_water(section)
     normal_load = np.ravel(section.moment_coefficients.normal_load)
     yield (
         normal_load <= 0.0,

@@ -210,6 +210,29 @@ class SectionGeometry(TurningMass):
         return free_water(*self.water)
 
     @cached_property
+    def standing_level(self) -> Floats:
+        """Level of free water above the exits, over R from the centres, (lanes,); -inf where an exit is dry."""
+        _, centre, radius = self._circle
+        x, y = self.exit.reshape(-1, 2).T
+        level = self.free_water.covering(x, y)
+        return (level - centre[:, 1]) / radius
+
+    @cached_property
+    def in_standing_water(self) -> bool:
+        """Whether free water covers an exit."""
+        is_under_water = np.isfinite(self.standing_level)
+        return bool(is_under_water.any())
+
+    @cached_property
+    def _span(self) -> tuple[Floats, Floats]:
+        """Directions of the entry and of the exit, positive down-slope, (lanes,)."""
+        left, right = self._angles
+        faces_right = self._facing > 0.0
+        entry = np.where(faces_right, left, -right)
+        exit_ = np.where(faces_right, right, -left)
+        return entry, exit_
+
+    @cached_property
     def _water(self) -> HeightIntegrals:
         return height_integrals(self._level, *self._circle[1:])
 

@@ -13,6 +13,7 @@ from slipcircle.ground.plane import each_lane
 
 _LEVEL = 0.01  # of the height of the ground, by which free water may deviate from a horizontal level
 _ROUNDING = 1e-9  # of the size of the ground
+Bodies = list[list[float]]  # each its shores, mean level and fall
 Given = Sequence[tuple[float, float, float]]  # ponds: x of both shores, and the level
 
 
@@ -35,7 +36,7 @@ class Ponds(NamedTuple):
     fall: Floats
 
     @property
-    def of_one(self) -> list[list[float]]:
+    def of_one(self) -> Bodies:
         """x of both shores and level of each water on the ground of one lane, from left to right."""
         of_lane = np.stack(self[:3])[..., 0]
         rows = of_lane.T.tolist()
@@ -60,8 +61,12 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     lanes = len(bodies)
     count = max(map(len, bodies), default=0)
     x, y = grounds[:, 0].min(axis=0, initial=np.inf)
-    beside = [x - 1.0, x - 1.0, y, 0.0]  # where a lane has less water
-    padded = [of_lane + [beside] * (count - len(of_lane)) for of_lane in bodies]
+    outside = x - 1.0
+    nothing = [outside, outside, y, 0.0]  # where a lane has less water
+    padded = []
+    for of_lane in bodies:
+        missing = count - len(of_lane)
+        padded.append(of_lane + missing * [nothing])
     table: Floats = np.reshape(padded, (lanes, count, 4))
     return Ponds(*table.T)
 
@@ -71,12 +76,14 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
     if levels is None:
         return zip(grounds, repeat(None), strict=False)
     lanes = len(levels) if len(grounds) == 1 else len(grounds)
-    return zip(each_lane(grounds, lanes), each_lane(levels, lanes), strict=True)
+    of_grounds = each_lane(grounds, lanes)
+    of_levels = each_lane(levels, lanes)
+    return zip(of_grounds, of_levels, strict=True)
 
 
-def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> list[list[float]]:
+def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> Bodies:
     """Shores, mean level and fall of the free water over a ground."""
-    bodies: list[list[float]] = []
+    bodies: Bodies = []
     if level is not None and not confined:
         bodies += _below(ground, level)
     for pond in ponds:
@@ -84,32 +91,41 @@ def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) 
     return bodies
 
 
-def _pond(ground: Floats, pond: Sequence[float]) -> list[list[float]]:
+def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
     """The water of a pond, from shore to shore."""
     first, last, level = pond
-    bodies = _below(ground, np.array([[first, level], [last, level]]))
-    return [body for body in bodies if min(last, body[1]) > max(first, body[0])]
+    line = np.array([[first, level], [last, level]])
+    bodies = []
+    for body in _below(ground, line):
+        left, right, *_ = body
+        if left < last and right > first:
+            bodies.append(body)
+    return bodies
 
 
-def _below(ground: Floats, level: Floats) -> list[list[float]]:
+def _below(ground: Floats, level: Floats) -> Bodies:
     """The water between a ground (V, 2) and a level (W, 2) above it."""
 
     def depth(x: Floats) -> Floats:
-        return np.interp(x, *level.T) - np.interp(x, *ground.T)
+        height = np.interp(x, *level.T)
+        return height - np.interp(x, *ground.T)
 
     left, right = ground[[0, -1], 0]
     vertices = np.concatenate([ground[:, 0], level[:, 0]])
-    x = np.unique(np.clip(vertices, left, right))
+    inside = np.clip(vertices, left, right)
+    x = np.unique(inside)
     x = np.union1d(x, _roots(depth, x))
     middle = (x[:-1] + x[1:]) / 2
     is_wet = depth(middle) > _ROUNDING * (right - left)
-    shores = np.flatnonzero(np.diff(is_wet, prepend=False, append=False))
+    changes = np.diff(is_wet, prepend=False, append=False)
+    shores = np.flatnonzero(changes)
     bodies = []
     for first, last in shores.reshape(-1, 2).tolist():
         heights = np.interp(x[first : last + 1], *level.T)
         low = heights.min()
         high = heights.max()
-        bodies.append([x[first], x[last], (low + high) / 2, high - low])
+        middle_height = (low + high) / 2
+        bodies.append([x[first], x[last], middle_height, high - low])
     return bodies
 
 
@@ -121,7 +137,8 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
     late = linear(x[1:] - quarter)
     fall = early - late
     divisor = np.where(fall == 0.0, np.inf, 2 * fall)
-    share = np.clip(0.25 + early / divisor, 0.0, 1.0)
+    place = 0.25 + early / divisor
+    share = np.clip(place, 0.0, 1.0)
     roots: Floats = x[:-1] + share * step
     return roots
 

@@ -148,11 +148,14 @@ class Section(SectionGeometry, Mass):
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Adds the mean pressure below the water level, which stays in place as the mass turns through it."""
-        if self.level is None:
-            return effects
-        ratio_or_pressure = effects.get("pore_pressure", {})
-        return {**effects, "pore_pressure": {**ratio_or_pressure, "level": self.mean_pressure}}
+        """Adds what water does that stays in place as the mass turns through it: its pressure, and standing water."""
+        effects = super().effects_with_own(effects)
+        own = dict(effects.get("pore_pressure", {}))
+        if self.level is not None or self.in_standing_water:
+            own["level"] = self.mean_lift
+        if self.in_standing_water:
+            own["standing"] = self.standing_moment
+        return {**effects, "pore_pressure": own} if own else effects
 
     # Rotations between which the method applies, rad: the toe must not rise far above the original ground.
     rotation_range = cached_property(lambda self: room("toe").rotation_range(self))
@@ -242,10 +245,7 @@ class Section(SectionGeometry, Mass):
         """
         if self.level is None:
             return 0.0 * np.add(rotation, np.zeros(self.shape))
-        turn = np.asarray(rotation, dtype=np.float64)
-        shape = np.broadcast_shapes(turn.shape, self.shape)
-        rotations = shape[: len(shape) - len(self.shape)]
-        by_lane = np.broadcast_to(turn, shape).reshape(*rotations, -1)
+        shape, by_lane = self._rotations(rotation)
         turned = by_lane * self._facing
         first, last = self._angles
         integral = self._water.integral(first + turned, last + turned)
@@ -253,15 +253,52 @@ class Section(SectionGeometry, Mass):
         pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
         return pressure[()]
 
+    def _rotations(self, rotation: Any) -> tuple[tuple[int, ...], Floats]:
+        """Shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
+        turn = np.asarray(rotation, dtype=np.float64)
+        shape = np.broadcast_shapes(turn.shape, self.shape)
+        return shape, np.broadcast_to(turn, shape).reshape(-1, len(self._facing))
+
+    def mean_lift(self, rotation: Any = 0.0) -> Any:
+        """Mean pressure that reduces the normal stress of the weight, Pa.
+
+        Below standing water it is the pressure in excess of hydrostatic pressure, and the weight of displaced water.
+        """
+        pressure = self.mean_pressure(rotation)
+        if not self.in_standing_water:
+            return pressure
+        shape, turned = self._rotations(rotation)
+        first, last = self._span
+        to_exit = np.broadcast_to(last, (1, *turned.shape))
+        standing = room("standing")
+        (normal,), _ = standing.displaced(self, turned, to_exit)
+        hydrostatic = standing.relieved(self.standing_level, first + turned, last + turned)
+        taken = (normal - hydrostatic) / (last - first)
+        height = taken.reshape(shape)
+        return pressure + height * np.multiply(self.radius, self.water_unit_weight)
+
+    def standing_moment(self, rotation: Any = 0.0) -> Any:
+        """Moment of the weight of water displaced below standing water, over Theta*."""
+        shape, turned = self._rotations(rotation)
+        nowhere = np.empty((0, *turned.shape))
+        _, moment = room("standing").displaced(self, turned, nowhere)
+        lighter = np.divide(self.water_unit_weight, self.mean_unit_weight)
+        of_weight = lighter / self.moments["moment_of_inertia"]
+        by_rotation = moment.reshape(shape)
+        return by_rotation[()] * of_weight
+
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
-        """The mean pressure below the water level, Pa."""
-        pressure = effects.get("pore_pressure", {}).get("level")
-        if pressure is None:
-            return {}, None
-        table = room("water").pressure_table(self, pressure, rotates(effects), upslope, tolerance)
-        return self._for_lanes({"water": table}, shape), None
+        """What water does that stays in place."""
+        pressures = effects.get("pore_pressure", {})
+        turns = rotates(effects)
+        tables = {}
+        for symbol, name in {"water": "level", "standing_water": "standing"}.items():
+            function = pressures.get(name)
+            if function is not None:
+                tables[symbol] = room("water").table_of(self, function, turns, upslope, tolerance)
+        return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:
         """Tables of its own lanes for those of a scene."""
@@ -275,12 +312,15 @@ class Section(SectionGeometry, Mass):
     @cached_property
     def pressure_kinks(self) -> Any:
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
-        if self.level is None:
-            return self._shaped(np.empty((len(self._facing), 0)))
-        until_kink = [self._water.kinks - end[:, None] for end in self._angles]
-        turns = np.concatenate(until_kink, axis=1)
-        down_slope = turns * self._facing[:, None]
-        return self._shaped(np.sort(down_slope, axis=1))
+        kinks = [np.empty((len(self._facing), 0))]
+        if self.level is not None:
+            until_kink = [self._water.kinks - end[:, None] for end in self._angles]
+            turns = np.concatenate(until_kink, axis=1)
+            kinks.append(turns * self._facing[:, None])
+        if self.in_standing_water:
+            kinks.append(room("standing").vertex_kinks(self))
+        every = np.concatenate(kinks, axis=1)
+        return self._shaped(np.sort(every, axis=1))
 
 
 def copy_computed(source: object, target: object, names: Collection[str]) -> None:

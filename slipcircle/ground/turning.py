@@ -15,6 +15,9 @@ class TurningMass:
 
     ground: Any
     level: Any
+    confined: Any
+    radius: Any
+    standing_level: Any
     entry: Any
     exit: Any
     centre: Any
@@ -35,13 +38,20 @@ class TurningMass:
         return np.concatenate([[left], between, [right]])
 
     def drowned(self, *rotations: float) -> float:
-        """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
-        if self.level is None:
+        """How far below the water level the ground over one section's mass comes, where it is deepest, m.
+
+        Below standing water at the exit, which is included, how far below a higher level elsewhere.
+        """
+        if self.level is None or self.confined:
             return 0.0
         level = np.asarray(self.level, dtype=np.float64)
         depths = [0.0]
+        (standing,) = self.standing_level
+        lowest = self.centre[1] + self.radius * standing
         for rotation in rotations:
-            turned = self.placed(self.surface, rotation)
+            x, y = self.placed(self.surface, rotation).T
+            dry = np.maximum(y, lowest)
+            turned = np.stack([x, dry], axis=1)
             depths.append(_greatest_depth(turned, level))
         return max(depths)
 

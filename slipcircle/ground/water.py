@@ -1,4 +1,4 @@
-"""The water level of a section: the mean pressure below it as a function of the rotation."""
+"""The water of a section, which stays in place: tables of functions of the rotation."""
 
 from collections.abc import Callable
 from typing import Any
@@ -26,14 +26,12 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
     return np.zeros_like(last)
 
 
-def pressure_table(
-    section: Any, pressure_of: Callable[[Any], Any], rotates: bool, upslope: bool, tolerance: float
-) -> Data:
-    """Mean pore pressure below a section's water level, Pa, as a function of the rotation until contact is lost."""
+def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslope: bool, tolerance: float) -> Data:
+    """A function of the rotation of a section whose water stays in place, until contact is lost."""
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape
-        values = pressure_of(rotation.reshape(*axes, *section.shape))
+        values = function(rotation.reshape(*axes, *section.shape))
         return values.reshape(1, *rotation.shape)
 
     last = upright(section)

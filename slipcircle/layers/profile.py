@@ -23,6 +23,7 @@ from slipcircle.layers.strips import Strips
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
+_INTEGRALS = len(MEASURED) + 1
 PRESSING = 4  # the first of them, which strength takes
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
@@ -218,9 +219,10 @@ def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
     flat = values.reshape(*axes, pieces * circles)
     developed = _DEVELOPING @ flat
     by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
-    series = by_piece[:, :, : _COUNT + 1]
-    sizes = by_piece[:, :, _COUNT + 1 :]
-    of_terms = np.abs(sizes).max(axis=(0, 1))
+    terms = _COUNT + 1
+    series = by_piece[:, :, :terms]
+    sizes = np.abs(by_piece[:, :, terms:])
+    of_terms = sizes.max(axis=(0, 1))
     head = of_terms[:2].max(axis=0)
     tail = of_terms[2:].max(axis=0)
     return series.transpose(3, 4, 1, 0, 2), head, tail
@@ -242,14 +244,14 @@ def _integrands(
     above = strips.above[:, circle, strip]
     weight = weights[:, :, None, circle] * above
     columns = np.moveaxis(weight, 1, 0)[:, :, None]  # of each surface
-    total = np.zeros((len(MEASURED) + 1, len(weight), *beta.shape))
+    total = np.zeros((_INTEGRALS, len(weight), *beta.shape))
     of_heights = weight[:, : len(slope)]
     counts = of_heights.any(axis=(0, 2, 3))
     for k in np.flatnonzero(counts).tolist():
         y = at_left[k] + slope[k] * beyond
         height = np.maximum(y + c, 0.0)
         of_surface = columns[k] * per_node
-        rows = _over_height(c, height)
+        rows = over_height(c, height)
         _add(total, rows, of_surface)
     _complete(total, x, c)
     ground = at_left[0] + slope[0] * beyond
@@ -280,23 +282,25 @@ def _add_loads(
                 _add(total, rows, weight)
 
 
-def _over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
+def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
     """The integrals over y from the arc to a height h above it, by their numbers; `_complete` adds the rest."""
-    gap = h * (2.0 * c - h)  # 1 - rho^2
+    chord = 2.0 * c - h
+    gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
     inward = gap / (1.0 + rho)  # 1 - rho
     to_top = rho + c - h
     ratio = (inward + h) / to_top
+    centre = h / 3 - c
     yield RADIAL_Y, -inward
     yield RADIAL_X, np.log1p(ratio)
     yield POLAR, h * rho
     yield AREA, h
-    yield INERTIA, h * h * (h / 3 - c)
+    yield INERTIA, h * h * centre
     yield MOMENT_Y, gap / -2
 
 
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """What the integrals over y are beyond the sums of `_over_height`, of all surfaces at once; the head is by beta."""
+    """What the integrals over y are beyond the sums of `over_height`, of all surfaces at once; the head is by beta."""
     radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
     radial_x *= x
     polar += x * radial_x

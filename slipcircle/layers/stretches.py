@@ -17,9 +17,14 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
+from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
 # What sections that differ in numbers of soils alone have in common.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
+
+
+LIKE_WEIGHTS = 2.0**14  # N/m^3: water in the unit of other parts, as tables have digits by the greatest part
+_DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts that are not of the weight
 
 
 class Stretches(NamedTuple):
@@ -70,11 +75,8 @@ class StretchIntegrals:
     @cached_property
     def span(self) -> tuple[Floats, Floats]:
         """Directions of the entry and of the exit, (circles,)."""
-        left, right = self.section._angles
-        faces_right = self.section._facing > 0.0
-        entry = np.where(faces_right, left, -right)
-        exit_ = np.where(faces_right, right, -left)
-        return entry, exit_
+        span: tuple[Floats, Floats] = self.section._span
+        return span
 
     @property
     def _joints(self) -> Floats:
@@ -92,7 +94,9 @@ class StretchIntegrals:
         In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
         """
         first, last = self.span
-        moved = rotation if self._base_stays else np.zeros_like(rotation)
+        moved = np.zeros_like(rotation)
+        if self._base_stays:
+            moved = rotation
         in_mass = self._joints[:, None] - moved
         return np.clip(in_mass, first, last)
 
@@ -109,7 +113,8 @@ class StretchIntegrals:
             steps = np.ones((1, 1))
         elif of_first_lane.size and np.all(steps == of_first_lane):
             (part,) = profile.parts
-            profile = profile._replace(parts=[part.combined(of_first_lane)])
+            combined = part.combined(of_first_lane)
+            profile = profile._replace(parts=[combined])
             steps = np.ones((1, 1))
         return profile, steps / self.section._weights_per_area
 
@@ -124,18 +129,24 @@ class StretchIntegrals:
         circles = met.shape[-1]
         directions = met.reshape(math.prod(met.shape[:-1]), circles)
         whole = profile.to_ends[:PRESSING, :, None]
-        from_entry = profile.up_to(facing * directions)[:PRESSING]
+        to_the_right = facing * directions
+        from_entry = profile.up_to(to_the_right)[:PRESSING]
         np.subtract(whole, from_entry, out=from_entry, where=facing < 0.0)
         integrals, surfaces, *_ = from_entry.shape
         by_joint = from_entry.reshape(integrals, surfaces, *met.shape)
-        up_to_exit = np.broadcast_to(whole[:, :, None], (integrals, surfaces, 1, *rotation.shape))
+        shape = integrals, surfaces, 1, *rotation.shape
+        up_to_exit = np.broadcast_to(whole[:, :, None], shape)
         every = np.concatenate([by_joint, up_to_exit], axis=2)
         every[RADIAL_X] *= facing
         return np.moveaxis(every, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
         """Parts by their names, of what presses all at once."""
-        every = {name: getattr(self, name)(rotation) for name in ("space", "heads", "growth") if name in names}
+        every = {}
+        for name in _DIRECT:
+            if name in names:
+                part = getattr(self, name)
+                every[name] = part(rotation)
         if len(every) < len(names):
             every |= self._of_weight(rotation)
         return every
@@ -169,6 +180,28 @@ class StretchIntegrals:
         right = np.maximum(entry, there)
         return self.section.heads_between(left, right)
 
+    def standing(self, rotation: Floats) -> Floats:
+        """What standing water takes from the normal force from the entry to these directions, (J + 2, M, circles)."""
+        first, last = self.span
+        joints = self._joints_met(rotation)
+        to_exit = np.broadcast_to(last, rotation.shape)
+        to_entry = np.broadcast_to(first, rotation.shape)
+        directions = np.stack([*joints, to_exit, to_entry])
+        normal, _ = displaced(self.section, rotation, directions)
+        there = self.space(rotation)
+        *_, entry = there
+        pressure = relieved(self.section.standing_level, entry, there)
+        taken: Floats = normal - pressure
+        return LIKE_WEIGHTS * taken
+
+    def displaced(self, rotation: Floats) -> Floats:
+        """Moment of the weight of displaced water over the moment of inertia of a unit density, (1, M, circles)."""
+        nowhere = np.empty((0, *rotation.shape))
+        _, moment = displaced(self.section, rotation, nowhere)
+        inertia = self.section._moments["inertia"]
+        over_inertia: Floats = moment / inertia
+        return LIKE_WEIGHTS * over_inertia[None]
+
     def _growth(self, b: Floats) -> Floats:
         """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
 
@@ -199,10 +232,12 @@ class StretchIntegrals:
         parts = by_direction.sum(axis=1)
         *_, exit_, entry = there
         if not has_foreland:
-            beyond_exit = np.maximum(exit_ - np.maximum(last, entry), 0.0)  # also once the mass has left its arc
+            from_here = np.maximum(last, entry)  # also once the mass has left its arc
+            beyond_exit = np.maximum(exit_ - from_here, 0.0)
             at_exit = self._held_value(self.stretches.last, last, beyond_exit)
             parts = parts + at_exit
-        above_entry = np.maximum(np.minimum(first, exit_) - entry, 0.0)
+        to_here = np.minimum(first, exit_)
+        above_entry = np.maximum(to_here - entry, 0.0)
         at_entry = self._held_value(self.stretches.first, first, above_entry)
         beyond_both_ends: Floats = parts + at_entry
         return beyond_both_ends
@@ -230,6 +265,8 @@ class StretchIntegrals:
             if not self._base_stays:
                 turning = np.concatenate([ends, joints], axis=1)
             kinks.append(_differences(of_level, turning))
+        if section.in_standing_water:
+            kinks.append(vertex_kinks(section))
         if self._base_stays:
             strips = section._strips.beta * facing
             kinks.append(_differences(joints, strips))

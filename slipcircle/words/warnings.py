@@ -59,6 +59,8 @@ def _conditioning(motion: Any) -> Iterator[str]:
 def _submergence(motion: Any) -> Iterator[str]:
     """Turning may bring ground below a water level, whose weight on it the method does not count."""
     section = motion.plan.scene.arc
+    if section.in_standing_water:
+        yield "the mass moves through standing water, whose drag and added mass are not included"
     depth = section.drowned(motion.farthest.rotation, motion.end.rotation)
     if depth > SUBMERGED * np.asarray(section.radius):
         yield (

@@ -9,9 +9,10 @@ import numpy as np
 from generated import slopes
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import crack_place
+from slipcircle.workbench.stability.bases import Arcs, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
-from slipcircle.workbench.stability.slices import NODES, Arcs, Slices, angle_from_below, slices_above
+from slipcircle.workbench.stability.slices import NODES, Slices, slices_above
 
 YIELD = "k_y"  # least yield coefficient, in the place of a method
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
@@ -161,7 +162,7 @@ def _paper(driven: Driven) -> Floats:
     slices = driven.slices
     normal = slices.radial_normal()
     if np.any(slices.k_h):
-        normal += slices.k_h * slices.radial_tilt()
+        normal = normal + slices.k_h * slices.radial_tilt()
     friction = slices.integral(slices.friction * normal)
     cohesion = slices.integral(slices.cohesion())
     return (cohesion + np.maximum(friction, 0.0)) / driven.driving
@@ -211,7 +212,7 @@ def _bishop(driven: Driven) -> Floats:
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        of_arc = factor[slices.arc]
+        of_arc = slices.of_arcs(factor)
         lever = slopes.bishop_lever(slices.sine, cosine, friction, of_arc)
         shear = strength / lever
         excess = y * slices.integral(shear) - driving
@@ -228,7 +229,7 @@ def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """Effective normal stress of Bishop's simplified method."""
     sine, cosine = slices.sine, slices.cosine
     effective = slices.vertical()
-    of_arc = factor[slices.arc]
+    of_arc = slices.of_arcs(factor)
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 
 
@@ -236,14 +237,17 @@ def lever_range(slices: Slices) -> tuple[Floats, Floats]:
     """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way
-    sine = friction * np.sin(slices.ends)
-    room = np.cos(slices.ends) - LEAST_LEVER
+    ends = slices.ends.reshape(2, *(1,) * (friction.ndim - 1), -1)
+    sine = friction * np.sin(ends)
+    room = np.cos(ends) - LEAST_LEVER
     limits_above = np.maximum(room, 0.0) / sine
     above = np.where(sine > 0.0, limits_above, greatest)
     above = above.min(axis=0)
     limited_below = (sine < 0.0) & (room < 0.0)
     below = np.where(limited_below, room / sine, 0.0)
     below = below.max(axis=0)
+    if below.ndim > 1:
+        return np.maximum(below.max(axis=-1), 0.0), above.min(axis=-1)
     count = len(slices.arcs.radius)
     lowest = np.zeros(count)
     highest = np.full(count, greatest)

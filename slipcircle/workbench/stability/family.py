@@ -17,9 +17,10 @@ from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
+from slipcircle.workbench.stability.bases import angle_from_below
 from slipcircle.workbench.stability.descent import Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
-from slipcircle.workbench.stability.slices import NODES, angle_from_below
+from slipcircle.workbench.stability.slices import NODES
 from slipcircle.workbench.stability.stability import Slope
 
 _POSITIONS = 40  # of ends, evenly along the ground

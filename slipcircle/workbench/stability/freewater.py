@@ -6,8 +6,9 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Ponds
+from slipcircle.workbench.stability.bases import Arcs
 from slipcircle.workbench.stability.columns import SlopeArrays
-from slipcircle.workbench.stability.slices import Arcs, Slices
+from slipcircle.workbench.stability.slices import Slices
 
 
 def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:

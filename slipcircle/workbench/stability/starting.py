@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
-from slipcircle.workbench.stability.stability import circles_of, each_lane, soil
+from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
 _PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
@@ -39,10 +40,23 @@ def strength_factor(scene: Any, method: str) -> Any:
     shaken = "shaking" in scene.effects
     blocks = []
     for slope, circles, lanes in circles_of(scene):
-        driven = driven_slices(slope, *each_lane(circles, lanes), _PIECES)
-        blocks.append(_of_circles(driven, method, shaken))
+        if not _is_shared(slope, circles):
+            circles = each_lane(circles, lanes)
+        driven = driven_slices(slope, *circles, _PIECES)
+        factors = _of_circles(driven, method, shaken)
+        blocks.append(np.broadcast_to(factors, lanes))
     factor = np.concatenate(blocks).reshape(scene.shape)
     return factor if scene.shape else float(factor)
+
+
+def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
+    """Return whether all lanes have the same ground, circle and loads, and no free water."""
+    lines = [slope.ground, *slope.tops, *circles]
+    if slope.level is not None:
+        lines.append(slope.level)
+    for _, _, left, right in slope.surcharge:
+        lines += [left, right]
+    return slope.ponds is None and all(len(line) == 1 for line in lines)
 
 
 def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
@@ -65,7 +79,7 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
 def _under(k_h: Floats, driven: Driven) -> Driven:
     """Return arcs under a horizontal acceleration of k_h g each, which acts on surcharges as well."""
     slices = driven.slices
-    shaken = slices._replace(k_h=k_h[slices.arc], shaken_load=1.0)
+    shaken = slices._replace(k_h=slices.of_arcs(k_h), shaken_load=1.0)
     driving = driven.gravity + k_h * shaken.shaking_moment()
     return driven._replace(slices=shaken, driving=driving)
 

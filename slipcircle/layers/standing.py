@@ -1,0 +1,194 @@
+"""Standing water: the weight of the water that a turning mass displaces below the level at its exit.
+
+On a circle the pressure of standing water on the ground has the moment of this weight about the centre (Archimedes).
+The effective weight in the normal stress is reduced in the same way: in the strip above a direction b of the mass lies
+displaced water from the arc up to the ground or the level, whichever is lower. The level stays in space, so that in
+the mass it is a line that turns backwards.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.layers.profile import AREA, MOMENT_Y, RADIAL_X, RADIAL_Y, over_height
+
+_GAUSS = np.polynomial.legendre.leggauss(12)
+_NODES = _GAUSS[0][:, None, None]
+_WEIGHTS = _GAUSS[1][:, None, None]
+_FROM_FIRST = 1.0 + _NODES
+_TOGETHER = 1 << 14  # vertices times rotations at a time
+_UPRIGHT = 1.5  # rad: greatest rotation for which the level is a line over the strips of the mass
+
+
+def displaced(section: Any, rotation: Floats, directions: Floats) -> tuple[Floats, Floats]:
+    """Weight of displaced water after rotations (M, circles), for a unit weight of water, over R^2 and R^3.
+
+    Returns
+    -------
+    normal : ndarray
+        Integral of its normal stress from the entry to directions (J, M, circles) of the mass, down-slope.
+    moment : ndarray
+        Its moment about the centre, positive down-slope, (M, circles).
+    """
+    normal = np.zeros(np.shape(directions))
+    moment = np.zeros(np.shape(rotation))
+    heights = section.standing_level
+    ends = np.stack(section._span)
+    every = np.arange(len(rotation))
+    under_water = np.isfinite(heights)
+    for circle in np.flatnonzero(under_water).tolist():
+        surface = _surface(section, circle)
+        first, last = ends[:, circle]
+        size = len(every) * len(surface)
+        blocks = 1 + size // _TOGETHER
+        for rows in np.array_split(every, blocks):
+            turned = np.clip(rotation[rows, circle], -_UPRIGHT, _UPRIGHT)
+            cosine = np.cos(turned)
+            sine = np.sin(turned)
+            level = _Level(heights[circle], cosine, sine)
+            upto = directions[:, rows, circle]
+            kinks = _kinks(surface, level, turned)
+            cuts = np.concatenate([kinks, upto])
+            cuts.sort(axis=0)
+            edges = np.clip(cuts, first, last)
+            integrals = _Integrals(surface, level, edges)
+            to_directions = integrals.normal(upto)
+            whole = integrals.moment
+            normal[:, rows, circle] = to_directions
+            moment[rows, circle] = whole
+    return normal, moment
+
+
+def _surface(section: Any, circle: int) -> Floats:
+    """The ground from the centre of a circle, over R, x down-slope."""
+    ground, centre, radius = section._circle
+    way = int(section._facing[circle])
+    line = ground[circle % len(ground)]
+    from_centre = line - centre[circle]
+    over_radius = from_centre / radius[circle]
+    mirror = [way, 1.0]
+    down_slope: Floats = over_radius * mirror
+    return down_slope[::way]
+
+
+class _Level(NamedTuple):
+    """A level over R from the centre, as a line in a mass that has turned."""
+
+    height: float
+    cosine: Floats
+    sine: Floats
+
+    def at(self, x: Floats) -> Floats:
+        """Its height in the mass at x (..., M)."""
+        fall = x * self.sine
+        y: Floats = (self.height - fall) / self.cosine
+        return y
+
+
+def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
+    """Directions of ends, of vertices, and where the level meets ground or arc: integrands are smooth between them."""
+    columns = surface.T
+    x, y = columns[..., None]
+    depth = y - level.at(x)
+    fall = depth[:-1] - depth[1:]
+    divisor = np.where(fall == 0.0, np.inf, fall)
+    quotient = depth[:-1] / divisor
+    share = np.clip(quotient, 0.0, 1.0)
+    run = np.diff(x, axis=0)
+    starts = x[:-1]
+    crossing = starts + share * run
+    vertices = np.broadcast_to(x, depth.shape)
+    first_row = depth[:1]
+    beyond = np.full_like(first_row, 2.0)
+    sines = np.concatenate([-beyond, vertices, crossing, beyond])
+    within = np.clip(sines, -1.0, 1.0)
+    of_ground = np.arcsin(within)
+    reach = _reach(level.height)
+    before = reach - rotation
+    after = -reach - rotation
+    return np.concatenate([of_ground, [before], [after]])
+
+
+def _reach(height: Any) -> Any:
+    """Direction at which the arc passes a height over R from the centre."""
+    cosine = np.clip(-height, -1.0, 1.0)
+    return np.arccos(cosine)
+
+
+class _Integrals:
+    """Integrals over the arc of the displaced water of one circle, by Gauss' rule between edges (edges, M)."""
+
+    def __init__(self, surface: Floats, level: _Level, edges: Floats) -> None:
+        first = edges[:-1]
+        width = np.diff(edges, axis=0)
+        half = width / 2
+        b = first + half * _FROM_FIRST
+        x = np.sin(b)
+        arc = np.cos(b)
+        ground = np.interp(x, *surface.T)
+        top = np.minimum(ground, level.at(x))
+        height = np.maximum(top + arc, 0.0)
+        rows = over_height(arc, height)
+        self.rows = dict(rows)
+        per_node = half * arc
+        self.x = x
+        self.weight = per_node * _WEIGHTS
+        middle = first + half
+        self.middle = middle
+        self.level = level
+
+    def normal(self, directions: Floats) -> Floats:
+        """Of its normal stress, up to directions (J, M)."""
+        radial_y = self.rows[RADIAL_Y] * self.level.cosine
+        radial_x = self.rows[RADIAL_X] * self.level.sine
+        radial = radial_y + self.x * radial_x
+        weighted = radial * self.weight
+        in_intervals = weighted.sum(axis=0)
+        limits = directions[:, None]
+        before = self.middle < limits
+        up_to = np.where(before, in_intervals, 0.0)
+        normal: Floats = -up_to.sum(axis=1)
+        return normal
+
+    @property
+    def moment(self) -> Floats:
+        """Of its moment, (M,)."""
+        level = self.level
+        moment_y = self.rows[MOMENT_Y] * level.sine
+        moment_x = self.rows[AREA] * level.cosine
+        lever = moment_y - self.x * moment_x
+        weighted = lever * self.weight
+        moment: Floats = weighted.sum(axis=(0, 1))
+        return moment
+
+
+def vertex_kinks(section: Any) -> Floats:
+    """Rotations at which a vertex of the ground or an end of the mass passes the level, (circles, kinks)."""
+    heights = section.standing_level[:, None]
+    surfaces = []
+    for circle in range(len(heights)):
+        surfaces.append(_surface(section, circle))
+    every = np.stack(surfaces)
+    x = every[..., 0]
+    y = every[..., 1]
+    distance = np.hypot(x, y)
+    of_ground = np.arctan2(x, -y)
+    at_vertices = _reach(heights / distance)
+    at_ends = _reach(heights)
+    ends = np.stack(section._span, axis=1)
+    kinks = [at_vertices - of_ground, -at_vertices - of_ground, at_ends - ends, -at_ends - ends]
+    return np.concatenate(kinks, axis=1)
+
+
+def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
+    """Integral over arcs in space of the depth below a level, over R; directions are down-slope."""
+    reach = _reach(level)
+    start = np.clip(first, -reach, reach)
+    end = np.clip(last, -reach, reach)
+    is_known = np.isfinite(level)
+    known = np.where(is_known, level, 0.0)
+    above_level = known * (end - start)
+    below_centre = np.sin(end) - np.sin(start)
+    integral: Floats = above_level + below_centre
+    return integral
