@@ -31,14 +31,16 @@ def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslop
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape
-        values = function(rotation.reshape(*axes, *section.shape))
+        places = rotation.reshape(*axes, *section.shape)
+        values = function(places)
         return values.reshape(1, *rotation.shape)
 
     last = upright(section)
     if rotates:
         first = first_rotation(last, upslope)
         kinks = section.pressure_kinks
-        kinks = kinks.reshape(last.size, kinks.shape[-1])
+        *_, count = kinks.shape
+        kinks = kinks.reshape(last.size, count)
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)
         coefficients = np.ascontiguousarray(coefficients[:, :, 0])
     else:

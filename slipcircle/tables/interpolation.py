@@ -101,7 +101,8 @@ def _widest(tolerance: float) -> float:
 
 def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
     """Both ends of the pieces to begin with, (pieces, n): between edges, none wider than some."""
-    greatest_width = np.diff(edges, axis=0).max(axis=1, initial=0.0)
+    widths = np.diff(edges, axis=0)
+    greatest_width = widths.max(axis=1, initial=0.0)
     pieces = np.ceil(greatest_width / widest - 1e-9)
     count = pieces.astype(np.intp)
     numbers = map(np.arange, count)

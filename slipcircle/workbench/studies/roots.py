@@ -28,7 +28,6 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     """
     target = float(problem.targets[0])
     rows = problem.ranges[0][None, :]
-    parts = np.linspace(0.0, 1.0, _PARTS + 1)
     fine: list[Floats] = []
     at_ends: tuple[Floats, Floats] | None = None
     for _ in range(_ROUNDS):
@@ -41,18 +40,29 @@ def solve_exact(problem: SearchProblem) -> list[float]:
         fine.append(rows[is_met])
         left = rows[first]
         right = rows[last]
-        magnitude = np.maximum(np.abs(left), np.abs(right))
-        is_fine = (right - left <= 4 * EPS * magnitude) | (is_met[first] & is_met[last])
+        is_fine = _neighbours(left, right) | (is_met[first] & is_met[last])
         fine += [left[is_fine], right[is_fine]]
-        left = left[~is_fine]
-        right = right[~is_fine]
-        if not left.size:
+        rough = ~is_fine
+        if not rough.any():
             break
-        at_ends = misfit[first][~is_fine], misfit[last][~is_fine]
-        widths = right - left
-        rows = left[:, None] + widths[:, None] * parts
-        rows[:, -1] = right
+        at_ends = misfit[first][rough], misfit[last][rough]
+        rows = _divided(left[rough], right[rough])
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
+
+
+def _neighbours(left: Floats, right: Floats) -> NDArray[np.bool_]:
+    """Return whether the ends of brackets differ by rounding only."""
+    magnitude = np.maximum(np.abs(left), np.abs(right))
+    return right - left <= 4 * EPS * magnitude
+
+
+def _divided(left: Floats, right: Floats) -> Floats:
+    """Return points that divide brackets into equal parts, (brackets, points), both ends included."""
+    parts = np.linspace(0.0, 1.0, _PARTS + 1)
+    widths = right - left
+    rows = left[:, None] + widths[:, None] * parts
+    rows[:, -1] = right
+    return rows
 
 
 def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
