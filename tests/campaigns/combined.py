@@ -1,6 +1,6 @@
 """Motions that combine a start by Bishop's method, softening cohesion and standing water, beside plain integration.
 
-``python -m tests.campaigns.combined [SCENES] [--seed N]`` draws slopes of one soil, solves their scene files, and prints
+``python -m tests.campaigns.combined [SCENES] [--seed N]`` draws slopes of one soil, solves their scene files and prints
 the greatest relative difference of strength factor, run-out, its time and peak velocity from `tests.support.rays`.
 """
 
