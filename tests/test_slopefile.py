@@ -197,7 +197,6 @@ def test_what_a_file_says(write: Write) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("[friction]\nangle_deg = 19.6", "", "friction: is missing: friction on the slip surface, a table"),
         ("cohesion_kPa = 3", "cohesion_kPa = 300000", "at most 100000; was 300 kPa meant, which are 300000 Pa"),
         ("kN_m3 = 20", "kN_m3 = 19500", r"and below 100 \(kN/m3\): unit weight of the soil; was 19.5 kN/m3 meant"),
         ("points_m = [[0, 25], [30, 25], [50, 35], [90, 35]]", "height_m = 10\nangle_deg = 95", "and at most 90"),

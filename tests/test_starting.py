@@ -1,5 +1,7 @@
 """Motions that start from the factor of safety of another method than the closure's."""
 
+import copy
+import pickle
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
@@ -29,6 +31,18 @@ level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
 [rotation]
 [centripetal]
 """
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
+def test_copies_are_started_anew_too(copied: Any) -> None:
+    """Scenes of other processes, and of an explicit factor."""
+    scene = load("valley-side")
+    for one in (scene, replace(scene, strength_factor=1.1)):
+        derived = [with_parameters(x, {"centre.x": 213.1, "level.3.y": 66.0}) for x in (one, copied(one))]
+        assert derived[0].strength_factor == derived[1].strength_factor
+    assert copied(scene).strength_factor == scene.strength_factor != derived[0].strength_factor == 1.1
+
+
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 1.0}
 
 
@@ -172,3 +186,31 @@ def test_a_start_without_a_result_is_a_sentence_or_a_status(file: Any) -> None:
     uncertain = {"pore_pressure.ratio": {"distribution": "uniform", "low": 0.8, "high": 0.9}}
     study = slipcircle.ensemble(replace(scene, uncertain=uncertain), 2, rng=1, sensitivity=0)
     assert "not valid scenes and not counted: the starting method gives this circle" in " ".join(study.warnings)
+
+
+# --- further factors -------------------------------------------------------------------------------------------------
+
+
+def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weight() -> None:
+    """Of frictional masses tan(phi) over the limit friction at the dip, before the slide and after it."""
+    for name in ("vaiont", "vaiont-softening"):
+        scene: Any = load(name)
+        motion = solve(scene)
+        residual = np.tan(np.radians(10.0))
+        ratio = scene.arc.dimensionless.limit_friction / np.tan(scene.arc.dip)
+        at_rest = abs(ratio * np.tan(scene.arc.dip - motion.end.rotation))
+        assert motion.further_factors.residual == pytest.approx(residual / scene.arc.dimensionless.limit_friction)
+        assert motion.further_factors.at_rest == pytest.approx(residual / at_rest, rel=1e-9)
+    linear = Scene(scene.arc, SOFTENING | {"law": "linear"}, ["rotation"], strength_factor=0.5)
+    limit = scene.arc.dimensionless.limit_friction
+    assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)
+
+
+def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:
+    text = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n"
+    text = text.replace("_kPa = 10", "_kPa = 40").replace('[circle]\ncritical = "bishop"', "base_m = -4\n[circle]\n"
+                                                          'critical = "bishop"')  # fmt: skip
+    alone = solve(load(file(text.replace("[friction]\nangle_deg = 27\n", ""))))
+    assert alone.run_out == solve(load(file(text.replace("angle_deg = 27", "angle_deg = 0")))).run_out > 0.0
+    neither = text.replace("[friction]\nangle_deg = 27\n[cohesion]\ncohesion_kPa = 40\n", "")
+    assert "friction: is missing" in refused("run", file(neither))

@@ -94,6 +94,19 @@ class Forces:
         factor = self.problem.start["strength_factor"]
         return factor[lanes] if np.ndim(factor) else factor
 
+    def factor_of_safety(self, states: States) -> Floats:
+        """Return the resistance over the drive of a mass that is at rest in some states; infinite without a drive."""
+        program = self._with_outputs.program
+        at_rest = states._replace(omega=np.zeros(states.lane.size))
+        cells, _ = begin(self._with_outputs, at_rest, 1.0)
+        pull = cells[program.roles["cell_driving"]]
+        cells, _ = begin(self._with_outputs, at_rest, np.where(pull < 0.0, -1.0, 1.0))
+        driving, resisting, normal = Balance.of(program, cells)
+        friction = cells[program.roles["cell_mu"]] * normal
+        strength = resisting + np.maximum(friction, 0.0)
+        is_driven = driving > 0.0
+        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+
     def holding_friction(self, states: States) -> Floats:
         """Friction coefficient required for equilibrium of the mass where it is; NaN where nothing presses.
 

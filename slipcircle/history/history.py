@@ -25,6 +25,7 @@ from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_out
 from slipcircle.history.phases import Energy, Phase
 from slipcircle.history.states import States, read
 
+_LONG = 1e15  # slip over R, after which every law is at its residual strength
 ENERGY_CHECKS = 21  # times at which the energy balance is looked at
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
 
@@ -34,6 +35,16 @@ class Stresses(NamedTuple):
 
     total: Any
     effective: Any
+
+
+class FurtherFactors(NamedTuple):
+    """Factors of safety with residual strength on the original geometry, and of a single mass at rest after the slide.
+
+    Both are of the closure, with the strength factor of the start.
+    """
+
+    residual: Any
+    at_rest: Any
 
 
 def of_means(scene: Scene) -> Scene:
@@ -166,6 +177,23 @@ class History:
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
         return pressing * stress_unit(self.plan.scene.arc) + 0.0
+
+    def further_factors(self) -> FurtherFactors:
+        """`Motion.further_factors`."""
+        lanes = np.arange(self.problem.lanes)
+        unknown = np.full(lanes.size, np.nan)
+        residual = unknown
+        if not self.problem.functions:  # otherwise its values at great slip are not known
+            nothing = np.zeros(lanes.size)
+            further = [nothing] * (len(self.problem.program.states) - 1)
+            further[0] = np.full(lanes.size, _LONG)
+            softened = States(nothing, nothing, nothing, further, lanes)
+            residual = self.forces.factor_of_safety(softened)
+        at_rest = unknown
+        if not self.shape and self.motion.arrested:
+            end = self._states(np.asarray(self.motion.settling_time))
+            at_rest = self.forces.factor_of_safety(end)
+        return FurtherFactors(self.motion._shaped(residual), self.motion._shaped(at_rest))
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """`Motion.pore_pressure_at`."""

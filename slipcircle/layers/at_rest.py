@@ -8,6 +8,7 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.kinds import Parameters
+from slipcircle.core.scene.effects import cohesion_law
 from slipcircle.core.scene.friction import law_parts
 
 
@@ -30,6 +31,14 @@ def _at_rest(name: str, parameters: Parameters) -> Any:
     first_parameter = LAWS[name].parameters[0]
     is_table = first_parameter.kind == "list"
     return coefficient[0] if is_table else coefficient
+
+
+def cohesion_at_start(cohesion: Any) -> Any:
+    """Return a cohesion before any slip."""
+    law = cohesion_law(cohesion)
+    if law is not None:
+        return _at_rest(*law)
+    return cohesion.get("cohesion", 0.0) if isinstance(cohesion, Mapping) else cohesion
 
 
 def least_friction(friction: Any) -> float:

@@ -23,6 +23,7 @@ from slipcircle.layers.strips import Strips
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
+_INTEGRALS = len(MEASURED) + 1
 PRESSING = 4  # the first of them, which strength takes
 _COUNT = 14  # of the coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
@@ -242,10 +243,8 @@ def _integrands(
     slope = strips.slope[:, circle, strip]
     above = strips.above[:, circle, strip]
     weight = weights[:, :, None, circle] * above
-    by_surface = np.moveaxis(weight, 1, 0)
-    columns = by_surface[:, :, None]
-    count = len(MEASURED) + 1
-    total = np.zeros((count, len(weight), *beta.shape))
+    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # of each surface
+    total = np.zeros((_INTEGRALS, len(weight), *beta.shape))
     of_heights = weight[:, : len(slope)]
     counts = of_heights.any(axis=(0, 2, 3))
     for k in np.flatnonzero(counts).tolist():

@@ -67,7 +67,8 @@ def _surface(section: Any, circle: int) -> Floats:
     line = ground[circle % len(ground)]
     from_centre = line - centre[circle]
     over_radius = from_centre / radius[circle]
-    down_slope: Floats = over_radius * [way, 1.0]
+    mirror = [way, 1.0]
+    down_slope: Floats = over_radius * mirror
     return down_slope[::way]
 
 
@@ -95,7 +96,8 @@ def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
     quotient = depth[:-1] / divisor
     share = np.clip(quotient, 0.0, 1.0)
     run = np.diff(x, axis=0)
-    crossing = x[:-1] + share * run
+    starts = x[:-1]
+    crossing = starts + share * run
     vertices = np.broadcast_to(x, depth.shape)
     first_row = depth[:1]
     beyond = np.full_like(first_row, 2.0)
@@ -129,8 +131,9 @@ class _Integrals:
         height = np.maximum(top + arc, 0.0)
         rows = over_height(arc, height)
         self.rows = dict(rows)
+        per_node = half * arc
         self.x = x
-        self.weight = half * arc * _WEIGHTS
+        self.weight = per_node * _WEIGHTS
         middle = first + half
         self.middle = middle
         self.level = level

@@ -17,6 +17,8 @@ import numpy as np
 
 from generated.program import OF_SOIL
 from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.core.scene.effects import Law
+from slipcircle.layers.cohesion import SoilCohesion
 from slipcircle.layers.soils import Soil, distinct, share_one_law
 from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
@@ -194,7 +196,8 @@ class ArcStrength(StretchIntegrals):
         soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out.
         """
         if needs not in self._terms:
-            terms = {"strength": self._cohesion(needs)}
+            cohesion, growth = self._soil_cohesion.lasting
+            terms = {"strength": self._cohesion(needs, cohesion, growth)}
             if not self._own_laws:
                 terms |= self._friction_terms(needs)
             self._terms[needs] = {name: term for name, term in terms.items() if _counts(term)}
@@ -240,19 +243,23 @@ class ArcStrength(StretchIntegrals):
         at_start = Needs(rotates=False)
         added = self._gripping(("", "normal", "inertia"), along, at_start)
         added["lift"] = self._lift(along, at_start)
-        added["cohesion"] = self._cohesion(at_start, along)
+        gradient = self.section.of_soils("cohesion_gradient")
+        added["cohesion"] = self._cohesion(at_start, along * self._soil_cohesion.peak, along * gradient)
         added["angle"] = self._function({"space": self._by_direction(along)}, False)
         return added
 
     def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
-        """What each soil with a friction law of its own adds to the balance, over Theta*, by the name of its effect.
+        """What standing water and each soil with a friction law of its own add to the balance, over Theta*, by effect.
 
         With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
         normal force on the soil exceeds its share by as the mass turns.
         """
+        terms: dict[str, dict[str, Any]] = {}
+        if self.section.in_standing_water:
+            moment = self._standing_moment(needs)
+            terms["pore_pressure"] = {"standing": moment}
         if not self._own_laws:
-            return {}
-        terms = {}
+            return terms
         for k, soil in enumerate(self.distinct_soils):
             along = self._is_soil(soil)
             share = self._mean(along)
@@ -298,11 +305,27 @@ class ArcStrength(StretchIntegrals):
             f"{base}_slope": tilt,  # for the yield coefficient too
         }
 
-    def _cohesion(self, needs: Needs, share: Any = 1.0) -> Any:
-        """Strength without normal stress, over Theta*, or a share of it by soil."""
+    # --- cohesion, which may change with slip ------------------------------------------------------------------------
+
+    @cached_property
+    def _soil_cohesion(self) -> SoilCohesion:
+        return SoilCohesion(self.section)
+
+    @property
+    def cohesion_laws(self) -> tuple[Law, ...]:
+        """Laws of cohesion by their names in the program, with their parameters."""
+        return tuple((name + number, given) for number, ((name, given), _, _) in self._soil_cohesion.softening.items())
+
+    def cohesion_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
+        """Moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
+        terms = {}
+        for number, (_, cohesion, growth) in self._soil_cohesion.softening.items():
+            terms[f"softening_cohesion{number}"] = {"moment": self._cohesion(needs, cohesion, growth)}
+        return terms
+
+    def _cohesion(self, needs: Needs, cohesion: Floats, growth: Floats) -> Any:
+        """Moment of a cohesion and its growth with depth, of each soil, over Theta*."""
         section = self.section
-        cohesion = share * section.of_soils("cohesion")
-        growth = share * section.of_soils("cohesion_gradient")
         coefficients = {}
         if np.any(cohesion):
             _, _, radius = section._circle
@@ -332,7 +355,7 @@ class ArcStrength(StretchIntegrals):
             coefficients["standing"] = by_direction / LIKE_WEIGHTS
         return self._function(coefficients, needs.rotates and stays_in_space)
 
-    def standing_moment(self, needs: Needs) -> Any:
+    def _standing_moment(self, needs: Needs) -> Any:
         """The moment of displaced water over Theta*."""
         section = self.section
         inertia = section._moments["inertia"]

@@ -36,20 +36,16 @@ class Motion(Forms, Generic[Numbers]):
         How it ended.
     reason : str
         Why there is no result; empty if there is one.
-    moves : bool
-        Whether the mass moves at all.
-    arrested : bool
-        Whether it rests at the end.
+    moves, arrested : bool
+        Whether the mass moves at all, and whether it rests at the end.
     duration : float
-        Time from the start to the end, s.
-        Infinite if it creeps to its equilibrium.
+        Time from the start to the end, s; infinite if it creeps to its equilibrium.
     settling_time : float
         Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
     run_out : float
         Greatest displacement along the arc, m, negative up-slope. A mass that swings back rests at `end.displacement`.
     slow_run_out : float
-        Displacement along the arc at which a mass that is moved slowly from its start rests, m.
-        NaN with `no_slow_run_out`.
+        Displacement along the arc at which a slowly moved mass rests, m; NaN with `no_slow_run_out`.
     no_slow_run_out : str
         Why there is no slow run-out; empty unless forces depend on time, speed or heat, or nothing holds the mass.
     outcomes : mapping
@@ -64,17 +60,16 @@ class Motion(Forms, Generic[Numbers]):
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
-    factor_of_safety : float
-        Available resistance over drive at the start; infinite without a drive.
-    friction : float
-        The friction coefficient at the start.
+    friction, factor_of_safety : float
+        Friction coefficient and available resistance over drive at the start; the latter is infinite without a drive.
+    further_factors : FurtherFactors
+        Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
         Warnings about a single motion; usually empty.
 
-    A motion of several cases has a length and can be indexed; `to_dict`, `to_pandas` and `to_xarray` export it as
-    tables.
+    A motion of several cases has a length and an index; `to_dict`, `to_pandas` and `to_xarray` export tables.
     """
 
     def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
@@ -326,6 +321,10 @@ class Motion(Forms, Generic[Numbers]):
     @property
     def factor_of_safety(self) -> Any:
         return self._shaped(self._history.forces.statics["factor_of_safety"])
+
+    @property
+    def further_factors(self) -> Any:
+        return self._history.further_factors()
 
     @property
     def yield_coefficient(self) -> Any:

@@ -129,6 +129,8 @@ RESULTS: tuple[Quantity, ...] = (
 # Of single motions: of an ensemble it takes a hundred times as long as to solve it.
 SINGLE: tuple[Quantity, ...] = (
     Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True, instead=_not_slow),
+    Quantity("residual_factor_of_safety", "", "factor of safety with residual strength", "further_factors.residual"),
+    Quantity("final_factor_of_safety", "", "factor of safety at rest after the slide", "further_factors.at_rest"),
     Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
     *(
         Quantity(f"time_{name}", "s", f"time {words(name)}", path, where=attrgetter(path))

@@ -13,7 +13,7 @@ from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, W
 _BY_SOILS = "is given by the soils beside [[layers]]"
 _IN_SOILS = {
     "friction": "[soils.NAME.friction]",
-    "cohesion": "cohesion_kPa in [soils.NAME]",
+    "cohesion": "cohesion_kPa in [soils.NAME], or [soils.NAME.cohesion]",
     "pore_pressure": "pore_pressure_ratio in [soils.NAME], or by [water]",
 }
 _POND = (
@@ -44,6 +44,9 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     excluded = _excluded(on_slope, layered)
     if isinstance(content.get("pond"), dict):
         excluded["pond"] = _POND
+    if "cohesion" in content and not layered:  # alone it means phi = 0
+        friction = whole.tables["friction"]._replace(required=False)
+        whole = whole._replace(tables={**whole.tables, "friction": friction})
     mistakes = [f"{name}: {why}" for name, why in excluded.items() if name in content]
     known = {}
     for name, value in content.items():

@@ -243,7 +243,7 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
 def _friction(given: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
     """The law of slip of a file, with the law of speed that multiplies it."""
     rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
-    return {"law": "constant"} | given.get("friction", {}) | rate
+    return {"law": "constant"} | given.get("friction", {"coefficient": 0.0}) | rate
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:
@@ -258,6 +258,8 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[st
 def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dict[str, Any]]:
     """The effects among the tables; paths of records are relative to the scene file."""
     effects = {name: dict(given[name]) for name in EFFECTS if name in given}
+    if effects.get("cohesion", {}).get("law") == "constant":
+        del effects["cohesion"]["law"]
     for parameters in effects.values():
         parameters |= {name: str(folder / file) for name, file in parameters.items() if name.endswith("record")}
     return effects

@@ -31,7 +31,8 @@ def schema() -> dict[str, Any]:
     found["required"] = []
     found["oneOf"] = [
         {
-            "required": [name for name, table in form.tables.items() if table.required],
+            "required": [name for name, table in form.tables.items() if table.required and name != "friction"],
+            "anyOf": [{"required": [name]} for name in ("friction", "cohesion", "soils") if name in form.tables],
             "properties": of_ground,
             "not": {"anyOf": [{"required": [name]} for name in tables if name not in form.tables]},
         }

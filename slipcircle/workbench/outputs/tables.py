@@ -104,7 +104,7 @@ def difference_words(motion: Motion) -> str:
     known = factors(motion.plan.scene, motion.factor_of_safety)
     gap = 100.0 * (known[OF_CLOSURE] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
-    return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if math.isfinite(gap) else ""
+    return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if abs(gap) >= 0.05 else ""
 
 
 def motion_words(motion: Motion) -> list[str]:

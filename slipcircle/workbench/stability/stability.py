@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
+from slipcircle.layers import LayeredSection, Soil, cohesion_at_start, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -327,7 +327,7 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane) -> SoilArrays:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
         datum = datum_of(soil, layers)
         of_layer = SoilArrays(
-            cohesion=by_lane(soil.cohesion),
+            cohesion=by_lane(soil.peak_cohesion),
             friction=by_lane(soil.peak),
             unit_weight=by_lane(soil.unit_weight),
             pore_ratio=by_lane(soil.pore_ratio),
@@ -362,7 +362,7 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
     cohesion = effects.get("cohesion", {})
     water = effects.get("pore_pressure", {})
     of_friction = friction_at_rest(friction)
-    strength = {"friction": of_friction, "cohesion": at_start(cohesion.get("cohesion", 0.0))}
+    strength = {"friction": of_friction, "cohesion": cohesion_at_start(cohesion)}
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     pore_ratio = at_start(water.get("ratio", 0.0))
