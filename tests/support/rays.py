@@ -264,7 +264,7 @@ def random_slopes(seed: int, combined: bool = False) -> Iterator[Slope]:
     """
     rng = np.random.default_rng(seed)
     while True:
-        with suppress(ValueError):  # no friction in the range gives this factor
+        with suppress(ValueError):  # no friction in the range gives this factor, or the pool is elsewhere
             slope = _random_slope(rng, combined)
             slope.strength_factor  # noqa: B018
             yield slope
@@ -298,6 +298,9 @@ def _random_slope(rng: np.random.Generator, combined: bool) -> Slope:
     slope = Slope(
         ground, centre, radius, gamma, cohesion, 0.3, 0.2, height / 20, level, ratio, shaken, pool, lost, lost_length
     )
+
+    if pool is not None and centre[1] - radius * math.cos(slope.ends[1]) > pool:
+        raise ValueError("the pool does not reach the mass")
 
     def with_friction(peak: float) -> float:
         slope.peak = peak

@@ -230,8 +230,13 @@ class Scene(Generic[Numbers]):
     @cached_property
     def called(self) -> Effects:
         """Effects by name, each with its parameters, and the water level of a section."""
+        return self.arc.effects_with_own(self.entered_effects)
+
+    @property
+    def entered_effects(self) -> Effects:
+        """Effects by name, each with its parameters as entered."""
         assert isinstance(self.effects, dict)
-        return self.arc.effects_with_own(self.effects)
+        return self.effects
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
@@ -245,8 +250,7 @@ class Scene(Generic[Numbers]):
             numbers["strength_factor"] = self.strength_factor
         if self.end_time is not None:
             numbers["end_time"] = self.end_time
-        assert isinstance(self.effects, dict)
-        shaking = self.effects.get("shaking", {})
+        shaking = self.entered_effects.get("shaking", {})
         if callable(shaking.get("horizontal")):
             numbers |= room("forcing").record_numbers(shaking)
         for effect, given in self.effects.items():

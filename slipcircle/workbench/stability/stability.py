@@ -241,7 +241,7 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
 def circles_of(scene: Any, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
     """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one."""
     section = scene.arc
-    strength = soil(scene.friction, scene.called)
+    strength = soil(scene.friction, scene.entered_effects)
     scenes = np.arange(math.prod(scene.shape))
     for block in np.array_split(scenes, -(-len(scenes) // most)):
         by_lane = _of_scenes(scene.shape, block)

@@ -35,7 +35,7 @@ def strength_factor(scene: Any, method: str) -> Any:
         In the shape of the scene. Exactly 1 without friction, and where nothing drives the mass; NaN where the method
         refuses the circle.
     """
-    if method == OF_CLOSURE or not soil(scene.friction, scene.called):
+    if method == OF_CLOSURE or not soil(scene.friction, scene.entered_effects):
         return 1.0
     shaken = "shaking" in scene.effects
     blocks = []
