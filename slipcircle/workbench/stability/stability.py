@@ -231,6 +231,8 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
+    if 0 in scene.shape:
+        return {name: np.empty(scene.shape) for name in (*METHODS, "facing", "negative")}
     blocks = [circle_factors(slope, *each_lane(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])

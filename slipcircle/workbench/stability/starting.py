@@ -32,10 +32,10 @@ def strength_factor(scene: Any, method: str) -> Any:
     Returns
     -------
     float or ndarray
-        In the shape of the scene. Exactly 1 without friction, and where nothing drives the mass; NaN where the method
-        refuses the circle.
+        In the shape of the scene. Exactly 1 without friction or members, and where nothing drives the mass; NaN where
+        the method refuses the circle.
     """
-    if method == OF_CLOSURE or not soil(scene.friction, scene.entered_effects):
+    if method == OF_CLOSURE or 0 in scene.shape or not soil(scene.friction, scene.entered_effects):
         return 1.0
     shaken = "shaking" in scene.effects
     blocks = []
