@@ -253,7 +253,7 @@ class Scene(Generic[Numbers]):
         shaking = self.entered_effects.get("shaking", {})
         if callable(shaking.get("horizontal")):
             numbers |= room("forcing").record_numbers(shaking)
-        for effect, given in self.effects.items():
+        for effect, given in self.entered_effects.items():
             for p in declared_parameters(effect, given):
                 if p.name in given and p.kind in ("number", "series"):
                     value = given[p.name]
