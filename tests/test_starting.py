@@ -54,12 +54,16 @@ def test_motions_start_from_bishops_factor_as_plain_integration_does(seed: int, 
         assert scene.strength_factor == pytest.approx(slope.strength_factor, rel=1e-13)
         motion = solve(scene)
         assert motion.status in (Status.RESTS, Status.STAYS)
-        if slope.shaken:
-            assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
-        else:
+        assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
+        if not slope.shaken:
             assert motion.factor_of_safety == pytest.approx(slope.bishop(), rel=1e-13)
         found = motion.run_out, motion.duration, motion.peak.velocity
         assert found == pytest.approx(slope.motion(slope.strength_factor), rel=1e-8)
+        further = motion.further_factors
+        assert further.residual == pytest.approx(replace(slope, peak=slope.residual).bishop(), rel=1e-12)
+        if motion.arrested and further.at_rest_method:
+            turned = slope.turned(motion.end.rotation)
+            assert (further.at_rest, further.at_rest_method) == (pytest.approx(turned.bishop(), rel=1e-9), "bishop")
 
 
 def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, said: Any) -> None:

@@ -60,10 +60,12 @@ class Motion(Forms, Generic[Numbers]):
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
+        By the method from which the motion starts.
     friction, factor_of_safety : float
         Friction coefficient and available resistance over drive at the start; the latter is infinite without a drive.
     further_factors : FurtherFactors
-        Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide.
+        Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide, each
+        with its method.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
@@ -328,7 +330,8 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def yield_coefficient(self) -> Any:
-        return self._shaped(self._history.forces.statics["yield_coefficient"])
+        by_start = self.plan.scene.by_start("yield_coefficient", self)
+        return self._shaped(self._history.forces.statics["yield_coefficient"]) if by_start is None else by_start
 
     @property
     def friction(self) -> Any:

@@ -232,6 +232,9 @@ class Scene(Generic[Numbers]):
         assert isinstance(self.effects, dict)
         return self.arc.effects_with_own(self.effects)
 
+    def by_start(self, quantity: str, motion: Any) -> Any:
+        """Return a result of its motion by another method than the closure's, from which it starts; None without."""
+
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
