@@ -82,7 +82,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     """
     section = scene.arc
     water = scene.called.get("pore_pressure", {})
-    changes = {"record", "time"}.intersection(water) or any(map(callable, water.values()))
+    changes = {"record", "time"}.intersection(water) or callable(water.get("ratio")) or callable(water.get("pressure"))
     turns = rotation if "rotation" in scene.called else 0.0
     turned = section.placed(section.surface, turns)
     overhangs = np.any(np.diff(turned[:, 0]) < 0.0)
