@@ -149,6 +149,7 @@ class Section(SectionGeometry, Mass):
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Adds what water does that stays in place as the mass turns through it: its pressure, and standing water."""
+        effects = super().effects_with_own(effects)
         own = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
             own["level"] = self.mean_lift

@@ -185,7 +185,7 @@ class History:
         lanes = np.arange(self.problem.lanes)
         unknown = np.full(lanes.size, np.nan)
         residual = unknown
-        if self.problem.function is None:  # otherwise its values at great slip are not known
+        if not self.problem.functions:  # otherwise its values at great slip are not known
             nothing = np.zeros(lanes.size)
             further = [nothing] * (len(self.problem.program.states) - 1)
             further[0] = np.full(lanes.size, _LONG)

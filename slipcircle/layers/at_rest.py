@@ -8,6 +8,7 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.kinds import Parameters
+from slipcircle.core.scene.effects import cohesion_law
 from slipcircle.core.scene.friction import law_parts
 
 
@@ -33,6 +34,14 @@ def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
     first_parameter = LAWS[name].parameters[0]
     is_table = first_parameter.kind == "list"
     return coefficient[-last] if is_table else coefficient
+
+
+def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
+    """Return a cohesion before any slip, or after much; NaN where it is unknown."""
+    law = cohesion_law(cohesion)
+    if law is not None:
+        return _at_rest(*law, slipped)
+    return cohesion.get("cohesion", 0.0) if isinstance(cohesion, Mapping) else cohesion
 
 
 def least_friction(friction: Any) -> float:

@@ -271,7 +271,7 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     cells[ix.X] = 0.0
     cells[ix.LIFTED] = 0.0
     problem.reach_farther(cells[ix.ROTATION], lanes)
-    if problem.function is not None:
+    if problem.functions:
         room("functions").extend(problem, cells)
     registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
     net = problem.program.roles["net"]

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
+from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -241,7 +241,7 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
 def circles_of(scene: Any, slipped: bool = False, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
     """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one.
 
-    Friction is that before any slip, or after much.
+    Strength is that before any slip, or after much.
     """
     section = scene.arc
     strength = soil(scene.friction, scene.called, slipped)
@@ -329,18 +329,22 @@ def _one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) 
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
-    """The soils of layers at the start of a motion, with friction before any slip or after much."""
+    """The soils of layers at the start of a motion, before any slip or after much."""
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
         datum = datum_of(soil, layers)
+        cohesion = cohesion_at_rest(soil.cohesion, slipped)
+        growth = soil.cohesion_gradient
+        if slipped and np.any(growth):
+            growth = growth * np.divide(cohesion, soil.peak_cohesion) if np.any(soil.peak_cohesion) else growth
         of_layer = SoilArrays(
-            cohesion=by_lane(soil.cohesion),
+            cohesion=by_lane(cohesion),
             friction=by_lane(friction_at_rest(soil.friction, slipped)),
             unit_weight=by_lane(soil.unit_weight),
             pore_ratio=by_lane(soil.pore_ratio),
             saturated_unit_weight=by_lane(saturated),
-            cohesion_gradient=by_lane(soil.cohesion_gradient),
+            cohesion_gradient=by_lane(growth),
             datum=by_lane(0.0 if datum is None else datum),
         )
         rows.append(of_layer)
@@ -358,7 +362,7 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
 def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]], slipped: bool = False) -> dict[str, Any]:
     """Return strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
 
-    Friction is that before any slip, or after much.
+    Strength is that before any slip, or after much.
 
     Numbers, or arrays where the scene has arrays. Empty where nothing is known of a pressure that a record holds, or
     where there is no strength.
@@ -372,7 +376,7 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]], slipped: bool 
     cohesion = effects.get("cohesion", {})
     water = effects.get("pore_pressure", {})
     of_friction = friction_at_rest(friction, slipped)
-    strength = {"friction": of_friction, "cohesion": at_start(cohesion.get("cohesion", 0.0))}
+    strength = {"friction": of_friction, "cohesion": cohesion_at_rest(cohesion, slipped)}
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     pore_ratio = at_start(water.get("ratio", 0.0))

@@ -82,12 +82,13 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     """
     section = scene.arc
     water = scene.called.get("pore_pressure", {})
+    softens = section.cohesion_laws(scene.called.get("cohesion", {}))
     changes = {"record", "time"}.intersection(water) or callable(water.get("ratio")) or callable(water.get("pressure"))
     turns = rotation if "rotation" in scene.called else 0.0
     turned = section.placed(section.surface, turns)
     overhangs = np.any(np.diff(turned[:, 0]) < 0.0)
     covered = section.in_standing_water or section.drowned(turns) > _TOUCHES * section.radius
-    if isinstance(section, LayeredSection) or "heating" in scene.called or changes or overhangs or covered:
+    if isinstance(section, LayeredSection) or softens or "heating" in scene.called or changes or overhangs or covered:
         return None
     ((slope, (centre, radius, _, _), _),) = circles_of(scene)
     soils = slope.soils._replace(friction=np.full_like(slope.soils.friction, friction))
