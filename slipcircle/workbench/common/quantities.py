@@ -217,7 +217,7 @@ def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
     That of the closure is the motion's, ``of_motion``, without the strength factor.
     """
     found = {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
-    if "ground" in scene.arc.quantities and soil(scene.friction, scene.called):
+    if "ground" in scene.arc.quantities and soil(scene.friction, scene.effects):
         by_method = factors_of_safety(scene)
         found |= {method: by_method[method] for method in METHODS if method not in found}
     return found

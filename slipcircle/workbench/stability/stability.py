@@ -244,7 +244,7 @@ def circles_of(scene: Any, slipped: bool = False, most: int = _BLOCK) -> Iterato
     Strength is that before any slip, or after much.
     """
     section = scene.arc
-    strength = soil(scene.friction, scene.called, slipped)
+    strength = soil(scene.friction, scene.effects, slipped)
     scenes = np.arange(math.prod(scene.shape))
     for block in np.array_split(scenes, -(-len(scenes) // most)):
         by_lane = _of_scenes(scene.shape, block)

@@ -48,7 +48,7 @@ def strength_factor(scene: Any, method: str) -> Any:
 
 def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = False) -> Any:
     """Return a result of the arcs of a scene in its shape; None where the strength is unknown, or nothing has any."""
-    if not soil(scene.friction, scene.called, slipped):
+    if not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
     for slope, circles, lanes in circles_of(scene, slipped):
@@ -82,7 +82,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     """
     section = scene.arc
     water = scene.called.get("pore_pressure", {})
-    softens = section.cohesion_laws(scene.called.get("cohesion", {}))
+    softens = section.cohesion_laws(scene.effects.get("cohesion", {}))
     changes = {"record", "time"}.intersection(water) or callable(water.get("ratio")) or callable(water.get("pressure"))
     turns = rotation if "rotation" in scene.called else 0.0
     turned = section.placed(section.surface, turns)
