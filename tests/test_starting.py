@@ -1,5 +1,7 @@
 """Motions that start from the factor of safety of another method than the closure's."""
 
+import copy
+import pickle
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
@@ -29,6 +31,18 @@ level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
 [rotation]
 [centripetal]
 """
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
+def test_copies_are_started_anew_too(copied: Any) -> None:
+    """Scenes of other processes, and of an explicit factor."""
+    scene = load("valley-side")
+    for one in (scene, replace(scene, strength_factor=1.1)):
+        derived = [with_parameters(x, {"centre.x": 213.1, "level.3.y": 66.0}) for x in (one, copied(one))]
+        assert derived[0].strength_factor == derived[1].strength_factor
+    assert copied(scene).strength_factor == scene.strength_factor != derived[0].strength_factor == 1.1
+
+
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 1.0}
 
 

@@ -77,6 +77,14 @@ class SlopeScene(Scene[Numbers]):
             found = at_rest_by(self, self.start, motion.end.rotation, friction)
         return None if found is None or np.all(np.isnan(found)) else found
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields, and whether the start sets the strength factor: a copy has another number object."""
+        return vars(self) | {"set_by_start": self.strength_factor is self.set_by_start}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        factor = state["strength_factor"] if state["set_by_start"] else None
+        vars(self).update(state | {"set_by_start": factor})
+
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays; the strength factor follows from the others unless it is explicit."""
