@@ -198,9 +198,10 @@ class History:
         of_closure = {"residual": residual, "at_rest": at_rest}
         values, methods = list[Any](), list[str]()
         for quantity, value in of_closure.items():
-            found = self.plan.scene.by_start(quantity, self.motion)
-            values.append(self.motion._shaped(value) if found is None else found)
-            methods.append("" if found is None else self.plan.scene.start)
+            by_start = self.plan.scene.by_start(quantity, self.motion)
+            found, method = by_start or (self.motion._shaped(value), "")
+            values.append(found)
+            methods.append(method)
         return FurtherFactors(*values, *methods)
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:

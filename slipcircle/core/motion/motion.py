@@ -59,13 +59,11 @@ class Motion(Forms, Generic[Numbers]):
     limit_friction : float
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
-        k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
-        By the method from which the motion starts.
+        k_y, down-slope acceleration over g at which it would just move, by the method of the start; negative if moving.
     friction, factor_of_safety : float
         Friction coefficient and available resistance over drive at the start; the latter is infinite without a drive.
     further_factors : FurtherFactors
-        Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide, each
-        with its method.
+        Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
@@ -331,7 +329,7 @@ class Motion(Forms, Generic[Numbers]):
     @property
     def yield_coefficient(self) -> Any:
         by_start = self.plan.scene.by_start("yield_coefficient", self)
-        return self._shaped(self._history.forces.statics["yield_coefficient"]) if by_start is None else by_start
+        return by_start[0] if by_start else self._shaped(self._history.forces.statics["yield_coefficient"])
 
     @property
     def friction(self) -> Any:

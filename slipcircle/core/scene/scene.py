@@ -234,7 +234,7 @@ class Scene(Generic[Numbers]):
         return self.arc.effects_with_own(self.effects)
 
     def by_start(self, quantity: str, motion: Any) -> Any:
-        """Return a result of its motion by another method than the closure's, from which it starts; None without."""
+        """Return a result by the method from which its motion starts, and that method; None of the closure."""
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:

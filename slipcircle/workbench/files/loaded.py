@@ -67,15 +67,15 @@ class SlopeScene(Scene[Numbers]):
         if self.start == OF_CLOSURE or self.strength_factor is not self.set_by_start:
             return None
         if quantity == "yield_coefficient":  # under shaking the strength factor has made it that of the closure
-            return None if "shaking" in self.called else yield_by(self, self.start)
-        if quantity == "residual":
+            found = None if "shaking" in self.called else yield_by(self, self.start)
+        elif quantity == "residual":
             found = residual_by(self, self.start)
         elif self.shape or not motion.arrested:
             return None
         else:
             friction = float(motion.friction_at(motion.settling_time))
             found = at_rest_by(self, self.start, motion.end.rotation, friction)
-        return None if found is None or np.all(np.isnan(found)) else found
+        return None if found is None or np.all(np.isnan(found)) else (found, self.start)
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the fields, and whether the start sets the strength factor: a copy has another number object."""

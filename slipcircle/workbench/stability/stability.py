@@ -359,7 +359,7 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
     return level_line(by_lane(top), ground)
 
 
-def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]], slipped: bool = False) -> dict[str, Any]:
+def soil(friction: Any, effects: Any, slipped: bool = False) -> dict[str, Any]:
     """Return strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
 
     Strength is that before any slip, or after much.
