@@ -105,7 +105,7 @@ class History:
         known_until = choose(status == ix.PAUSED, self.plan.scene.until, self._duration)
         moving = status != ix.ARRESTED
         ends = choose(moving & self.motion._solved, known_until, np.inf)
-        last = float(np.min(ends))
+        last = float(np.min(ends, initial=np.inf))
         late = time[time > last]
         if late.size:
             requested = float(late.flat[0])

@@ -252,7 +252,7 @@ def _ahead(now: Now) -> Ahead:
 def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
     """The net moment over Theta* farther on, (distances, lanes), at rest or at a speed."""
     net = np.empty_like(distance)
-    together = max(1, COLUMNS // now.lanes.size)
+    together = max(1, COLUMNS // max(1, now.lanes.size))
     for first in range(0, len(distance), together):
         some = slice(first, first + together)
         net[some] = _net_at_once(now, distance[some], omega)

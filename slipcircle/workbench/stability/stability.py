@@ -231,6 +231,8 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
+    if 0 in scene.shape:
+        return {name: np.empty(scene.shape) for name in (*METHODS, "facing", "negative")}
     blocks = [circle_factors(slope, *each_lane(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
@@ -337,7 +339,9 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays
         cohesion = cohesion_at_rest(soil.cohesion, slipped)
         growth = soil.cohesion_gradient
         if slipped and np.any(growth):
-            growth = growth * np.divide(cohesion, soil.peak_cohesion) if np.any(soil.peak_cohesion) else growth
+            peak = np.where(soil.peak_cohesion, soil.peak_cohesion, 1.0)
+            rest = np.where(soil.peak_cohesion, cohesion, 1.0)
+            growth = growth * rest / peak
         of_layer = SoilArrays(
             cohesion=by_lane(cohesion),
             friction=by_lane(friction_at_rest(soil.friction, slipped)),

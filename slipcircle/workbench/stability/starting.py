@@ -36,8 +36,8 @@ def strength_factor(scene: Any, method: str) -> Any:
     Returns
     -------
     float or ndarray
-        In the shape of the scene. Exactly 1 without friction, and where nothing drives the mass; NaN where the method
-        refuses the circle.
+        In the shape of the scene. Exactly 1 without friction or members, and where nothing drives the mass; NaN where
+        the method refuses the circle.
     """
     if method == OF_CLOSURE:
         return 1.0
@@ -48,7 +48,7 @@ def strength_factor(scene: Any, method: str) -> Any:
 
 def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = False) -> Any:
     """Return a result of the arcs of a scene in its shape; None where the strength is unknown, or nothing has any."""
-    if not soil(scene.friction, scene.effects, slipped):
+    if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
     for slope, circles, lanes in circles_of(scene, slipped):
@@ -82,18 +82,34 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     """
     section = scene.arc
     water = scene.called.get("pore_pressure", {})
-    softens = section.cohesion_laws(scene.effects.get("cohesion", {}))
-    changes = {"record", "time"}.intersection(water) or callable(water.get("ratio")) or callable(water.get("pressure"))
-    turns = rotation if "rotation" in scene.called else 0.0
-    turned = section.placed(section.surface, turns)
-    overhangs = np.any(np.diff(turned[:, 0]) < 0.0)
-    covered = section.in_standing_water or section.drowned(turns) > _TOUCHES * section.radius
-    if isinstance(section, LayeredSection) or softens or "heating" in scene.called or changes or overhangs or covered:
+    cohesion = scene.effects.get("cohesion", {})
+    changes = [
+        isinstance(section, LayeredSection),
+        "heating" in scene.effects,
+        "record" in water,
+        "time" in water,
+        callable(water.get("ratio")),
+        callable(water.get("pressure")),
+        *section.cohesion_laws(cohesion),
+    ]
+    if any(changes):
         return None
-    ((slope, (centre, radius, _, _), _),) = circles_of(scene)
-    soils = slope.soils._replace(friction=np.full_like(slope.soils.friction, friction))
-    turned_slope = replace(slope, ground=turned[None], soils=soils)
-    driven = driven_slices(turned_slope, centre, radius, turned[:1], turned[-1:], _PIECES)
+    turns = rotation if "rotation" in scene.effects else 0.0
+    turned = section.placed(section.surface, turns)
+    width = np.diff(turned[:, 0])
+    depth = section.drowned(turns)
+    touches = _TOUCHES * section.radius
+    if np.any(width < 0.0) or section.in_standing_water or depth > touches:
+        return None
+    ((slope, circles, _),) = circles_of(scene)
+    centre, radius, *_ = circles
+    left = turned[:1]
+    right = turned[-1:]
+    rest = np.full_like(slope.soils.friction, friction)
+    soils = slope.soils._replace(friction=rest)
+    ground = turned[None]
+    moved = replace(slope, ground=ground, soils=soils)
+    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
     with np.errstate(divide="ignore", invalid="ignore"):
         return float(factor_by(method, driven)[0])
 
