@@ -27,9 +27,11 @@ def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
     if name == "callable":
         coefficient = parameters["function"](0.0)
         return float(np.ravel(coefficient)[0])
-    last = slipped and LAWS[name].depends_on == ("slip",)
+    of_slip = LAWS[name].depends_on == ("slip",)
+    last = slipped and of_slip
     if "peak" in parameters:
-        return parameters["residual" if last else "peak"]
+        strength = "residual" if last else "peak"
+        return parameters[strength]
     coefficient = parameters["coefficient"]
     first_parameter = LAWS[name].parameters[0]
     is_table = first_parameter.kind == "list"
