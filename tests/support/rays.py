@@ -8,6 +8,7 @@ of the package. Rays and slices are Gauss points between the kinks of what is in
 import math
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from copy import copy
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
@@ -64,6 +65,19 @@ class Slope:
         half = np.diff(edges)[:, None] / 2
         middle = (edges[1:] + edges[:-1])[:, None] / 2
         return (middle + half * NODES).ravel(), (half * WEIGHTS).ravel()
+
+    def turned(self, turn: float) -> "Slope":
+        """Return the mass after a rotation, with the friction that is left, under a level that stays."""
+        first, last = self.ends
+        x, y = np.subtract(self.ground, self.centre).T
+        a, r = np.arctan2(x, -y), np.hypot(x, y) / self.radius
+        inside = (first < a) & (a < last)
+        a, r = np.array([first, *a[inside], last]) + turn, self.radius * np.array([1.0, *r[inside], 1.0])
+        slope = copy(self)
+        slope.ground = (np.stack([r * np.sin(a), -r * np.cos(a)], axis=1) + self.centre).tolist()
+        slope.ends = first + turn, last + turn
+        slope.peak = self.residual + (self.peak - self.residual) * math.exp(-self.radius * turn / self.length)
+        return slope
 
     # --- the motion ---
 

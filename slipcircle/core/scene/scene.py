@@ -230,13 +230,11 @@ class Scene(Generic[Numbers]):
     @cached_property
     def called(self) -> Effects:
         """Effects by name, each with its parameters, and the water level of a section."""
-        return self.arc.effects_with_own(self.entered_effects)
-
-    @property
-    def entered_effects(self) -> Effects:
-        """Effects by name, each with its parameters as entered."""
         assert isinstance(self.effects, dict)
-        return self.effects
+        return self.arc.effects_with_own(self.effects)
+
+    def by_start(self, quantity: str, motion: Any) -> Any:
+        """Return a result by the method from which its motion starts, and that method; None of the closure."""
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
@@ -250,10 +248,11 @@ class Scene(Generic[Numbers]):
             numbers["strength_factor"] = self.strength_factor
         if self.end_time is not None:
             numbers["end_time"] = self.end_time
-        shaking = self.entered_effects.get("shaking", {})
+        assert isinstance(self.effects, dict)
+        shaking = self.effects.get("shaking", {})
         if callable(shaking.get("horizontal")):
             numbers |= room("forcing").record_numbers(shaking)
-        for effect, given in self.entered_effects.items():
+        for effect, given in self.effects.items():
             for p in declared_parameters(effect, given):
                 if p.name in given and p.kind in ("number", "series"):
                     value = given[p.name]
