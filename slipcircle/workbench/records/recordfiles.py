@@ -161,6 +161,9 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
         if column.role in (quantity.role, "vertical"):
             unit = _unit(quantity, name, column.unit or table.unit)
+            if unit_of(table.unit, quantity) not in (None, unit):
+                said = f"column {k} ({column.name}): its unit is {unit}, and {table.unit!r} in the header above"
+                raise ValueError(f"{name}: {said}; correct one of them")
             samples = _samples(name, time, of_column, lines, unit)
             label = table.component * (width == 1) or column.name
             role = column.role if roles or column.role == "vertical" else ""
