@@ -142,10 +142,14 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0
     move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
-    end_alike = status.count(final[ix.STATUS]) == RUNS
+    end_alike = len({*map(_ending, status), _ending(final[ix.STATUS])}) == 1
     if not (end_alike and move_alike):
         return 1.0, True
-    durations = end_times if _ends_in_time(final) else rests
+    creeps = final[ix.TIME] == np.inf
+    durations = [
+        end if code == ix.ENDED and not creeps else rest
+        for code, end, rest in zip(status, end_times, rests, strict=True)
+    ]
     rows = durations, run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
@@ -159,11 +163,16 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:
     """Whether runs end with another status than the motion, or move where it does not."""
-    status = final[ix.STATUS]
-    other_status = cells[ix.STATUS] != status
+    other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
     moves = cells[ix.PHASES] > 0.0
     phases = final[ix.PHASES]
     return other_status | (moves != (phases > 0.0))
+
+
+def _ending(status: Any) -> Any:
+    """Return statuses with one code for lanes at rest and at their end time, whose durations are compared instead."""
+    is_answer = (status >= ix.ARRESTED) & (status <= ix.ENDED)
+    return choose(is_answer, float(ix.ENDED), status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:

@@ -12,6 +12,8 @@ from slipcircle.core.scene.effects import rotates
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
+_REMEDIES = {"drag": "a greater xi", "viscosity": "a lower viscosity"}
+
 
 def refusal(motion: Any) -> InputError:
     """Why a single scene has no result, and what to change."""
@@ -32,9 +34,11 @@ def refusal(motion: Any) -> InputError:
     elif not turns and (status == Status.ENDLESS or overflows):
         why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
     elif few_turnings and motion.brake > STRONGEST:
+        names = ["friction", *(name for name in _REMEDIES if name in motion.plan.recipe.effects)]
+        remedies = " or ".join(["less friction", *(_REMEDIES[name] for name in names[1:])])
         why = (
-            f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
-            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
+            f"{', '.join(names)}: too strong a brake to be followed: the speed falls by e in 1/q of a radian, q = "
+            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give {remedies}"
         )
     elif few_turnings:
         why = (
@@ -45,5 +49,7 @@ def refusal(motion: Any) -> InputError:
         times = min(motion.turnings, MOST_TURNS)
         why = f"{end_time}: this mass turns back {times} times or more without coming to rest; give an earlier end in s"
     else:
-        why = f"{velocity}, {end_time}: the motion overflows; give a lower velocity or an earlier end"
+        growing = "the motion or a state of its effects" if len(motion.plan.program.states) > 2 else "the motion"
+        lower = "a lower velocity or " if speed else ""
+        why = f"{velocity}, {end_time}: {growing} overflows; give {lower}an earlier end"
     return InputError("", [why])
