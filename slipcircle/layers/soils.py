@@ -13,7 +13,7 @@ from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
-from slipcircle.layers.at_rest import cohesion_at_start, friction_at_rest, least_friction
+from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 
 # The numbers of a soil that vary beside its friction, and all of them as one a lane.
 SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
@@ -71,7 +71,7 @@ class Soil:
     @property
     def peak_cohesion(self) -> Any:
         """Cohesion at the start."""
-        return cohesion_at_start(self.cohesion)
+        return cohesion_at_rest(self.cohesion)
 
     @property
     def residual_cohesion(self) -> Any:

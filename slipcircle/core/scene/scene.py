@@ -233,6 +233,9 @@ class Scene(Generic[Numbers]):
         assert isinstance(self.effects, dict)
         return self.arc.effects_with_own(self.effects)
 
+    def by_start(self, quantity: str, motion: Any) -> Any:
+        """Return a result by the method from which its motion starts, and that method; None of the closure."""
+
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
