@@ -198,5 +198,6 @@ def test_an_end_time_next_to_the_duration_is_no_error(name: str) -> None:
     for end_time in (motion.duration, math.nextafter(motion.duration, 0.0), motion.duration / 2):
         ended = solve(replace(shipped_scene, end_time=end_time))
         assert ended.error_estimate < 10 * motion.error_estimate
-    lanes = solve(replace(shipped_scene, end_time=np.array([motion.duration, 2 * motion.duration])))
+    times: Any = np.array([motion.duration, 2 * motion.duration])
+    lanes = solve(replace(shipped_scene, end_time=times))
     assert np.all(np.less(lanes.error_estimate, lanes.plan.accuracy))

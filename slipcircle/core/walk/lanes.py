@@ -63,7 +63,7 @@ def _stop_swinging(problem: Problem, cells: Floats) -> bool:
     swings = turns_on & ~ends & (cells[ix.STATUS] == ix.TOO_LONG)
     if not swings.any():
         return False
-    problem.end_first(np.where(swings, 1.0, cells[ix.FIRST_ONLY]))
+    problem.ending_first(np.where(swings, 1.0, cells[ix.FIRST_ONLY]))
     return True
 
 
