@@ -70,7 +70,7 @@ SCALES = _units(
 LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
 OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope"
 BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2 k_h k_v": ""})
-OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU), NUMBER)
+OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU, declared.COHESION_LAW), NUMBER)
 OF_GROWTH = _units({"mu effective_stress": ""})
 
 

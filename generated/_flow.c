@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "cfaebb9e61cc7238a478f1b339c2833c7e6afc4f351385cdaccd5d1abf1a0e80"
+#define DIGEST "57f59ee65247a22fd866db4fea54e3a0a22f5cc7b9c3f2af502e769337f2b891"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1465,7 +1465,7 @@ static void begin_in_rotation(Batch *b, unsigned lane, int t)
     develop(b, lane, t, local, c[DIRECTION][lane]);
 }
 
-/* The piece of a function of the slip. */
+/* The piece of a function of the slip, which ends ahead also where another function has just broken. */
 static void begin_in_slip(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1473,7 +1473,7 @@ static void begin_in_slip(Batch *b, unsigned lane, int t)
     int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
     double edge = break_of(b, lane, t, piece);
     double local = fmax((c[SLIP][lane] * c[job->table[t].cell + SCALE][lane]) - edge, 0.0);
-    c[job->table[t].cell + UPPER][lane] = ((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane];
+    c[job->table[t].cell + UPPER][lane] = fmax(((end_of_piece(b, lane, t, piece) - edge) - local) / c[job->table[t].cell + SCALE][lane], EPS * c[SLIP][lane]);
     develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
 }
 

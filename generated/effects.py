@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 20392fd1143d99ac94e89cfb3d50ee754bf75ca8f307bbe4c392ebc525c61d31
+# sha256 of the text below: 50cae483f3aaa131736e228cf6a6943fe58f1670b83ec5e4185bff15d3ea6e2d
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -120,6 +120,43 @@ LAWS = {
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these times', 'angle_deg', 1.0,
             '', lambda value, scales: value, False, 'list'),
     ), ('time',), 'straight lines between the times of a table, the end values beyond'),
+}
+
+COHESION_LAWS = {  # of cohesion as a function of slip
+    'constant': Law('constant', '1.14', (
+        Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'cohesion', 'cohesion_kPa', 1000.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), (), 'cohesion does not change'),
+    'exponential': Law('exponential', 'Fig. 4-1', (
+        Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('residual', 'Pa', -5e-324, 1000000000000000.0, 'cohesion after much slip', 'residual_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which cohesion falls', 'length_m', 1.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), ('slip',), 'residual + (peak - residual) exp(-slip/length)'),
+    'linear': Law('linear', 'Fig. 4-1', (
+        Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('residual', 'Pa', -5e-324, 1000000000000000.0, 'cohesion after much slip', 'residual_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which cohesion falls', 'length_m', 1.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), ('slip',), 'falls from peak to residual over the length, then stays'),
+    'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
+        Parameter('peak', 'Pa', -5e-324, 1000000000000000.0, 'cohesion at the start', 'peak_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('residual', 'Pa', -5e-324, 1000000000000000.0, 'cohesion after much slip', 'residual_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'number'),
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which cohesion falls', 'length_m', 1.0, '', lambda value,
+            scales: value, False, 'number'),
+    ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)'),
+    'tabulated': Law('tabulated', 'Fig. 4-1', (
+        Parameter('slip', 'm', -5e-324, 1e+20, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '',
+            lambda value, scales: value, False, 'list'),
+        Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'cohesions at these slips', 'cohesion_kPa', 1000.0, '',
+            lambda value, scales: value, False, 'list'),
+    ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond'),
 }
 
 EFFECTS = {
@@ -310,4 +347,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
         False, (), ('adds Theta soil_lift soil_mu/(lambda slip_mu) to u',
         'adds Theta soil_mu (k_h soil_slope + omega^2 soil_inertia + soil_turning (1 - k_v))/slip_mu to J_r',
         'adds soil_mu soil_share to mu')),
+    'softening_cohesion': Effect('softening_cohesion', '3.11', (
+        Parameter('moment', '', -INFINITY, INFINITY, 'moment of 1 Pa', '', 1.0, 'soft_share', lambda value,
+            scales: scales['strength_factor']*value, True, 'rotation'),
+    ), (), 'strength without normal stress changes with slip', False, (),
+        ('adds Theta cohesion_law soft_share* to resistance', 'soft_share* = moment strength_factor')),
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 78564ceaee1ad06a7358b7ace262b57a158605154ad4abbebb34a78be833e79d
+# sha256 of the text below: 8a07d1ed32978c2d3e018fbadf18ec08eb67b3b63d89970b6a02f5478be4c0cd
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -659,6 +659,27 @@ FRAGMENTS: dict[str, Fragment] = {
         },
         states=(),
         tables=(('soil_lift', 'rotation', 'x', 7),),
+    ),
+    'softening_cohesion': Fragment(
+        inputs=(),
+        optional=(),
+        scalar=(
+            ('mul', 'softening_cohesion.resisting', 'cohesion_law_0', 'soft_share'),
+            ('abs', 'softening_cohesion.resisting_size', 'softening_cohesion.resisting'),
+        ),
+        series=(
+            ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
+            ('lin', 'dsoft_share', '', (('soft_share.Q1', 'x'), ('soft_share.Q2', 'x^2'), ('soft_share.Q3', 'x^3'),
+                ('soft_share.Q4', 'x^4'), ('soft_share.Q5', 'x^5'), ('soft_share.Q6', 'x^6'), ('soft_share.Q7',
+                'x^7'))),
+            ('mul', 'dcohesion_law*dsoft_share', 'dcohesion_law', 'dsoft_share'),
+        ),
+        adds={
+            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('soft_share',
+                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoft_share'), ('cohesion_law_0', 'dsoft_share'))),
+        },
+        states=(),
+        tables=(('soft_share', 'rotation', 'x', 7),),
     ),
     'constant': Fragment(
         inputs=('constant.coefficient',),

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 94193074c90dc221999996c67619ec2907d965f3c664119db7040f24deaa6419
+# sha256 of the text below: 4d2c10c36a0822fd6806f928490a28c6bc1d3f55f6289d09b134f9f2450c9c98
 """The linker: programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -14,7 +14,8 @@ from generated.layout import CELLS, TABLE
 Names = tuple[str, ...]
 OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
 ZERO, ONE = "=0.0", "=1.0"
-OF_SOIL = "#"  # before the number of a soil, in the names of what is its own
+OF_SOIL = "#"  # before the number of a soil, in the names of its laws, effects, cells and registers
+OF_COHESION = "#c"  # before that of a soil whose cohesion changes with slip
 Lookup = Callable[[str, bool], Sequence[Fragment]]  # fragments of an effect or a law, and whether the mass turns
 
 
@@ -25,7 +26,8 @@ class Recipe(NamedTuple):
     ----------
     effects : tuple of str
     laws : tuple of str
-        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it.
+        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it,
+        and the laws of cohesion, ``linear#c``.
     moving : tuple of str
         Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
@@ -36,6 +38,11 @@ class Recipe(NamedTuple):
     laws: Names
     moving: Names = ()
     absent: Names = ()
+
+    @property
+    def of_friction(self) -> Names:
+        """Its laws without those of cohesion."""
+        return tuple(law for law in self.laws if OF_COHESION not in law)
 
 
 class OnSeries(NamedTuple):
@@ -105,9 +112,9 @@ class Definitions:
 
 def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
     """Collect the definitions of a recipe's effects and laws, and of ``further`` fragments."""
-    effects, laws, moving, absent = recipe
+    effects, _, moving, absent = recipe
     made = Definitions()
-    slip_factor = _include_laws(made, laws, fragments)
+    slip_factor = _include_laws(made, recipe, fragments)
     for effect in ("gravity", *effects, "balance", *further):
         for fragment in fragments(effect, "rotation" in effects):
             _include(made, fragment, moving, slip_factor)
@@ -125,21 +132,21 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     return made
 
 
-def _include_laws(made: Definitions, laws: Names, fragments: Lookup) -> str:
-    """Include the friction laws; return the name of the quantity to which laws of slip add.
+def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
+    """Include all laws; return the name of the quantity to which laws of slip add.
 
     It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
     """
-    of_soils = [law for law in laws if OF_SOIL in law]
-    shared = [law for law in laws if law not in of_soils]
+    of_soils = [law for law in recipe.of_friction if OF_SOIL in law]
+    shared = [law for law in recipe.of_friction if law not in of_soils]
     factors = ["mu"]
     if len(shared) > (0 if of_soils else 1):
         factors = ["slip_mu", "rate_mu"]
         _include(made, fragments("product", False)[0])
     if of_soils:
         _include(made, fragments("soils", False)[0])
-    quantities = [*(factors[0] for _ in of_soils), *factors[-len(shared) :]]
-    for law, quantity in zip((*of_soils, *shared), quantities, strict=False):
+    for law in recipe.laws:  # those of soils and of cohesion add to quantities of their own
+        quantity = factors[-1] if law in shared[-1:] else factors[0]
         for fragment in fragments(law, False):
             tables = [name for name, *_ in fragment.tables]
             _include(made, fragment, tables, quantity)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4507d5e0bd8eea3b4bdfffc29798fe1d8ac154497582f6e38767ff0635205dc2
+# sha256 of the text below: 073f221651829033cd5676e666fbdcb487b4763ab09a87b840fc42b25827a1ad
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "cfaebb9e61cc7238a478f1b339c2833c7e6afc4f351385cdaccd5d1abf1a0e80"  # of the compiled integrator's source
+DIGEST = "57f59ee65247a22fd866db4fea54e3a0a22f5cc7b9c3f2af502e769337f2b891"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6ba9338d2946b1f2aec92da0f1884ca4bd471c65f7e6a6abc379e33aa1aed5a8
+# sha256 of the text below: 284988fc9be5e97a1b8e2e4ae9e556c1cd1a751f9d5cfe88355b48ceffe0bd44
 """The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
@@ -511,12 +511,13 @@ def begin_in_rotation(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
-    """The piece of a function of the slip."""
+    """The piece of a function of the slip, which ends ahead also where another function has just broken."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     edge = break_of(lane, i, t, piece)
     local = np.fmax(c[ix.SLIP, i] * c[t.cells + ix.SCALE, i] - edge, 0.0)
-    c[t.cells + ix.UPPER, i] = (end_of_piece(lane, i, t, piece) - edge - local) / c[t.cells + ix.SCALE, i]
+    c[t.cells + ix.UPPER, i] = np.fmax((end_of_piece(lane, i, t, piece) - edge - local) / c[t.cells + ix.SCALE, i],
+        EPS * c[ix.SLIP, i])
     develop(lane, i, t, local, c[t.cells + ix.SCALE, i])
 
 

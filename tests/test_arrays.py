@@ -23,6 +23,8 @@ from slipcircle import (
     parameters,
     solve,
 )
+from slipcircle.derivatives import with_parameter_arrays
+from slipcircle.workbench.files.scenefile import shipped
 from tests.campaigns import odd_arrays
 
 ARC = Arc(100.0, 3.8, 4.8, 20e3)
@@ -161,3 +163,27 @@ def test_long_doubles_are_numbers(tmp_path: Any) -> None:
     unnamed = replace(SCENE, friction=lambda s: 0.2 + 0.0 * s)
     assert ensemble(unnamed, 8, rng=1).mean("run_out").value == pytest.approx(expected, rel=1e-9)
     assert grid(unnamed, {"radius": [99.0, 101.0]}).mean("run_out").value > 0.0
+
+
+@pytest.mark.parametrize("shape", [(0,), (0, 3)])
+@pytest.mark.parametrize("name", shipped())
+def test_an_ensemble_may_have_no_members(name: str, shape: tuple[int, ...]) -> None:
+    """With arrays of the first and last numbers of each kind, of length 0."""
+    scene = load(name)
+    kinds = {number.partition(".")[0]: number for number in parameters(scene)}
+    for number in {*kinds.values(), "radius"} - {kinds.get("layers")}:
+        empty, invalid = with_parameter_arrays(scene, {number: np.zeros(shape)})
+        motion = solve(empty, invalid=invalid)
+        assert motion.run_out.shape == motion.slow_run_out.shape == motion.error_estimate.shape == shape
+        assert motion.factor_of_safety.shape == motion.end.normal_stress.shape == shape
+        assert motion.at(1.0).displacement.shape == shape
+
+
+def test_a_water_level_with_arrays_of_several_axes() -> None:
+    """As with the same numbers along one axis: each lane has its own geometry."""
+    scene = load("valley-side")
+    radii = scene.arc.radius * np.linspace(1.0, 1.01, 6)
+    flat, of_two_axes = (
+        solve(with_parameter_arrays(scene, {"radius": values})[0]).run_out for values in (radii, radii.reshape(2, 3))
+    )
+    assert np.array_equal(flat, of_two_axes.ravel())

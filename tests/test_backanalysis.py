@@ -12,6 +12,7 @@ from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, s
 from slipcircle.workbench.common.quantities import summary
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
+from tests.campaigns.round_trips import outcome
 
 VAIONT = load("vaiont")
 WET = load("wet-slope")
@@ -34,6 +35,19 @@ def test_what_moved_the_mass_is_found_again(name: str, output: str, field: str, 
     study = backanalyse(load(name), **observed, field=field)
     assert study.method == ROOT
     assert min(abs(s.value / value - 1) for s in study.solutions) < (1e-10 if output != "duration" else 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("scene", "number", "observed", "how"),
+    [("layered-slope", "soils.clay.cohesion", "run_out", "found"),
+     ("layered-slope", "layers.2.top", "duration", "found"),
+     ("layered-slope", "ground.3.x", "run_out", "without effect"), ("vaiont", "gravity", "run_out", "without effect"),
+     ("vaiont", "radius", "peak_velocity", "found")],
+)  # fmt: skip
+def test_a_motion_gives_back_the_numbers_of_its_scene(scene: str, number: str, observed: str, how: str) -> None:
+    """Of `tests.campaigns.round_trips`. The first end of a layer is at a corner of the ground, where durations jump."""
+    shipped = load(scene)
+    assert outcome(shipped, number, observed, float(solve(shipped).outcomes[observed])) == how
 
 
 def test_an_effect_that_the_scene_lacks_is_fitted() -> None:

@@ -204,7 +204,8 @@ def test_rows_of_scenes(name: str) -> None:
 def test_the_command(asked: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     picture = tmp_path / "cost.png"
     _, out, err = asked("cost --json --plot", picture)
-    assert re.fullmatch(r"(5 of 5 accuracies solved.*\n)?", err)  # where it takes longer than a moment
+    progress = r"(5 of 5 accuracies solved.*\n)?"  # where it takes longer than a moment
+    assert re.fullmatch(rf"{progress}slipcircle: wrote {re.escape(str(picture))}\n", err)
     found = json.loads(out, parse_constant=pytest.fail)
     assert (found["name"], np.__version__ in found["machine"]) == ("vaiont", True)  # the slide of the paper
     assert [row["way"] for row in found["rows"]] == [scenes.ANY, *scenes.ACCURACIES]

@@ -16,6 +16,7 @@ from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.outputs import livesection
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import standing_water
@@ -416,3 +417,20 @@ def test_standing_water_is_told_of(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "whose drag and added mass are not included" in printed.err
     assert "below the water level" not in printed.err
     assert "x = 38 to 80 m, level 1 m" in printed.out
+
+
+def test_pages_and_pictures_are_the_same_in_map_coordinates() -> None:
+    """Lines of the page's section, and the frame of the picture."""
+    pool = next(pool for pool in POOLS if pool.joint is None)
+    drawings, frames = [], []
+    for shift in (0.0, 5e6):
+        motion = solve(pool.scene(shift=shift))
+        section = livesection.section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
+        paths = re.findall(r'<path class="(?:soil|body|slip|water|circle)" d="([^"]*)"', str(section))
+        drawings.append([float(number) for number in re.findall(r"-?\d+\.\d+", " ".join(paths))])
+        axes = motion.plot("section")
+        frames.append([*(np.array(axes.get_xlim()) - shift), *axes.get_ylim()])
+    near, far = drawings
+    assert len(near) > 20
+    assert far == pytest.approx(near, abs=0.02)
+    assert frames[1] == pytest.approx(frames[0], abs=1e-3)

@@ -184,7 +184,7 @@ def test_the_largest_errors_are_those_of_the_table() -> None:
 
 # --- links -----------------------------------------------------------------------------------------------------------
 
-LINK = re.compile(r"\]\(([^()\s]+)\)|(?<!\]\()(\bhttps?:/*[^\s<>\"'`]+)")  # [words](target), or a bare address
+LINK = re.compile(r"\]\((?!\?)([^()\s]+)\)|(?<!\]\()(\bhttps?:/*[^\s<>\"'`]+)")  # [words](target), or a bare address
 
 
 def documents() -> Iterator[tuple[Path, str]]:

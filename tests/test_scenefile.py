@@ -119,8 +119,8 @@ def test_a_byte_order_mark_and_windows_line_ends(file: Path) -> None:
             )
         ),
         *(
-            (f"law = 'tabulated'\nslip_m = [0, 2.5]\n{text}", {"law": "tabulated", "slip": [0, 2.5], "coefficient": mu})
-            for text, mu in (("angle_deg = [20, 8]", [tan(20.0), tan(8.0)]), ("coefficient = [0.5, 0]", [0.5, 0.0]))
+            (f"law = 'tabulated'\nslip_m = [0, 2.5]\n{text}", {"law": "tabulated", "slip": (0, 2.5), "coefficient": mu})
+            for text, mu in (("angle_deg = [20, 8]", (tan(20.0), tan(8.0))), ("coefficient = [0.5, 0]", (0.5, 0.0)))
         ),
     ],
 )  # fmt: skip
@@ -147,7 +147,9 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
         return "\n".join([*lines, ""])
 
     pulse = "[shaking]\npulse = 'half-sine'\namplitude_g = 0.1\nduration_s = 2\n"  # a pulse needs more than its name
-    effects = [pulse if n == "shaking" else table(n, whole["properties"][n]) for n in EFFECTS]
+    parts = {n: whole["properties"][n] for n in EFFECTS}
+    parts["cohesion"] = definition(parts["cohesion"]["anyOf"][0])
+    effects = [pulse if n == "shaking" else table(n, parts[n]) for n in EFFECTS]
     for law in whole["properties"]["friction"]["anyOf"]:
         text = "\n".join([ARC, table("friction", definition(law)), *effects])
         scene, uncertain = written(file, text), written(file, text.replace(" 0.5\n", f" {drawn}\n"))
@@ -406,7 +408,7 @@ def test_several_mistakes_are_lines_of_their_own(tmp_path: Path, refused: Any) -
     assert refused("run", path).splitlines() == [
         f"slipcircle: {path}: friction.phi_deg = 27: is unknown; did you mean angle_deg?",
         f"slipcircle: {path}: cohesion.c_kPa = 10: is unknown; did you mean cohesion_kPa?",
-        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are cohesion_kPa",
+        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are law, cohesion_kPa",
     ]
     path.write_text("[arc]\nradius_m = 60\ntheta_1_deg = 280\ntheta_2_deg = 215\nunit_weight_kN_m3 = 19\n[friction]\n"
                     "angle_deg = 12\n[rotation]\n[drag]\nxi_m_s2 = -1\n", "utf-8")  # fmt: skip

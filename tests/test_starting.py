@@ -1,5 +1,7 @@
 """Motions that start from the factor of safety of another method than the closure's."""
 
+import copy
+import pickle
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
@@ -12,6 +14,7 @@ import slipcircle
 from slipcircle import Arc, Scene, Status, load, solve
 from slipcircle.derivatives import parameters, with_parameter_arrays, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
+from tests.campaigns import combined
 from tests.support.rays import from_method, random_slopes
 
 # Lodalen 1954 (Sevaldson 1956): 17 m high, 1:2, c' = 10 kPa, phi' = 27 degrees.
@@ -29,6 +32,24 @@ level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
 [rotation]
 [centripetal]
 """
+
+
+def test_starts_with_softening_cohesion_and_standing_water(tmp_path: Path) -> None:
+    """A sample of the campaign."""
+    found = list(combined.differences(3, 6, tmp_path))
+    assert max(found) < 1e-10
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
+def test_copies_are_started_anew_too(copied: Any) -> None:
+    """Scenes of other processes, and of an explicit factor."""
+    scene = load("valley-side")
+    for one in (scene, replace(scene, strength_factor=1.1)):
+        derived = [with_parameters(x, {"centre.x": 213.1, "level.3.y": 66.0}) for x in (one, copied(one))]
+        assert derived[0].strength_factor == derived[1].strength_factor
+    assert copied(scene).strength_factor == scene.strength_factor != derived[0].strength_factor == 1.1
+
+
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 1.0}
 
 
@@ -54,12 +75,16 @@ def test_motions_start_from_bishops_factor_as_plain_integration_does(seed: int, 
         assert scene.strength_factor == pytest.approx(slope.strength_factor, rel=1e-13)
         motion = solve(scene)
         assert motion.status in (Status.RESTS, Status.STAYS)
-        if slope.shaken:
-            assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
-        else:
+        assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
+        if not slope.shaken:
             assert motion.factor_of_safety == pytest.approx(slope.bishop(), rel=1e-13)
         found = motion.run_out, motion.duration, motion.peak.velocity
         assert found == pytest.approx(slope.motion(slope.strength_factor), rel=1e-8)
+        further = motion.further_factors
+        assert further.residual == pytest.approx(replace(slope, peak=slope.residual).bishop(), rel=1e-12)
+        if motion.arrested and further.at_rest_method:
+            turned = slope.turned(motion.end.rotation)
+            assert (further.at_rest, further.at_rest_method) == (pytest.approx(turned.bishop(), rel=1e-9), "bishop")
 
 
 def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, said: Any) -> None:
@@ -190,6 +215,17 @@ def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weig
     linear = Scene(scene.arc, SOFTENING | {"law": "linear"}, ["rotation"], strength_factor=0.5)
     limit = scene.arc.dimensionless.limit_friction
     assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)
+
+
+def test_cohesion_that_softens_starts_from_its_peak_and_has_the_factor_of_its_residual(file: Any) -> None:
+    text = LODALEN.replace("cohesion_kPa = 10", "{}")
+    law = 'law = "exponential"\npeak_kPa = 10\nresidual_kPa = 4\nlength_m = 0.5'
+    softens, peak, residual = (load(file(text.format(c))) for c in (law, "cohesion_kPa = 10", "cohesion_kPa = 4"))
+    circle: Any = {"arc": peak.arc}  # that of the peak is the critical one of softening ground, too
+    close(softens, peak)
+    further = solve(softens).further_factors
+    assert further.residual == pytest.approx(solve(replace(residual, **circle)).factor_of_safety, rel=1e-12)
+    assert further.at_rest_method == ""
 
 
 def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:

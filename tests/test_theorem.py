@@ -118,6 +118,10 @@ def test_taylor_series_in_time_of_other_code(friction: dict[str, Any], cohesion:
             low, high = map(mpf, pair(proof.numbers[name], 30))
             assert high - low < 1e-18 * high
             assert abs(mpf(found[key]) - low) < 1e-20 * high + (high - low), name
+        swings = "end_displacement_m" in proof.numbers
+        low, high = map(mpf, pair(proof.numbers["end_displacement_m" if swings else "run_out_m"], 30))
+        assert abs(mpf(found["end_displacement"]) - low) < 1e-20 * abs(high) + (high - low)
+        assert swings == (found["phases"] > 1)
 
 
 def test_remainders_are_counted() -> None:

@@ -232,7 +232,6 @@ LAWS = (
         equation="1.14"),
 )  # fmt: skip
 
-
 _COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
     "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
@@ -249,8 +248,8 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 )
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
-SOIL_MU, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu soil_turning soil_slope", real=True)
-_SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
+SOIL_MU, COHESION_LAW, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu cohesion_law soil_turning soil_slope", real=True)
+_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENED = sp.symbols("soil_share soil_inertia soil_lift soft_share", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -350,7 +349,6 @@ EFFECTS = (
            equation="3.11", pressure=_EXCESS, states=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
-
 # What a section adds to the balance by itself: no user and no file asks for it.
 _EXCESS_NORMAL, _EXCESS_SLOPE = _NORMAL + TURNING, _NORMAL_SLOPE + TURNING_SLOPE
 _LEFT_NORMAL, _LEFT_SLOPE = _REMAINING + REMAINING, _REMAINING_SLOPE + REMAINING_SLOPE
@@ -388,9 +386,11 @@ SECTION_EFFECTS = (
         _of_section("lift", "what water takes from the normal force", _SOIL_LIFT, "rotation")), equation="2.23",
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
+    Effect("softening_cohesion", "strength without normal stress changes with slip", (
+        _of_section("moment", "moment of 1 Pa", _SOFTENED, "rotation", _STRONG),), equation="3.11",
+           resistance=THETA * _SOFTENED * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
-
 
 # The derivatives by psi of what turns with the mass.
 BY_PSI = {DRIVING_MOMENT: DRIVING_MOMENT_SLOPE, DRIVING_MOMENT_SLOPE: -DRIVING_MOMENT,

@@ -11,6 +11,7 @@ from derive.check.proof import ProofError
 from derive.declare.effects import (
     ALL_EFFECTS,
     BY_PSI,
+    COHESION_LAW,
     DEGREE,
     DRIVING_MOMENT,
     EFFECTIVE,
@@ -147,7 +148,7 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is None:
         return variables
-    for x in (SLIP_MU, SOIL_MU):
+    for x in (SLIP_MU, SOIL_MU, COHESION_LAW):
         variables[x] = varying(str(x))
     variables |= {x: (sign(x) * x, series(f"d{x}", sign(x))) for x in (K_H, K_V)}
     odd_parameters = odd(effect)

@@ -5,6 +5,7 @@ import re
 import sympy as sp
 
 from derive.code.emit import filled
+from derive.declare.cohesion import COHESION_LAWS
 from derive.declare.effects import (
     ALPHA,
     DENSITY,
@@ -34,6 +35,7 @@ def module() -> str:
     marks: dict[str, object] = {"LIMITS": LIMITS, "LEAST": LEAST, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS}
     marks |= {"USUAL_FRICTION": USUAL_FRICTION, "QUESTIONED_FRICTION": QUESTIONED_FRICTION}
     rows: dict[str, tuple[Effect | Law, ...]] = {"LAWS": LAWS, "EFFECTS": EFFECTS, "SECTION_EFFECTS": SECTION_EFFECTS}
+    rows["COHESION_LAWS"] = COHESION_LAWS
     texts = {mark: "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries) for mark, entries in rows.items()}
     return filled("_effects.py.in", {mark: repr(value) for mark, value in marks.items()} | texts)
 

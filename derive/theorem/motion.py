@@ -9,6 +9,7 @@ centre of the arc, with psi the dip of the chord, for lengths in R and times in 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import reduce
+from itertools import accumulate
 from typing import NamedTuple
 
 from flint import arb
@@ -168,17 +169,25 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
 
 
 def _numbers(slide: Slide, stands: list[Standstill]) -> dict[str, arb]:
-    """Of the whole motion, in SI units; the place of the peak if it is certain in which swing it is."""
+    """Return the numbers of the whole motion in SI units; run-out and rotation are the greatest.
+
+    The place of rest is added if the mass swings back, the place of the peak if it is certain in which swing it is.
+    """
     first, *others = stands
-    rotation = sum(((-1) ** k * stand.rest for k, stand in enumerate(stands)), arb(0))
+    farthest, *later = accumulate((-1) ** k * stand.rest for k, stand in enumerate(stands))
+    # Friction makes each swing shorter than the swing before it; each must be proved to stay within the first.
+    if not all(abs(place) < farthest for place in later):
+        raise Undecided("at which standstill the mass is farthest is not certain")
     duration = sum((stand.time for stand in stands), arb(0))
     peak = reduce(arb.max, (stand.peak for stand in stands))
     numbers = {
-        "rotation_rad": rotation,
-        "run_out_m": rotation * slide.radius,
+        "rotation_rad": farthest,
+        "run_out_m": farthest * slide.radius,
         "peak_velocity_m_s": peak * (slide.radius * slide.gravity).sqrt(),
         "duration_s": duration * (slide.radius / slide.gravity).sqrt(),
     }
+    if others:
+        numbers["end_displacement_m"] = later[-1] * slide.radius
     if all(first.peak > stand.peak for stand in others):
         numbers["peak_displacement_m"] = first.peak_at * slide.radius
     return numbers

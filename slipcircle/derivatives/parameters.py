@@ -17,7 +17,7 @@ from generated import effects as declared
 from slipcircle.base.checks import InputError, array_of, plain, real_number
 from slipcircle.base.kinds import Flags, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
-from slipcircle.core.scene.effects import without_soil
+from slipcircle.core.scene.effects import declared_parameters, without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.ground.coordinates import changed_fields, replace_unchecked
@@ -93,8 +93,10 @@ def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     every = [*_MOTION]
     every += _parameters_of_arc(scene.arc)
     every += _parameters_of_friction(scene.friction)
-    for name, effect in declared.EFFECTS.items():
-        every += _scalars(name, effect.parameters)
+    assert isinstance(scene.effects, dict)
+    for name in declared.EFFECTS:
+        given = scene.effects.get(name, {})
+        every += _scalars(name, declared_parameters(name, given))
     return {parameter.name: parameter for parameter in every}
 
 
@@ -188,7 +190,9 @@ def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
             if "." in name:
                 yield Parameter(name, "m", -FAR, FAR)
     for name in arc.other_numbers():
-        _, _, quantity = name.rpartition(".")
+        path, _, quantity = name.rpartition(".")
+        if path.endswith(".cohesion") and quantity != "length":
+            quantity = "cohesion"
         yield Parameter(name, *SOIL_BOUNDS[quantity])
 
 

@@ -59,7 +59,8 @@ class HeightIntegrals(NamedTuple):
         """Over arcs from one angle to another, (..., n)."""
         first_angle, last_angle = _in_first_turn(first, last)
         total = np.zeros(np.shape(first))
-        together = max(1, _TOGETHER // np.size(first))
+        arcs = max(1, np.size(first))
+        together = max(1, _TOGETHER // arcs)
         for k in range(0, self.slope.shape[1], together):
             chosen = slice(k, k + together)
             pieces = self.pieces.only(chosen)

@@ -59,8 +59,8 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
     for ground, level in _pairs(grounds, levels):
         bodies.append(_bodies(ground, level, confined, ponds))
     lanes = len(bodies)
-    count = max(map(len, bodies))
-    x, y = grounds[:, 0].min(axis=0)
+    count = max(map(len, bodies), default=0)
+    x, y = grounds[:, 0].min(axis=0, initial=np.inf)
     outside = x - 1.0
     nothing = [outside, outside, y, 0.0]  # where a lane has less water
     padded = []
@@ -75,7 +75,7 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
     """Each ground with its level, None without one."""
     if levels is None:
         return zip(grounds, repeat(None), strict=False)
-    lanes = max(len(grounds), len(levels))
+    lanes = len(levels) if len(grounds) == 1 else len(grounds)
     of_grounds = each_lane(grounds, lanes)
     of_levels = each_lane(levels, lanes)
     return zip(of_grounds, of_levels, strict=True)

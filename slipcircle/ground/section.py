@@ -149,6 +149,7 @@ class Section(SectionGeometry, Mass):
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Adds what water does that stays in place as the mass turns through it: its pressure, and standing water."""
+        effects = super().effects_with_own(effects)
         own = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
             own["level"] = self.mean_lift
@@ -256,7 +257,11 @@ class Section(SectionGeometry, Mass):
         """Shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
         turn = np.asarray(rotation, dtype=np.float64)
         shape = np.broadcast_shapes(turn.shape, self.shape)
-        return shape, np.broadcast_to(turn, shape).reshape(-1, len(self._facing))
+        own = len(self.shape)
+        rotations = math.prod(shape[: len(shape) - own])
+        by_shape = np.broadcast_to(turn, shape)
+        by_lane = by_shape.reshape(rotations, len(self._facing))
+        return shape, by_lane
 
     def mean_lift(self, rotation: Any = 0.0) -> Any:
         """Mean pressure that reduces the normal stress of the weight, Pa.

@@ -30,14 +30,17 @@ def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslop
     """A function of the rotation of a section whose water stays in place, until contact is lost."""
 
     def pressure(rotation: Any) -> Any:
-        places = rotation if section.shape else rotation[:, 0]
+        *axes, _ = rotation.shape
+        places = rotation.reshape(*axes, *section.shape)
         values = function(places)
         return values.reshape(1, *rotation.shape)
 
     last = upright(section)
     if rotates:
         first = first_rotation(last, upslope)
-        kinks = np.atleast_2d(section.pressure_kinks)
+        kinks = section.pressure_kinks
+        *_, count = kinks.shape
+        kinks = kinks.reshape(last.size, count)
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)
         coefficients = np.ascontiguousarray(coefficients[:, :, 0])
     else:

@@ -40,11 +40,13 @@ class Stresses(NamedTuple):
 class FurtherFactors(NamedTuple):
     """Factors of safety with residual strength on the original geometry, and of a single mass at rest after the slide.
 
-    Both are of the closure, with the strength factor of the start.
+    A method is that from which the motion starts, or empty: the closure with the strength factor of the start.
     """
 
     residual: Any
     at_rest: Any
+    residual_method: str
+    at_rest_method: str
 
 
 def of_means(scene: Scene) -> Scene:
@@ -103,7 +105,7 @@ class History:
         known_until = choose(status == ix.PAUSED, self.plan.scene.until, self._duration)
         moving = status != ix.ARRESTED
         ends = choose(moving & self.motion._solved, known_until, np.inf)
-        last = float(np.min(ends))
+        last = float(np.min(ends, initial=np.inf))
         late = time[time > last]
         if late.size:
             requested = float(late.flat[0])
@@ -183,7 +185,7 @@ class History:
         lanes = np.arange(self.problem.lanes)
         unknown = np.full(lanes.size, np.nan)
         residual = unknown
-        if self.problem.function is None:  # otherwise its values at great slip are not known
+        if not self.problem.functions:  # otherwise its values at great slip are not known
             nothing = np.zeros(lanes.size)
             further = [nothing] * (len(self.problem.program.states) - 1)
             further[0] = np.full(lanes.size, _LONG)
@@ -193,7 +195,14 @@ class History:
         if not self.shape and self.motion.arrested:
             end = self._states(np.asarray(self.motion.settling_time))
             at_rest = self.forces.factor_of_safety(end)
-        return FurtherFactors(self.motion._shaped(residual), self.motion._shaped(at_rest))
+        of_closure = {"residual": residual, "at_rest": at_rest}
+        values, methods = list[Any](), list[str]()
+        for quantity, value in of_closure.items():
+            by_start = self.plan.scene.by_start(quantity, self.motion)
+            found, method = by_start or (self.motion._shaped(value), "")
+            values.append(found)
+            methods.append(method)
+        return FurtherFactors(*values, *methods)
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """`Motion.pore_pressure_at`."""

@@ -42,7 +42,7 @@ def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
         slip, *others = states.further
         cells[ix.SLIP] = slip
         problem.reach_farther(states.rotation, states.lane)
-        if problem.function is not None:
+        if problem.functions:
             room("functions").extend(problem, cells)
         for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
             cells[cell] = value

@@ -1,6 +1,6 @@
 """Layered ground: soils, stretches of the arc, strips, cracks."""
 
-from slipcircle.layers.at_rest import friction_at_rest
+from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest
 from slipcircle.layers.cracks import crack_place
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
@@ -11,6 +11,7 @@ __all__ = [
     "LayeredSection",
     "Soil",
     "Stretch",
+    "cohesion_at_rest",
     "crack_place",
     "datum_of",
     "edge_below",

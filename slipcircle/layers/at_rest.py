@@ -1,4 +1,4 @@
-"""Friction before any slip, at no speed and at the start."""
+"""Friction at no speed and at the start, before any slip or after much."""
 
 import math
 from collections.abc import Mapping
@@ -8,28 +8,42 @@ import numpy as np
 
 from generated.effects import LAWS
 from slipcircle.base.kinds import Parameters
+from slipcircle.core.scene.effects import cohesion_law
 from slipcircle.core.scene.friction import law_parts
 
 
-def friction_at_rest(friction: Any) -> Any:
-    """The coefficient before any slip, at no speed and at the start."""
+def friction_at_rest(friction: Any, slipped: bool = False) -> Any:
+    """Return the coefficient before any slip, or after much, at no speed and at the start; NaN where it is unknown."""
     if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
         friction = {**friction, "law": "constant"}
         del friction["soils"]
-    return math.prod(_at_rest(*law) for law in law_parts(friction))
+    return math.prod(_at_rest(*law, slipped) for law in law_parts(friction))
 
 
-def _at_rest(name: str, parameters: Parameters) -> Any:
-    """The coefficient of one law before any slip; a table begins with it."""
+def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
+    """Return the coefficient of one law; a table of slip begins with that before any slip and ends with the other."""
+    if name == "callable" and slipped:
+        return math.nan
     if name == "callable":
         coefficient = parameters["function"](0.0)
         return float(np.ravel(coefficient)[0])
+    of_slip = LAWS[name].depends_on == ("slip",)
+    last = slipped and of_slip
     if "peak" in parameters:
-        return parameters["peak"]
+        strength = "residual" if last else "peak"
+        return parameters[strength]
     coefficient = parameters["coefficient"]
     first_parameter = LAWS[name].parameters[0]
     is_table = first_parameter.kind == "list"
-    return coefficient[0] if is_table else coefficient
+    return coefficient[-last] if is_table else coefficient
+
+
+def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
+    """Return a cohesion before any slip, or after much; NaN where it is unknown."""
+    law = cohesion_law(cohesion)
+    if law is not None:
+        return _at_rest(*law, slipped)
+    return cohesion.get("cohesion", 0.0) if isinstance(cohesion, Mapping) else cohesion
 
 
 def least_friction(friction: Any) -> float:

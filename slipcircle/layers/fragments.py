@@ -8,9 +8,11 @@ from typing import Any
 
 from generated.effects import ALL_EFFECTS
 from generated.flow import FRAGMENTS, RESULTS, Fragment
+from generated.program import OF_COHESION
 from slipcircle.core.scene.effects import soil_number, without_soil
 
-_OF_ONE_SOIL = {str(p.symbol) for p in ALL_EFFECTS["soil_friction"].parameters} | {"soil_mu"}
+_EFFECTS = (ALL_EFFECTS["soil_friction"], ALL_EFFECTS["softening_cohesion"])
+_OF_ONE_SOIL = {p.symbol for effect in _EFFECTS for p in effect.parameters} | {"soil_mu", "cohesion_law"}
 
 
 def fragments_of(name: str, turns: bool) -> list[Fragment]:
@@ -18,9 +20,10 @@ def fragments_of(name: str, turns: bool) -> list[Fragment]:
     shared_name, number = without_soil(name), soil_number(name)
     own = _numbered(shared_name, number)
     if shared_name not in ALL_EFFECTS:  # a law, of which the effect takes the coefficient
-        adds = own.adds.copy()
-        adds[f"soil_mu{number}"] = adds.pop("mu")
-        return [own._replace(adds=adds)]
+        quantity = "cohesion_law" if number.startswith(OF_COHESION) else "soil_mu"
+        return [own._replace(adds={quantity + number: own.adds["mu"]})]
+    if number.startswith(OF_COHESION):
+        return [own]
     weights = ["gravity", "rotation"] if turns else ["gravity"]
     return [own, *(_numbered(weight, number)._replace(adds={}, series=()) for weight in weights)]
 

@@ -10,8 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from generated.effects import LAWS
+from generated import effects as declared
+from generated.effects import COHESION_LAWS, LAWS
 from slipcircle.base.kinds import Values
+from slipcircle.core.scene.effects import Law
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
 
@@ -35,6 +37,11 @@ class LayeredNumbers:
             return of_layers
         return (*of_layers, self.foreland)
 
+    def cohesion_laws(self: Any, cohesion: Values) -> tuple[Law, ...]:
+        """The laws by which the cohesion of its soils changes with slip."""
+        laws: tuple[Law, ...] = self.arc_strength.cohesion_laws
+        return laws
+
     def other_numbers(self) -> dict[str, Any]:
         """Numbers by name."""
         numbers: dict[str, Any] = {}
@@ -54,11 +61,10 @@ class LayeredNumbers:
     def numbers_without_effect(self: Any) -> list[str]:
         """Lengths for which that of the first soil stands, and growths of cohesion without a datum."""
         left_out: list[str] = []
-        if share_one_law(self.soils):
-            for name in self.other_numbers():
-                if name.endswith(".friction.length"):
-                    left_out.append(name)
-            del left_out[:1]
+        for strength in ("friction", "cohesion"):
+            if share_one_law(self.soils, strength):
+                lengths = [name for name in self.other_numbers() if name.endswith(f".{strength}.length")]
+                left_out += lengths[1:]
         soils = self.soils
         datums = self.datums
         for soil, datum in zip(soils, datums, strict=True):
@@ -74,8 +80,9 @@ class LayeredNumbers:
         changed = {name: values[name] for name in names}
         if not changed:
             return {}
-        if share_one_law(self.soils):
-            _share_length(changed, known)
+        for strength in ("friction", "cohesion"):
+            if share_one_law(self.soils, strength):
+                _share_length(f".{strength}.length", changed, known)
         soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
         layers = []
         for k, (soil, top) in enumerate(self.layers, 1):
@@ -108,10 +115,12 @@ class LayeredNumbers:
 def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     """The numbers of a soil by name."""
     start = f"soils.{soil.name}"
-    numbers = {}
+    numbers = dict[str, Any]()
     for name in SOIL_NUMBERS:
         value = getattr(soil, name)
-        if value is not None:
+        if isinstance(value, Mapping):
+            numbers |= _numbers_of_law(f"{start}.{name}", value, COHESION_LAWS)
+        elif value is not None and not callable(value):
             numbers[f"{start}.{name}"] = value
     if isinstance(soil.friction, Mapping):
         return numbers | _numbers_of_law(f"{start}.friction", soil.friction)
@@ -119,10 +128,10 @@ def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     return numbers
 
 
-def _numbers_of_law(start: str, law: Values) -> dict[str, Any]:
+def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = LAWS) -> dict[str, Any]:
     """The numbers of a law by name; a table has none."""
     numbers = {}
-    for parameter in LAWS[law["law"]].parameters:
+    for parameter in laws[law["law"]].parameters:
         if parameter.kind != "list":
             numbers[f"{start}.{parameter.name}"] = law[parameter.name]
     return numbers
@@ -136,9 +145,9 @@ def _height(top: Any) -> Any:
     return heights[..., 0]
 
 
-def _share_length(changed: dict[str, Any], known: Values) -> None:
+def _share_length(end: str, changed: dict[str, Any], known: Values) -> None:
     """Give the slip length of one soil to all, as a law that they share has one."""
-    lengths = [name for name in known if name.endswith(".friction.length")]
+    lengths = [name for name in known if name.endswith(end)]
     given = [changed[name] for name in changed if name in lengths]
     if given:
         for name in lengths:
@@ -157,11 +166,12 @@ def _within(start: str, values: Values) -> dict[str, Any]:
 def _soil_with(soil: Soil, values: Values) -> Soil:
     """A soil with other values of its numbers, by their names in the section."""
     changed = _within(f"soils.{soil.name}.", values)
-    law = _within("friction.", changed)
-    if law:
-        for name in law:
-            del changed[f"friction.{name}"]
-        changed["friction"] = {**soil.friction, **law}
+    for strength in ("friction", "cohesion"):
+        law = _within(f"{strength}.", changed)
+        if law:
+            for name in law:
+                del changed[f"{strength}.{name}"]
+            changed[strength] = {**getattr(soil, strength), **law}
     return replace_unchecked(soil, changed)
 
 

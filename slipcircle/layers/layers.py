@@ -343,6 +343,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         needs = Needs("rotation" in effects, "shaking" in effects)
         terms = {"layered_strength": strength.terms(needs)}
         terms |= strength.soil_terms(needs)
+        terms |= strength.cohesion_terms(needs)
         if "centripetal" not in effects:
             for effect, added in terms.items():
                 without = [name for name in added if not name.endswith("inertia")]
@@ -352,7 +353,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def effects_of_means(self, effects: Effects) -> Effects:
         """The same effects, but of its soils only the mean of their pore pressures."""
         needs = Needs("rotation" in effects)
-        shared = {name: effects[name] for name in effects if not name.startswith("soil_friction")}
+        shared = {name: effects[name] for name in effects if not name.startswith(("soil_", "softening_"))}
         return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}
 
     def tables(

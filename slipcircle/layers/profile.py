@@ -151,7 +151,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     has_many = circles.size > 1
     parts = list[Part]()
     whole = list[Floats]()
-    for first in range(0, circles.size, _CIRCLES):
+    for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
         part = _part_of(strips, weights, circles[some], edges[:, some])
         whole.append(part.before[-1])
@@ -218,7 +218,7 @@ def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
     *axes, pieces, circles = values.shape
     flat = values.reshape(*axes, pieces * circles)
     developed = _DEVELOPING @ flat
-    by_piece = developed.reshape(*axes[:2], -1, pieces, circles)
+    by_piece = developed.reshape(*axes[:2], len(_DEVELOPING), pieces, circles)
     terms = _COUNT + 1
     series = by_piece[:, :, :terms]
     sizes = np.abs(by_piece[:, :, terms:])

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
+from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
-from slipcircle.layers.at_rest import friction_at_rest, least_friction
+from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 
 # The numbers of a soil that vary beside its friction, and all of them as one a lane.
 SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
-LANE_NUMBERS = (*SOIL_NUMBERS, "peak", "residual")
+LANE_NUMBERS = (*SOIL_NUMBERS[:1], *SOIL_NUMBERS[2:], "peak", "residual", "peak_cohesion", "residual_cohesion")
 
 
 @dataclass(frozen=True)
@@ -27,8 +28,9 @@ class Soil:
     ----------
     unit_weight : float or array_like
         gamma, N/m^3.
-    cohesion : float or array_like
-        c, Pa; with a gradient, its value at and above the datum.
+    cohesion : float, array_like, mapping or callable
+        c, Pa; with a gradient, its value at and above the datum. Or a law of slip, ``{"law": "exponential", "peak":
+        30e3, "residual": 5e3, "length": 0.2}``, which multiplies the increase with depth, too.
     friction : float, array_like or mapping
         Friction coefficient tan(phi); or a law, ``{"law": "linear", "peak": 0.4, "residual": 0.2, "length": 0.5}``.
         All soils along an arc share a law of slip and its length, unless strength moves with the mass.
@@ -44,7 +46,7 @@ class Soil:
     """
 
     unit_weight: ArrayLike
-    cohesion: ArrayLike = 0.0
+    cohesion: Any = 0.0
     friction: Any = 0.0
     saturated_unit_weight: ArrayLike | None = None
     cohesion_gradient: ArrayLike = 0.0
@@ -65,6 +67,17 @@ class Soil:
     def peak(self) -> Any:
         """Friction coefficient at the start."""
         return friction_at_rest(self.friction)
+
+    @property
+    def peak_cohesion(self) -> Any:
+        """Cohesion at the start."""
+        return cohesion_at_rest(self.cohesion)
+
+    @property
+    def residual_cohesion(self) -> Any:
+        """Cohesion after much slip; of a table or a function, at the start."""
+        law = cohesion_law(self.cohesion)
+        return self.peak_cohesion if law is None else law[1].get("residual", self.peak_cohesion)
 
     @property
     def residual(self) -> Any:
@@ -92,7 +105,13 @@ def soil_mistakes(soil: Soil) -> list[str]:
     bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
     if soil.saturated_unit_weight is None:
         del bounds["saturated_unit_weight"]
+    softens = callable(soil.cohesion) or isinstance(soil.cohesion, Mapping)
+    if softens:
+        del bounds["cohesion"]
     found = mistakes(vars(soil), bounds)
+    found += cohesion_mistakes(soil.cohesion, "cohesion") if softens else []
+    if softens and not found and np.any(soil.cohesion_gradient) and not np.all(soil.peak_cohesion):
+        found.append("cohesion.peak = 0: must be positive, as the law multiplies the increase with depth")
     found += law_mistakes(soil.friction)
     if callable(soil.friction):
         found.append("friction: must be a number or a law by name")
@@ -195,12 +214,14 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     return mistakes({name: top}, {name: BOUNDS["top"]})
 
 
-def share_one_law(soils: Iterable[Soil]) -> bool:
-    """Whether soils have one law of slip and one length, or a friction that does not change."""
+def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
+    """Whether soils have one law of slip and one length, or a friction or cohesion that does not change."""
     laws = set()
     for soil in soils:
-        law = soil.friction
-        if not isinstance(law, Mapping):
+        law = getattr(soil, strength)
+        if callable(law):
+            return False
+        if not isinstance(law, Mapping) or ("cohesion" in law and law["law"] == "constant"):
             continue
         if not {"peak", "residual", "length"} <= {*law}:
             return False
@@ -215,7 +236,14 @@ def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
     names = [soil.name for soil in soils]
     twice = [name for name in sorted({*names}) if names.count(name) > 1]
     found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
-    if not strength or share_one_law(soils):
+    if not strength:
+        return found
+    if strength == "base" and not share_one_law(soils, "cohesion"):
+        found.append(
+            "layers: the cohesion of soils along an arc follows one law of slip with one length, as base that the mass "
+            "reaches has slipped less than the sole; with {strength} = 'mass' each soil may have a law of its own"
+        )
+    if share_one_law(soils):
         return found
     if strength == "base":
         others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))

@@ -70,7 +70,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         pressure = ratio * vertical[k] if ratio else _head(section, start, end)
         gradient = np.asarray(soil.cohesion_gradient)
         increase = gradient * growth[layer, k]
-        cohesion = np.asarray(soil.cohesion) + increase
+        cohesion = np.asarray(soil.peak_cohesion) + increase
         effective = normal[k] - pressure
         friction = np.asarray(soil.peak) * effective
         stretch = Stretch(

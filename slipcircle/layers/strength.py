@@ -17,6 +17,8 @@ import numpy as np
 
 from generated.program import OF_SOIL
 from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.core.scene.effects import Law
+from slipcircle.layers.cohesion import SoilCohesion
 from slipcircle.layers.soils import Soil, distinct, share_one_law
 from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
@@ -194,7 +196,8 @@ class ArcStrength(StretchIntegrals):
         soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out.
         """
         if needs not in self._terms:
-            terms = {"strength": self._cohesion(needs)}
+            cohesion, growth = self._soil_cohesion.lasting
+            terms = {"strength": self._cohesion(needs, cohesion, growth)}
             if not self._own_laws:
                 terms |= self._friction_terms(needs)
             self._terms[needs] = {name: term for name, term in terms.items() if _counts(term)}
@@ -240,7 +243,8 @@ class ArcStrength(StretchIntegrals):
         at_start = Needs(rotates=False)
         added = self._gripping(("", "normal", "inertia"), along, at_start)
         added["lift"] = self._lift(along, at_start)
-        added["cohesion"] = self._cohesion(at_start, along)
+        gradient = self.section.of_soils("cohesion_gradient")
+        added["cohesion"] = self._cohesion(at_start, along * self._soil_cohesion.peak, along * gradient)
         added["angle"] = self._function({"space": self._by_direction(along)}, False)
         return added
 
@@ -301,11 +305,27 @@ class ArcStrength(StretchIntegrals):
             f"{base}_slope": tilt,  # for the yield coefficient too
         }
 
-    def _cohesion(self, needs: Needs, share: Any = 1.0) -> Any:
-        """Strength without normal stress, over Theta*, or a share of it by soil."""
+    # --- cohesion, which may change with slip ------------------------------------------------------------------------
+
+    @cached_property
+    def _soil_cohesion(self) -> SoilCohesion:
+        return SoilCohesion(self.section)
+
+    @property
+    def cohesion_laws(self) -> tuple[Law, ...]:
+        """Laws of cohesion by their names in the program, with their parameters."""
+        return tuple((name + number, given) for number, ((name, given), _, _) in self._soil_cohesion.softening.items())
+
+    def cohesion_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
+        """Moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
+        terms = {}
+        for number, (_, cohesion, growth) in self._soil_cohesion.softening.items():
+            terms[f"softening_cohesion{number}"] = {"moment": self._cohesion(needs, cohesion, growth)}
+        return terms
+
+    def _cohesion(self, needs: Needs, cohesion: Floats, growth: Floats) -> Any:
+        """Moment of a cohesion and its growth with depth, of each soil, over Theta*."""
         section = self.section
-        cohesion = share * section.of_soils("cohesion")
-        growth = share * section.of_soils("cohesion_gradient")
         coefficients = {}
         if np.any(cohesion):
             _, _, radius = section._circle

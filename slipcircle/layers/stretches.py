@@ -7,6 +7,7 @@ A quantity q of the soils summed over the stretches, with a cumulative integral 
 so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
 """
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
@@ -62,7 +63,7 @@ class StretchIntegrals:
         is_same = before == after
         count = np.count_nonzero(~is_same, axis=1)
         in_order = np.argsort(is_same, axis=1, kind="stable")
-        place = in_order[:, : count.max()]
+        place = in_order[:, : count.max(initial=0)]
         return Stretches(
             joint=np.take_along_axis(edges, place, axis=1),
             before=np.take_along_axis(before, place, axis=1),
@@ -110,7 +111,7 @@ class StretchIntegrals:
         of_first_lane = steps[:, :1]
         if len(self.section._facing) > 1:
             steps = np.ones((1, 1))
-        elif np.all(steps == of_first_lane):
+        elif of_first_lane.size and np.all(steps == of_first_lane):
             (part,) = profile.parts
             combined = part.combined(of_first_lane)
             profile = profile._replace(parts=[combined])
@@ -126,7 +127,7 @@ class StretchIntegrals:
         facing = self.section._facing
         met = self._joints_met(rotation)
         circles = met.shape[-1]
-        directions = met.reshape(-1, circles)
+        directions = met.reshape(math.prod(met.shape[:-1]), circles)
         whole = profile.to_ends[:PRESSING, :, None]
         to_the_right = facing * directions
         from_entry = profile.up_to(to_the_right)[:PRESSING]
@@ -153,7 +154,7 @@ class StretchIntegrals:
     def _of_weight(self, rotation: Floats) -> dict[str, Floats]:
         """Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its derivative by psi, I_p, and the cover."""
         pressing = self._pressing(rotation)
-        by_joint = pressing.reshape(PRESSING, -1, *rotation.shape)
+        by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
         radial_y, radial_x, polar, overburden = by_joint
         cosine = np.cos(rotation)
         sine = np.sin(rotation)

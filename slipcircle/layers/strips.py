@@ -9,6 +9,7 @@ Lengths are over R from the centre of the circle, y up; beta is measured from st
 Arrays have the axes (surfaces, circles, strips) or parts of them.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -234,7 +235,8 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
     at_crossing = start.x + share * edge.x
     at_vertex = points.x[:, 1, None, None]
     x = np.where(crosses, at_crossing, at_vertex)
-    return x.reshape(len(x), -1)
+    _, *pairs = x.shape
+    return x.reshape(len(x), math.prod(pairs))
 
 
 def _within_edge(share: Floats) -> Flags:

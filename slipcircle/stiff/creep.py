@@ -252,7 +252,7 @@ def _ahead(now: Now) -> Ahead:
 def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
     """The net moment over Theta* farther on, (distances, lanes), at rest or at a speed."""
     net = np.empty_like(distance)
-    together = max(1, COLUMNS // now.lanes.size)
+    together = max(1, COLUMNS // max(1, now.lanes.size))
     for first in range(0, len(distance), together):
         some = slice(first, first + together)
         net[some] = _net_at_once(now, distance[some], omega)
@@ -271,7 +271,7 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     cells[ix.X] = 0.0
     cells[ix.LIFTED] = 0.0
     problem.reach_farther(cells[ix.ROTATION], lanes)
-    if problem.function is not None:
+    if problem.functions:
         room("functions").extend(problem, cells)
     registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
     net = problem.program.roles["net"]

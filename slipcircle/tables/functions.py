@@ -27,17 +27,19 @@ def first_table(function: Function, radius: Any) -> Data:
 
 
 def extend(problem: Problem, cells: Floats) -> None:
-    """Extend the table of a problem's function to the slip of lanes."""
-    assert problem.function is not None
-    slip = cells[ix.SLIP] * cells[problem.program.places["callable.SCALE"]]
-    farthest = float(np.max(slip))
-    farthest *= 1.0 + 1e-12
-    table = problem.data["callable"]
-    end = float(table.breaks[-1])
-    while end <= farthest:
-        table = sampled(problem.function, 2 * end, table)
+    """Extend the tables of a problem's functions to the slip of lanes."""
+    for name, function in problem.functions.items():
+        place = problem.program.places[f"{name}.SCALE"]
+        slip = cells[ix.SLIP] * cells[place]
+        greatest = np.max(slip)
+        farthest = float(greatest)
+        farthest *= 1.0 + 1e-12
+        table = problem.data[name]
         end = float(table.breaks[-1])
-    problem.data["callable"] = table
+        while end <= farthest:
+            table = sampled(function, 2 * end, table)
+            end = float(table.breaks[-1])
+        problem.data[name] = table
 
 
 def extend_to_end(problem: Problem, cells: Floats, integrate: Callable[..., object]) -> None:
@@ -111,7 +113,8 @@ def _values(function: Function, slip: Floats) -> Floats:
         raise ValueError(f"friction: {reason}") from error
     if values.ndim == 0:
         values = np.full(slip.shape, float(values))
-    if values.shape != slip.shape:
+    shape = slip.shape
+    if values.shape != shape:
         reason = f"returns shape {values.shape} for an argument of shape {slip.shape}: must be alike"
         raise ValueError(f"friction: {reason}")
     bad = ~np.isfinite(values) | (values < 0.0)

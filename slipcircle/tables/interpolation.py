@@ -66,8 +66,10 @@ def between_kinks(
     inside = np.clip(kinks, least, most)
     edges = distinct(np.vstack([least, inside, most]), _SAME)
     first, last = _first_pieces(edges, _widest(tolerance))
-    starts = list[Floats]()
-    coefficients = list[Floats]()
+    end = edges[-1]
+    constant = _constant(function, end)
+    starts = [edges[:0]]
+    coefficients = [constant[:0]]
     scale = 0.0
     while len(first):
         chebyshev = _chebyshev(function, first, last)
@@ -83,8 +85,6 @@ def between_kinks(
         starts.append(first[smooth])
         coefficients.append(powers)
         first, last = _halves(first[rough], last[rough])
-    end = edges[-1]
-    constant = _constant(function, end)
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
@@ -101,7 +101,8 @@ def _widest(tolerance: float) -> float:
 
 def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
     """Both ends of the pieces to begin with, (pieces, n): between edges, none wider than some."""
-    greatest_width = np.diff(edges, axis=0).max(axis=1)
+    widths = np.diff(edges, axis=0)
+    greatest_width = widths.max(axis=1, initial=0.0)
     pieces = np.ceil(greatest_width / widest - 1e-9)
     count = pieces.astype(np.intp)
     numbers = map(np.arange, count)

@@ -31,16 +31,16 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...
     return table, 1.0, of_places.unit
 
 
-def list_faults(path: str, name: str, parameters: Parameters) -> list[str]:
-    """What is wrong with a law that is a table: its slips, speeds or times, and the coefficients there."""
+def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> list[str]:
+    """Return the mistakes in a law that is a table: its slips, speeds or times, and its ``values``."""
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], dtype=float)
-    coefficients = np.asarray(parameters["coefficient"], dtype=float)
+    coefficients = np.asarray(parameters[values], dtype=float)
     key = f"{{{path}.{argument}}}"
     is_list = places.ndim == 1 and places.size > 1
     is_pair = places.shape == coefficients.shape
     if not (is_list and is_pair):
-        return [f"{key} and {{{path}.coefficient}}: must be two lists of equal length, at least two values"]
+        return [f"{key} and {{{path}.{values}}}: must be two lists of equal length, at least two values"]
     steps = np.diff(places)
     increases = np.all(steps > 0.0)
     starts_at_0 = places[0] == 0.0

@@ -63,8 +63,8 @@ def _words(recipe: Recipe) -> PlanWords:
     for effect in effects:
         reasons += _reasons(effect, effect in of_time)
     reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
-    reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends_on(recipe.laws)]
-    law = _law_in_words(recipe.laws)
+    reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends_on(recipe.of_friction)]
+    law = _law_in_words(recipe.of_friction)
     return PlanWords(law, FLOW, "; ".join(reasons))
 
 

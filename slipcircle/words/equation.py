@@ -20,6 +20,7 @@ from slipcircle.words.terms import (
     numbers_of,
     place,
     symbols_in,
+    terms_of_cohesion,
     terms_of_effects,
     terms_of_friction,
     used,
@@ -154,7 +155,9 @@ def equation_of(plan: Plan) -> Equation:
     every_number = [*numbers_of(plan, problem_of(plan), soils)]
     absent = {number.symbol for number in every_number if isinstance(number.value, tuple) and not np.any(number.value)}
     of_effects = terms_of_effects(plan, soils, absent)
-    terms = used(of_effects + terms_of_friction(plan.recipe.laws, "i" if soils else ""))
+    of_cohesion = [] if soils else terms_of_cohesion(plan.recipe.laws)
+    of_laws = of_cohesion + terms_of_friction(plan.recipe.of_friction, "i" if soils else "")
+    terms = used(of_effects + of_laws)
     terms.sort(key=place)
     left, right, latex = SOIL_BALANCE if soils else BALANCE
     balance = EquationTerm(left, right, "balance", latex=latex)

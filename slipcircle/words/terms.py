@@ -6,8 +6,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, LAWS, Parameter
+from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from generated.flow import COEFFICIENTS, EQUATION_QUANTITIES, SOIL_COEFFICIENTS, SOIL_TERMS, TERMS
+from generated.program import OF_COHESION
 from slipcircle.base.kinds import Names, Parameters
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem
@@ -98,6 +99,19 @@ def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
     return [factor, *slip, rate._replace(formula=formula)]
 
 
+def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
+    """Return the moment of a cohesion that changes with slip, and its law."""
+    names = [law for law in laws if law.endswith(OF_COHESION)]
+    moment = EquationTerm("T", "lambda cohesion/sigma_ref", "cohesion", latex=r"\lambda \frac{c}{\sigma_{ref}}")
+    terms = []
+    for name in names:
+        law = _term_of_law("cohesion", name)
+        formula = re.sub(r"\b(peak|residual|length)\b", r"cohesion_\1", law.formula).replace("mu(", "cohesion(")
+        latex = law.latex.replace(r"\mu", "c").replace("L", "L_c")
+        terms += [moment, law._replace(formula=formula, effect=without_soil(name), latex=latex)]
+    return terms
+
+
 def _term_of_law(symbol: str, law: str) -> EquationTerm:
     """A friction coefficient by a law."""
     (term,) = TERMS[without_soil(law)]
@@ -141,6 +155,7 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
         yield EquationTerm(symbol, SOIL_COEFFICIENTS[symbol], "soils", values)
     for effect in plan.effects:
         yield from _numbers_of_effect(effect, scene, problem)
+    yield from _numbers_of_cohesion(scene)
     paths = law_paths(scene.friction)
     laws = law_parts(scene.friction)
     for k, (path, (name, parameters)) in enumerate(zip(paths, laws, strict=True), 1):
@@ -156,6 +171,18 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
                 if index == "i" and not p.unit:
                     value = tuple(soil.residual if p.name == "residual" else soil.peak for soil in soils)
                 yield _indexed(EquationTerm(prefix + p.name, p.help, name, value, p.unit), index)
+
+
+def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
+    """The numbers of the law of a cohesion that changes with slip."""
+    for name, given in scene.laws:
+        if not name.endswith(OF_COHESION):
+            continue
+        law = without_soil(name)
+        declared = COHESION_LAWS[law].parameters if law in COHESION_LAWS else ()
+        for p in declared:
+            if p.kind == "number":
+                yield EquationTerm(f"cohesion_{p.name}", p.help, law, given[p.name], p.unit)
 
 
 def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> dict[str, tuple[Any, ...]]:

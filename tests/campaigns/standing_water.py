@@ -97,7 +97,8 @@ class Truth:
         self.pool = pool
         section: Any = pool.section()
         x, y = pool.centre
-        self.level = float(pool.level[-1, 1]) - y
+        is_wet = section.exit[1] < pool.level[-1, 1]  # a pool beside the mass is no reference
+        self.level = float(pool.level[-1, 1]) - y if is_wet else -10.0 * pool.radius
         self.first, self.last = (math.atan2(p[0] - x, y - p[1]) for p in (section.entry, section.exit))
         inside = (pool.ground[:, 0] > section.entry[0]) & (pool.ground[:, 0] < section.exit[0])
         self.surface = np.concatenate([[section.entry], pool.ground[inside], [section.exit]]) - pool.centre

@@ -165,11 +165,11 @@ def begin_in_rotation(lane: Lane, t: T) -> None:
 
 
 def begin_in_slip(lane: Lane, t: T) -> None:
-    """The piece of a function of the slip."""
+    """The piece of a function of the slip, which ends ahead also where another function has just broken."""
     piece = integer(t.piece)
     edge = break_of(lane, t, piece)
     local = maximum(lane.slip * t.scale - edge, 0.0)
-    t.upper = (end_of_piece(lane, t, piece) - edge - local) / t.scale
+    t.upper = maximum((end_of_piece(lane, t, piece) - edge - local) / t.scale, EPS * lane.slip)
     develop(lane, t, local, t.scale)
 
 

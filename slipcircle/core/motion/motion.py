@@ -59,7 +59,7 @@ class Motion(Forms, Generic[Numbers]):
     limit_friction : float
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
     yield_coefficient : float
-        k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
+        k_y, down-slope acceleration over g at which it would just move, by the method of the start; negative if moving.
     friction, factor_of_safety : float
         Friction coefficient and available resistance over drive at the start; the latter is infinite without a drive.
     further_factors : FurtherFactors
@@ -328,7 +328,8 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def yield_coefficient(self) -> Any:
-        return self._shaped(self._history.forces.statics["yield_coefficient"])
+        by_start = self.plan.scene.by_start("yield_coefficient", self)
+        return by_start[0] if by_start else self._shaped(self._history.forces.statics["yield_coefficient"])
 
     @property
     def friction(self) -> Any:

@@ -6,8 +6,9 @@ scene's own shape: nothing here knows a law or an effect.
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ import numpy as np
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
-from generated.program import Program, Recipe
+from generated.program import OF_COHESION, Program, Recipe
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.doors import room
@@ -50,8 +51,8 @@ class Problem:
         Piecewise functions by name, for all lanes; extended where lanes go farther.
     lanes : int
         Number of scenes.
-    function : callable or None
-        The friction law, where that is a Python function of slip.
+    functions : dict
+        Python functions of slip, by the names of their tables.
     farther : callable or None
         Lays out the functions of the rotation farther.
     """
@@ -61,7 +62,7 @@ class Problem:
     start: Mapping[str, Any]
     data: dict[str, Data]
     lanes: int
-    function: Callable[[Any], Any] | None = None
+    functions: Mapping[str, Callable[[Any], Any]] = field(default_factory=dict)
     farther: Farther | None = None
 
     def cells(self, which: Any = EVERY) -> Floats:
@@ -108,7 +109,8 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
     farther = numbers.add_rotations(plan, lanes)
-    for path, (name, parameters) in zip(law_paths(scene.law), scene.laws, strict=True):
+    paths = chain(law_paths(scene.law), repeat("cohesion"))
+    for path, (name, parameters) in zip(paths, scene.laws, strict=False):
         numbers.add_law(path, name, parameters)
     numbers.add_start(scene.initial_velocity, scene.until)
     factor = numbers.start["strength_factor"]
@@ -122,8 +124,8 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    function = dict(scene.laws).get("callable", {}).get("function")
-    return Problem(plan.recipe, program, start, numbers.tables, lanes, function, farther)
+    functions = {name: given["function"] for name, given in scene.laws if "function" in given}
+    return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther)
 
 
 def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
@@ -214,9 +216,9 @@ class Numbers:
         return farther
 
     def add_law(self, path: str, name: str, parameters: Parameters) -> None:
-        """Add a friction law: a table, or dimensionless numbers by its name; a law of speed beside it is a factor."""
+        """Add a law: a table, or dimensionless numbers by its name; those of speed and of cohesion are factors."""
         law = without_soil(name)
-        strength = 1.0 if path == "friction.rate" else self.start["strength_factor"]
+        strength = 1.0 if path in ("friction.rate", "cohesion") else self.start["strength_factor"]
         units = {
             "": 1.0 / strength,
             "m": self.radius,
@@ -258,12 +260,15 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
     if not swings:
         return 0.0
     frictionless = False
-    if recipe.laws == ("constant",):
+    if recipe.laws[0] == "constant":
         frictionless = start["constant.coefficient"] == 0.0
     lifts = lifts or any(np.any(start[name]) for name in pressures if name in start)
     swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
     cohesion = start.get("cohesion", 0.0)
     cohesion = cohesion + start.get("layered_cohesion", 0.0)
+    for law in recipe.laws:
+        if OF_COHESION in law:  # what remains of it; a table or a function is followed in any case
+            cohesion = cohesion + start.get(f"{law}.residual", 1.0)
     return choose(cohesion > 0.0, 0.0, swings)
 
 

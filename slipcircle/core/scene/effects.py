@@ -4,12 +4,13 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
 
-from generated.effects import ALL_EFFECTS, EFFECTS
+from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
 from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
+Law = tuple[str, Parameters]  # by name, with its parameters
 WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
 
 
@@ -67,16 +68,54 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
     return named, faults
 
 
+def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
+    """Return the parameters that an effect may have; those of cohesion depend on its law."""
+    if name != "cohesion" or "law" not in given:
+        return EFFECTS[name].parameters
+    law = COHESION_LAWS.get(given["law"])
+    return law.parameters if law else ()
+
+
 def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
     path = f"effects.{name}"
+    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
+        return cohesion_mistakes(parameters.get(name) if len(parameters) == 1 else parameters, path)
     faults = []
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
     return faults + parameter_mistakes(path, parameters, effect.parameters)
+
+
+def cohesion_mistakes(given: Any, path: str) -> list[str]:
+    """Return a message for each mistake in a cohesion that changes with slip, a law by name or a function."""
+    if callable(given):
+        return []
+    parameters = dict(given)
+    name = parameters.pop("law", None)
+    if name not in COHESION_LAWS:
+        return [f"{path}.law = {name!r}: must be one of {', '.join(COHESION_LAWS)}"]
+    declared = COHESION_LAWS[name].parameters
+    faults = parameter_mistakes(path, parameters, declared)
+    if faults or declared[0].kind != "list":
+        return faults
+    of_list: list[str] = room("tables").list_faults(path, name, parameters, "cohesion")
+    return of_list
+
+
+def cohesion_law(given: Any) -> Law | None:
+    """Return the law of a cohesion that changes with slip, as a friction law with its parameters; None for a number."""
+    if isinstance(given, MAPPING) and "law" not in given:  # of an effect
+        given = given.get("cohesion", 0.0)
+    if callable(given):
+        return "callable", {"function": given}
+    if not isinstance(given, MAPPING) or given["law"] == "constant":
+        return None
+    parameters = {"coefficient" if name == "cohesion" else name: value for name, value in given.items()}
+    return str(parameters.pop("law")), parameters
 
 
 def resolved(name: str, given: Frozen) -> Frozen:

@@ -9,11 +9,10 @@ from generated.program import OF_SOIL
 from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
-from slipcircle.core.scene.effects import without_soil
+from slipcircle.core.scene.effects import Law, without_soil
 
 NAMES = tuple(LAWS)
 RATE_LAWS = tuple(name for name in LAWS if LAWS[name].depends_on == ("speed",))
-Law = tuple[str, Parameters]  # by name, with its parameters
 COEFFICIENT: Bounds = (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")
 
 

@@ -10,9 +10,11 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from generated.program import OF_COHESION
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Floats, Names, Values, cached_property
+from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Values, cached_property
 from slipcircle.core.doors import room
+from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
 
 
@@ -127,8 +129,16 @@ class Mass:
         return []
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Effects with what it adds to them: the water level of a section, the strengths of its soils."""
-        return effects
+        """Return effects with those of the mass: cohesion by a law, a section's water level, strengths of soils."""
+        if not self.cohesion_laws(effects.get("cohesion", {})):
+            return effects
+        moment = self.moment_coefficients.resistance_factor / self.reference_stress  # of 1 Pa
+        return {**effects, "cohesion": {}, f"softening_cohesion{OF_COHESION}": {"moment": moment}}
+
+    def cohesion_laws(self, cohesion: Parameters) -> tuple[Law, ...]:
+        """The laws by which cohesion changes with slip, that of the scene or those of its soils."""
+        law = cohesion_law(cohesion)
+        return () if law is None else ((law[0] + OF_COHESION, law[1]),)
 
     def effects_of_means(self, effects: Effects) -> Effects:
         """The same effects, but of its soils what gives means over the arc: the same where all of it is one soil."""

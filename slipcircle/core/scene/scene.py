@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated.effects import EFFECTS, LAWS, LEAST, QUESTIONED_FRICTION
+from generated.effects import LAWS, LEAST, QUESTIONED_FRICTION
 from slipcircle.base.checks import (
     EMPTY,
     INFINITY,
@@ -25,8 +25,8 @@ from slipcircle.base.checks import (
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
 from slipcircle.core.doors import room
 from slipcircle.core.scene.arc import Arc
-from slipcircle.core.scene.effects import named, resolved
-from slipcircle.core.scene.friction import Law, law_mistakes, law_parts, law_paths, number_name
+from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
+from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
 
 One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
@@ -218,8 +218,9 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:
-        """The laws that its friction is a product of, each with its parameters."""
-        return law_parts(self.law)
+        """The laws of its friction, which is their product, and of its cohesion, each with its parameters."""
+        assert isinstance(self.effects, dict)
+        return (*law_parts(self.law), *self.arc.cohesion_laws(self.effects.get("cohesion", {})))
 
     @property
     def until(self) -> Any:
@@ -231,6 +232,9 @@ class Scene(Generic[Numbers]):
         """Effects by name, each with its parameters, and the water level of a section."""
         assert isinstance(self.effects, dict)
         return self.arc.effects_with_own(self.effects)
+
+    def by_start(self, quantity: str, motion: Any) -> Any:
+        """Return a result by the method from which its motion starts, and that method; None of the closure."""
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
@@ -249,7 +253,7 @@ class Scene(Generic[Numbers]):
         if callable(shaking.get("horizontal")):
             numbers |= room("forcing").record_numbers(shaking)
         for effect, given in self.effects.items():
-            for p in EFFECTS[effect].parameters:
+            for p in declared_parameters(effect, given):
                 if p.name in given and p.kind in ("number", "series"):
                     value = given[p.name]
                     if not callable(value):

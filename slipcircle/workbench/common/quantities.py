@@ -7,6 +7,7 @@ import json
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, is_dataclass
+from functools import partial
 from operator import attrgetter
 from typing import Any, NamedTuple
 
@@ -96,6 +97,15 @@ def _not_slow(motion: Any) -> str:
     return motion.no_slow_run_out and f"not given: {motion.no_slow_run_out}"
 
 
+def _by_method(name: str, motion: Any) -> str:
+    """Return a further factor of safety with its method; empty where it is unknown."""
+    further = motion.further_factors
+    factor = getattr(further, name)
+    method = getattr(further, f"{name}_method")
+    scaled = "" if method or motion.plan.scene.strength_factor == 1.0 else ", with the strength factor of the start"
+    return f"{shown(factor)} by {METHODS[method or OF_CLOSURE][0]}{scaled}" if math.isfinite(factor) else ""
+
+
 def factor_label(method: str) -> str:
     """A factor of safety with its method."""
     return f"factor of safety by {METHODS[method][0]}"
@@ -129,8 +139,20 @@ RESULTS: tuple[Quantity, ...] = (
 # Of single motions: of an ensemble it takes a hundred times as long as to solve it.
 SINGLE: tuple[Quantity, ...] = (
     Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True, instead=_not_slow),
-    Quantity("residual_factor_of_safety", "", "factor of safety with residual strength", "further_factors.residual"),
-    Quantity("final_factor_of_safety", "", "factor of safety at rest after the slide", "further_factors.at_rest"),
+    Quantity(
+        "residual_factor_of_safety",
+        "",
+        "factor of safety with residual strength",
+        "further_factors.residual",
+        instead=partial(_by_method, "residual"),
+    ),
+    Quantity(
+        "final_factor_of_safety",
+        "",
+        "factor of safety at rest after the slide",
+        "further_factors.at_rest",
+        instead=partial(_by_method, "at_rest"),
+    ),
     Quantity("velocity_class", "", "velocity class by Cruden and Varnes", "velocity_class"),
     *(
         Quantity(f"time_{name}", "s", f"time {words(name)}", path, where=attrgetter(path))
@@ -195,7 +217,7 @@ def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
     That of the closure is the motion's, ``of_motion``, without the strength factor.
     """
     found = {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
-    if "ground" in scene.arc.quantities and soil(scene.friction, scene.called):
+    if "ground" in scene.arc.quantities and soil(scene.friction, scene.effects):
         by_method = factors_of_safety(scene)
         found |= {method: by_method[method] for method in METHODS if method not in found}
     return found

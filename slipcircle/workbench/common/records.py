@@ -8,12 +8,15 @@ from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.common.quantities import RESULTS, plain, results
 from slipcircle.workbench.common.starting import method_of, starts
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
+from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 
 def record(motion: Any) -> dict[str, Any]:
     """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
     scene, law = motion.plan.scene, motion.plan.scene.friction
     stability = stability_of(scene)
+    factors = motion.further_factors
+    further = {"residual": factors.residual_method, "final": factors.at_rest_method}
     states = {name: asdict(getattr(motion, name)) for name in ("farthest", "peak", "end")}
     return plain(
         {
@@ -27,6 +30,7 @@ def record(motion: Any) -> dict[str, Any]:
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
         | {"factor_of_safety_method": method_of(motion), "strength_factor": scene.strength_factor}
+        | {f"{name}_factor_of_safety_method": method or OF_CLOSURE for name, method in further.items()}
         | {"starts": [start.record() for start in starts(motion) or ()]}
         | states
         | {"range_end": motion.range_end}

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Parameter
+from generated.effects import COHESION_LAWS, EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.given import GIVEN
@@ -299,17 +299,18 @@ def table_of(
     return Table(title, by_name, tuple(alternatives), tuple(needed))
 
 
-def _laws(names: tuple[str, ...]) -> dict[str, Table]:
+def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
     """A table for each law."""
+    by_name = {law.name: law for law in laws}
     found = {}
-    for name in names:
-        law = Key("law", "friction law", f"one of {', '.join(names)}", name != "constant", name)
-        found[name] = table_of(LAWS[name].help, LAWS[name].parameters, {"law": law})
+    for name, law in by_name.items():
+        key = Key("law", title, f"one of {', '.join(by_name)}", name != "constant", name)
+        found[name] = table_of(law.help, law.parameters, {"law": key})
     return found
 
 
-_RATE = Table("law of speed that multiplies that of slip", laws=_laws(RATE_LAWS))
-OF_SOIL = Table("friction of the soil, by default none", laws=_laws(tuple(LAWS)))
+_RATE = Table("law of speed that multiplies that of slip", laws=_laws(LAWS[name] for name in RATE_LAWS))
+OF_SOIL = Table("friction of the soil, by default none", laws=_laws(LAWS.values()))
 RATE_OF_SOILS = _RATE._replace(title="law of speed that multiplies the friction of all soils")
 _WITH_RATE = {
     law: table._replace(tables={"rate": _RATE} if may_have_rate(law) else {}) for law, table in OF_SOIL.laws.items()
@@ -318,6 +319,8 @@ FRICTION = Table("friction on the slip surface", required=True, laws=_WITH_RATE)
 EFFECT_TABLES = {
     name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()
 }
+COHESION = Table(EFFECTS["cohesion"].help, laws=_laws(COHESION_LAWS.values(), "law of slip of the cohesion"))
+EFFECT_TABLES["cohesion"] = COHESION
 _GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
 ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
 _SEEN = []

@@ -13,7 +13,7 @@ from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, W
 _BY_SOILS = "is given by the soils beside [[layers]]"
 _IN_SOILS = {
     "friction": "[soils.NAME.friction]",
-    "cohesion": "cohesion_kPa in [soils.NAME]",
+    "cohesion": "cohesion_kPa in [soils.NAME], or [soils.NAME.cohesion]",
     "pore_pressure": "pore_pressure_ratio in [soils.NAME], or by [water]",
 }
 _POND = (

@@ -6,13 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core import AS_ENTERED, Motion, Scene, room
 from slipcircle.workbench.files.numbers import by_name
-from slipcircle.workbench.stability.starting import OF_CLOSURE, strength_factor
+from slipcircle.workbench.stability.starting import OF_CLOSURE, at_rest_by, residual_by, strength_factor, yield_by
 
 if TYPE_CHECKING:
     from slipcircle.workbench.stability.search import Critical
@@ -61,6 +62,28 @@ class SlopeScene(Scene[Numbers]):
         """Set the strength factor."""
         for name in ("strength_factor", "set_by_start"):
             object.__setattr__(self, name, factor)
+
+    def by_start(self, quantity: str, motion: Motion) -> Any:
+        if self.start == OF_CLOSURE or self.strength_factor is not self.set_by_start:
+            return None
+        if quantity == "yield_coefficient":  # under shaking the strength factor has made it that of the closure
+            found = None if "shaking" in self.called else yield_by(self, self.start)
+        elif quantity == "residual":
+            found = residual_by(self, self.start)
+        elif self.shape or not motion.arrested:
+            return None
+        else:
+            friction = float(motion.friction_at(motion.settling_time))
+            found = at_rest_by(self, self.start, motion.end.rotation, friction)
+        return None if found is None or np.all(np.isnan(found)) else (found, self.start)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields, and whether the start sets the strength factor: a copy has another number object."""
+        return vars(self) | {"set_by_start": self.strength_factor is self.set_by_start}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        factor = state["strength_factor"] if state["set_by_start"] else None
+        vars(self).update(state | {"set_by_start": factor})
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:

@@ -31,6 +31,7 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
         for k, key in table.keys.items():
             if key.kind in VARYING:
                 constant = path.endswith("friction") and key.name == "coefficient"
+                constant |= path.endswith(".cohesion") and key.name == "cohesion"  # of a soil
                 within = path.removeprefix("slip.")
                 of_scene = path in ("", "arc", "tension_crack")
                 name = key.name if of_scene else path if constant else f"{within}.{key.name}"
@@ -57,8 +58,11 @@ def _tables(scene: Any) -> dict[str, Table]:
     if not isinstance(arc, LayeredSection):
         law, *rate = law_names(scene.friction)
         named = {} if law == "callable" else {"law": law}
-        return fitted(WITH_ARC, {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})})
-    soils = {soil.name: {"friction": {"law": law_names(soil.friction)[0]}} for soil in arc.soils}
+        given: dict[str, Any] = {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})}
+        return fitted(WITH_ARC, given | {"cohesion": scene.effects.get("cohesion", {})})
+    soils = dict[str, Any]()
+    for soil in arc.soils:
+        soils[soil.name] = {"friction": {"law": law_names(soil.friction)[0]}, "cohesion": soil.cohesion}
     given = {"soils": soils, "slip": {"rate": arc.rate or {}}, "layers": _some(arc.layers)}
     return {"arc": ARC_TABLE} | fitted(WITH_LAYERS, given | {"surcharge": _some(arc.surcharge)})
 

@@ -58,8 +58,8 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
     """The layers of a file; if its tables are not ``readable``, only mistakes across them."""
     layers = numbered(given, "layers")
     slip = given.get("slip", {})
-    of_soils = [path for path in given if path.startswith("soils.") and not path.endswith(".friction")]
-    names = [path.removeprefix("soils.") for path in of_soils]
+    of_soils = [path.removeprefix("soils.") for path in given if path.startswith("soils.")]
+    names = [name for name in of_soils if not name.endswith((".friction", ".cohesion"))]
     places = {}
     for number, layer in enumerate(layers, 1):
         if layer.get("soil"):
@@ -136,6 +136,11 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
     numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
+    law = given.get(f"soils.{name}.cohesion")
+    if law is not None:
+        if "cohesion" in numbers:
+            raise InputError("", ["{cohesion}: excludes a table of cohesion; remove one"])
+        numbers["cohesion"] = law["cohesion"] if law.get("law", "constant") == "constant" else law
     if numbers.get("cohesion_gradient") and "datum" not in numbers:
         heights = {top for top in tops if np.ndim(top) == 0}
         if None in heights or len(heights) != 1 or any(np.ndim(top) for top in tops):

@@ -258,6 +258,8 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[st
 def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dict[str, Any]]:
     """The effects among the tables; paths of records are relative to the scene file."""
     effects = {name: dict(given[name]) for name in EFFECTS if name in given}
+    if effects.get("cohesion", {}).get("law") == "constant":
+        del effects["cohesion"]["law"]
     for parameters in effects.values():
         parameters |= {name: str(folder / file) for name, file in parameters.items() if name.endswith("record")}
     return effects

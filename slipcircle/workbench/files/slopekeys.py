@@ -8,6 +8,7 @@ from generated.effects import INFINITY, LIMITS, Parameter
 from slipcircle.derivatives import SOIL_BOUNDS
 from slipcircle.workbench.files.keys import (
     ARC,
+    COHESION,
     EFFECT_TABLES,
     FRICTION,
     OBSERVED,
@@ -199,7 +200,11 @@ _SOIL = table_of(
         _length("datum", "y below which the cohesion grows, by default the height of the soil's top", -INFINITY),
         _of_soil("pore_ratio", "pore_pressure_ratio", "r_u, in place of the water level, by default 0"),
     ],
-)._replace(required=True, repeats="named", tables={"friction": OF_SOIL})
+)._replace(
+    required=True,
+    repeats="named",
+    tables={"friction": OF_SOIL, "cohesion": COHESION._replace(title="cohesion of the soil")},
+)
 _LAYER = table_of(
     "the soils from the ground down, each by its name and its top",
     [
@@ -225,9 +230,17 @@ _SLIP = table_of(
 )._replace(tables={"rate": RATE_OF_SOILS})
 
 
-_COHESION = EFFECT_TABLES["cohesion"].keys["cohesion_kPa"]
-_PLAUSIBLE = _COHESION._replace(number=replace(_COHESION.number, high=_MOST_COHESION))
-_OF_EFFECTS = EFFECT_TABLES | {"cohesion": EFFECT_TABLES["cohesion"]._replace(keys={"cohesion_kPa": _PLAUSIBLE})}
+def _plausible(table: Table) -> Table:
+    """A table of cohesion with bounds of soils."""
+    keys = {
+        name: key._replace(number=replace(key.number, high=_MOST_COHESION)) if name.endswith("_kPa") else key
+        for name, key in table.keys.items()
+    }
+    return table._replace(keys=keys)
+
+
+_COHESION = COHESION._replace(laws={name: _plausible(table) for name, table in COHESION.laws.items()})
+_OF_EFFECTS = EFFECT_TABLES | {"cohesion": _COHESION}
 WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, "observed": OBSERVED})
 _GROUND = SLOPING["ground"]
 _OF_LAYERS = {name: table for name, table in WITH_ONE_SOIL.tables.items() if name not in NOT_WITH_LAYERS} | {

@@ -38,5 +38,5 @@ def slope_of(scene: Scene, like: Slope) -> Slope:
     if isinstance(arc, LayeredSection):
         soils: dict[str, Any] = {"layers": arc.layers, "surcharge": arc.surcharge, "crack": float(arc.crack)}
     else:
-        soils = soil(scene.friction, scene.called) | {"unit_weight": float(np.asarray(arc.unit_weight))}
+        soils = soil(scene.friction, scene.effects) | {"unit_weight": float(np.asarray(arc.unit_weight))}
     return replace(like, ground=arc.ground, level=arc.level, **soils)

@@ -54,6 +54,8 @@ def guide() -> str:
         lines += ["", *_title(f"[{name}]", _with_source(effect))]
         lines += [INDENT * " " + formula for formula in effect.formulas]
         lines += _keys(EFFECT_TABLES[name])
+        for of_law, table in EFFECT_TABLES[name].laws.items():
+            lines += [*_title(f'  law = "{of_law}"', table.title), *_keys(table)]
     lines += ["", *_title("uncertain numbers", _of_uncertain_numbers())]
     return "\n".join(lines)
 
@@ -65,7 +67,8 @@ def _tables(path: str, table: Table) -> Iterator[str]:
     head = f"[[{path}]]" if table.repeats == "numbered" else f"[{path}]"
     words = table.title
     if table.laws:
-        words += f": with the keys of [friction], law one of {', '.join(table.laws)}"
+        like = "cohesion" if path.endswith("cohesion") else "friction"
+        words += f": with the keys of [{like}], law one of {', '.join(table.laws)}"
     yield ""
     yield from _title(head, words)
     yield from _keys(table)

@@ -126,8 +126,8 @@ def _around(scene: Scene, number: Number) -> Slider | None:
 def unsolvable(motion: Motion) -> str:
     """Why a page cannot solve a scene; empty where it can."""
     scene, problem = motion.plan.scene, motion.problem
-    if "callable" in motion.plan.recipe.laws:
-        return "its friction is a function in Python"
+    if problem.functions:
+        return "its friction or cohesion is a function in Python"
     if may_creep(problem) and scene.end_time is None:
         return "it creeps, for which the page has no implicit steps"
     size = sum(data.breaks.size + data.coefficients.size for data in problem.tables())

@@ -287,7 +287,7 @@ def _is_cohesionless(slope: Slope) -> bool:
     """Whether no soil of the slope has cohesion at any depth."""
     if not slope.layers:
         return slope.cohesion == 0.0
-    return not any(soil.cohesion or soil.cohesion_gradient for soil, _ in slope.layers)
+    return not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.layers)
 
 
 def _skin(slope: Slope) -> str:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, datum_of, friction_at_rest, layer_mistakes
+from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -231,6 +231,8 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
         In the shape of the scene, by ``METHODS``: NaN where a method refuses the circle; infinite where nothing drives
         the mass. ``facing`` and ``negative`` as in `circle_factors`.
     """
+    if 0 in scene.shape:
+        return {name: np.empty(scene.shape) for name in (*METHODS, "facing", "negative")}
     blocks = [circle_factors(slope, *each_lane(circles, lanes)) for slope, circles, lanes in circles_of(scene)]
     values = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (values["facing"] == 0.0) & np.isfinite(values["negative"])
@@ -238,15 +240,18 @@ def factors_of_safety(scene: Any) -> dict[str, Floats]:
     return {name: array.reshape(scene.shape) for name, array in values.items()}
 
 
-def circles_of(scene: Any, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
-    """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one."""
+def circles_of(scene: Any, slipped: bool = False, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
+    """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one.
+
+    Strength is that before any slip, or after much.
+    """
     section = scene.arc
-    strength = soil(scene.friction, scene.called)
+    strength = soil(scene.friction, scene.effects, slipped)
     scenes = np.arange(math.prod(scene.shape))
     for block in np.array_split(scenes, -(-len(scenes) // most)):
         by_lane = _of_scenes(scene.shape, block)
         left, right = _ends(section, by_lane)
-        slope = _slope_of_section(section, strength, by_lane)
+        slope = _slope_of_section(section, strength, by_lane, slipped)
         yield slope, (by_lane(section.centre, 1), by_lane(section.radius), left, right), len(block)
 
 
@@ -279,18 +284,23 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
     return by_lane
 
 
-def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _ByLane) -> SlopeArrays:
+def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _ByLane, slipped: bool) -> SlopeArrays:
     """The slopes of sections."""
     numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
-        return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers)
+        return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
     layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
     numbers |= {"pressure": by_lane(strength["pressure"])}
     return _slope_arrays(by_lane, section, layers, (), numbers)
 
 
 def _slope_arrays(
-    by_lane: _ByLane, slope: Slope | Section, layers: _Layers, surcharge: Sequence[Any], numbers: Mapping[str, Any]
+    by_lane: _ByLane,
+    slope: Slope | Section,
+    layers: _Layers,
+    surcharge: Sequence[Any],
+    numbers: Mapping[str, Any],
+    slipped: bool = False,
 ) -> SlopeArrays:
     """Slopes with their lines, soils and surcharges, and further numbers."""
     lines = by_lane(slope.ground, 2)
@@ -298,7 +308,7 @@ def _slope_arrays(
     water = free_water(lines, level, slope.confined, slope.ponds)
     return SlopeArrays(
         ground=lines,
-        soils=_soil_arrays(layers, by_lane),
+        soils=_soil_arrays(layers, by_lane, slipped),
         tops=tuple(_top_line(top, lines, by_lane) for _, top in layers[1:]),
         level=level,
         ponds=water if len(water.first) else None,
@@ -320,19 +330,25 @@ def _one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) 
     return [(Soil(unit_weight, cohesion, friction, pore_ratio=pore_ratio), None)]
 
 
-def _soil_arrays(layers: _Layers, by_lane: _ByLane) -> SoilArrays:
-    """The soils of layers at the start of a motion."""
+def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
+    """The soils of layers at the start of a motion, before any slip or after much."""
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
         datum = datum_of(soil, layers)
+        cohesion = cohesion_at_rest(soil.cohesion, slipped)
+        growth = soil.cohesion_gradient
+        if slipped and np.any(growth):
+            peak = np.where(soil.peak_cohesion, soil.peak_cohesion, 1.0)
+            rest = np.where(soil.peak_cohesion, cohesion, 1.0)
+            growth = growth * rest / peak
         of_layer = SoilArrays(
-            cohesion=by_lane(soil.cohesion),
-            friction=by_lane(soil.peak),
+            cohesion=by_lane(cohesion),
+            friction=by_lane(friction_at_rest(soil.friction, slipped)),
             unit_weight=by_lane(soil.unit_weight),
             pore_ratio=by_lane(soil.pore_ratio),
             saturated_unit_weight=by_lane(saturated),
-            cohesion_gradient=by_lane(soil.cohesion_gradient),
+            cohesion_gradient=by_lane(growth),
             datum=by_lane(0.0 if datum is None else datum),
         )
         rows.append(of_layer)
@@ -347,8 +363,10 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
     return level_line(by_lane(top), ground)
 
 
-def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
-    """Strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
+def soil(friction: Any, effects: Any, slipped: bool = False) -> dict[str, Any]:
+    """Return strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
+
+    Strength is that before any slip, or after much.
 
     Numbers, or arrays where the scene has arrays. Empty where nothing is known of a pressure that a record holds, or
     where there is no strength.
@@ -361,8 +379,8 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
 
     cohesion = effects.get("cohesion", {})
     water = effects.get("pore_pressure", {})
-    of_friction = friction_at_rest(friction)
-    strength = {"friction": of_friction, "cohesion": at_start(cohesion.get("cohesion", 0.0))}
+    of_friction = friction_at_rest(friction, slipped)
+    strength = {"friction": of_friction, "cohesion": cohesion_at_rest(cohesion, slipped)}
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     pore_ratio = at_start(water.get("ratio", 0.0))

@@ -7,15 +7,19 @@ divided by the paper's factor under the yield coefficient of the method.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
 from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
+_TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
 _PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
@@ -32,21 +36,82 @@ def strength_factor(scene: Any, method: str) -> Any:
     Returns
     -------
     float or ndarray
-        In the shape of the scene. Exactly 1 without friction, and where nothing drives the mass; NaN where the method
-        refuses the circle.
+        In the shape of the scene. Exactly 1 without friction or members, and where nothing drives the mass; NaN where
+        the method refuses the circle.
     """
-    if method == OF_CLOSURE or not soil(scene.friction, scene.called):
+    if method == OF_CLOSURE:
         return 1.0
     shaken = "shaking" in scene.effects
+    factor = _of_scene(scene, lambda driven: _of_circles(driven, method, shaken))
+    return 1.0 if factor is None else factor
+
+
+def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = False) -> Any:
+    """Return a result of the arcs of a scene in its shape; None where the strength is unknown, or nothing has any."""
+    if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
+        return None
     blocks = []
-    for slope, circles, lanes in circles_of(scene):
+    for slope, circles, lanes in circles_of(scene, slipped):
         if not _is_shared(slope, circles):
             circles = each_lane(circles, lanes)
         driven = driven_slices(slope, *circles, _PIECES)
-        factors = _of_circles(driven, method, shaken)
-        blocks.append(np.broadcast_to(factors, lanes))
-    factor = np.concatenate(blocks).reshape(scene.shape)
-    return factor if scene.shape else float(factor)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            results = result(driven)
+        blocks.append(np.broadcast_to(results, lanes))
+    values = np.concatenate(blocks).reshape(scene.shape)
+    return values if scene.shape else float(values)
+
+
+def yield_by(scene: Any, method: str) -> Any:
+    """Return the yield coefficient at the start by a method; None as of `residual_by`."""
+    return _of_scene(scene, lambda driven: yield_coefficient(driven, method))
+
+
+def residual_by(scene: Any, method: str) -> Any:
+    """Return the factor of safety of the original geometry with residual strength by a method.
+
+    None where the strength is unknown; NaN where the method refuses the circle.
+    """
+    return _of_scene(scene, lambda driven: factor_by(method, driven), slipped=True)
+
+
+def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> float | None:
+    """Return the factor of safety by a method after a rotation, with the friction coefficient that is left.
+
+    Of single masses of one soil whose water does not change with time or cover the turned ground; otherwise None.
+    """
+    section = scene.arc
+    water = scene.called.get("pore_pressure", {})
+    cohesion = scene.effects.get("cohesion", {})
+    changes = [
+        isinstance(section, LayeredSection),
+        "heating" in scene.effects,
+        "record" in water,
+        "time" in water,
+        callable(water.get("ratio")),
+        callable(water.get("pressure")),
+        *section.cohesion_laws(cohesion),
+    ]
+    if any(changes):
+        return None
+    turns = rotation if "rotation" in scene.effects else 0.0
+    turned = section.placed(section.surface, turns)
+    width = np.diff(turned[:, 0])
+    depth = section.drowned(turns)
+    touches = _TOUCHES * section.radius
+    if np.any(width < 0.0) or section.in_standing_water or depth > touches:
+        return None
+    ((slope, circles, _),) = circles_of(scene)
+    centre, radius, *_ = circles
+    left = turned[:1]
+    right = turned[-1:]
+    rest = np.full_like(slope.soils.friction, friction)
+    soils = slope.soils._replace(friction=rest)
+    ground = turned[None]
+    moved = replace(slope, ground=ground, soils=soils)
+    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return float(factor_by(method, driven)[0])
 
 
 def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
@@ -61,15 +126,14 @@ def _is_shared(slope: SlopeArrays, circles: Circles) -> bool:
 
 def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
     """Return the strength factors of arcs."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        if shaken:
-            k_h = yield_coefficient(driven, method)
-            wanted = np.ones_like(k_h)
-            of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
-        else:
-            wanted = factor_by(method, driven)
-            of_closure = factor_by(OF_CLOSURE, driven)
-        factor = wanted / of_closure
+    if shaken:
+        k_h = yield_coefficient(driven, method)
+        wanted = np.ones_like(k_h)
+        of_closure = factor_by(OF_CLOSURE, _under(k_h, driven))
+    else:
+        wanted = factor_by(method, driven)
+        of_closure = factor_by(OF_CLOSURE, driven)
+    factor = wanted / of_closure
     slices = driven.slices
     friction = slices.integral(slices.friction)
     changes = (friction > 0.0) & (driven.facing != 0.0)

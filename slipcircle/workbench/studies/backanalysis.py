@@ -217,8 +217,8 @@ def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     return solutions, _range_warnings(problem, solutions[0])
 
 
-def _unattainable(problem: SearchProblem) -> Unattainable:
-    """The error of an observation that no value of the one field gives: what is attainable, and where."""
+def _unattainable(problem: SearchProblem) -> ValueError:
+    """Return the error of an observation that no value of the one field gives: the attainable range, and its ends."""
     (field,) = problem.fields
     (name,) = problem.observed
     low, high = (extreme(problem, sign) for sign in (-1.0, 1.0))
@@ -236,6 +236,8 @@ def _unattainable(problem: SearchProblem) -> Unattainable:
     if greatest - least <= 1e-9 * abs(greatest):
         attainable = f"only {least:.6g} {unit}, whatever it is"
     target = float(problem.targets[0])
+    if max(abs(outcome - target) for outcome in outcomes) <= 1e-9 * abs(target):
+        return _without_effect([field.key], problem)
     sentence = f"{name} = {target:.10g} {unit}: no {field.key} gives it; attainable: {attainable}"
     return Unattainable(sentence, {name: ((least, low), (greatest, high))})
 
@@ -329,6 +331,12 @@ def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> F
     return None
 
 
+def _without_effect(keys: Sequence[str], problem: SearchProblem) -> ValueError:
+    """Return the error of fields that do not change the observations."""
+    names = ", ".join(problem.observed)
+    return ValueError(f"backanalyse: {', '.join(keys)}: does not affect {names}, and cannot be determined from it")
+
+
 def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     """Refuse residuals that do not change with one of the fields, or with several of them together."""
     names = ", ".join(problem.observed)
@@ -336,7 +344,7 @@ def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     sizes = np.linalg.norm(jacobian, axis=0)
     least = _NOISE * np.max(sizes)
     if idle := [key for key, size in zip(keys, sizes, strict=True) if not size > least]:
-        raise ValueError(f"backanalyse: {', '.join(idle)}: does not affect {names}, and cannot be determined from it")
+        raise _without_effect(idle, problem)
     _, singular, directions = np.linalg.svd(jacobian / sizes)
     if singular[-1] > _NOISE * singular[0]:
         return

@@ -6,39 +6,63 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 
 _PARTS = 16  # into which a bracket is divided: each round gains four bits
 _ROUNDS = 16
 _STEEP = 30.0  # per cent that an outcome may change with a per cent of the number, where the motion changes its kind
+_ROUNDING = 64 * EPS  # relative: by which outcomes of one number differ with the lanes beside it
 _TOLERANCE = 1e-9  # relative: a jump over what was observed misses it by more
+
+Places = tuple[Integers, Integers]
 
 
 def solve_exact(problem: SearchProblem) -> list[float]:
     """All values of the one field at which the one outcome is as observed.
 
-    Every bracket that may hold one is divided, all of them at once, until both its ends are neighbours.
+    Every bracket that may hold one is divided, all of them at once, until its ends are neighbours or both meet the
+    observation to rounding. The misfits at its ends are retained: computed with other lanes they might differ by
+    rounding, and change their signs. A point that meets the observation is a root without a bracket, as the outcome
+    may jump there.
     """
     target = float(problem.targets[0])
     rows = problem.ranges[0][None, :]
-    parts = np.linspace(0.0, 1.0, _PARTS + 1)
     fine: list[Floats] = []
+    at_ends: tuple[Floats, Floats] | None = None
     for _ in range(_ROUNDS):
         outcomes, kind = problem.outcomes(rows.reshape(1, -1))
         misfit = outcomes.reshape(rows.shape) - target
-        left, right = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
-        magnitude = np.maximum(np.abs(left), np.abs(right))
-        is_fine = right - left <= 4 * EPS * magnitude
+        if at_ends is not None:
+            misfit[:, 0], misfit[:, -1] = at_ends
+        first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
+        is_met = np.abs(misfit) <= _ROUNDING * abs(target)
+        fine.append(rows[is_met])
+        left = rows[first]
+        right = rows[last]
+        is_fine = _neighbours(left, right) | (is_met[first] & is_met[last])
         fine += [left[is_fine], right[is_fine]]
-        left = left[~is_fine]
-        right = right[~is_fine]
-        if not left.size:
+        rough = ~is_fine
+        if not rough.any():
             break
-        widths = right - left
-        rows = left[:, None] + widths[:, None] * parts
-        rows[:, -1] = right
+        at_ends = misfit[first][rough], misfit[last][rough]
+        rows = _divided(left[rough], right[rough])
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
+
+
+def _neighbours(left: Floats, right: Floats) -> NDArray[np.bool_]:
+    """Return whether the ends of brackets differ by rounding only."""
+    magnitude = np.maximum(np.abs(left), np.abs(right))
+    return right - left <= 4 * EPS * magnitude
+
+
+def _divided(left: Floats, right: Floats) -> Floats:
+    """Return points that divide brackets into equal parts, (brackets, points), both ends included."""
+    parts = np.linspace(0.0, 1.0, _PARTS + 1)
+    widths = right - left
+    rows = left[:, None] + widths[:, None] * parts
+    rows[:, -1] = right
+    return rows
 
 
 def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
@@ -59,8 +83,8 @@ def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
     return roots
 
 
-def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) -> tuple[Floats, Floats]:
-    """Both ends of the brackets within rows that may hold a root.
+def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) -> tuple[Places, Places]:
+    """Return the places of both ends of each bracket that may hold a root: its row, and the column within it.
 
     That is where the outcome passes the observed value, where the motion changes its kind near it, and where the
     outcome turns back next to it.
@@ -80,11 +104,12 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
         same_side = product > 0.0
         stays_on_side = same_side[:, :-1] & same_side[:, 1:]
         turns_back = _is_dip(size) & stays_on_side
-    before_dip = x[:, :-2][turns_back]
-    after_dip = x[:, 2:][turns_back]
-    starts = np.concatenate([left[passes], before_dip])
-    ends = np.concatenate([right[passes], after_dip])
-    return starts, ends
+    row, column = np.nonzero(passes)
+    row_of_dip, before_dip = np.nonzero(turns_back)
+    rows = np.concatenate([row, row_of_dip])
+    starts = np.concatenate([column, before_dip])
+    ends = np.concatenate([column + 1, before_dip + 2])
+    return (rows, starts), (rows, ends)
 
 
 def _is_dip(size: Floats) -> NDArray[np.bool_]:

@@ -1,0 +1,85 @@
+"""Cohesion of the soils along an arc: what lasts, and what laws of slip multiply.
+
+With c = r + (p - r) f(s) of each soil, and one law f of all, sum c l = sum r l + f(s) sum (p - r) l. The growth with
+depth is multiplied as the cohesion is. With laws of their own soils have a term each.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from generated.program import OF_COHESION
+from slipcircle.base.kinds import Floats
+from slipcircle.core.scene.effects import Law, cohesion_law
+from slipcircle.layers.soils import distinct, share_one_law
+
+Term = tuple[Law, Floats, Floats]  # a law, and the cohesion and the growth with depth that it multiplies
+
+
+@dataclass(frozen=True, eq=False)
+class SoilCohesion:
+    """Cohesion of the soils of a `slipcircle.layers.layers.LayeredSection`, (soils, lanes)."""
+
+    section: Any
+
+    @cached_property
+    def peak(self) -> Floats:
+        """Cohesion at the start."""
+        values: Floats = self.section.of_soils("peak_cohesion")
+        return values
+
+    @cached_property
+    def growth(self) -> Floats:
+        """Its increase with depth."""
+        values: Floats = self.section.of_soils("cohesion_gradient")
+        return values
+
+    @cached_property
+    def _laws(self) -> list[Law | None]:
+        return [cohesion_law(soil.cohesion) for soil in self.section.soils]
+
+    @cached_property
+    def _share_one_law(self) -> bool:
+        return share_one_law(self.section.soils, "cohesion")
+
+    @cached_property
+    def lasting(self) -> tuple[Floats, Floats]:
+        """Cohesion that does not change with slip, and its growth with depth."""
+        if not self._share_one_law:
+            constant = [[float(law is None)] for law in self._laws]
+            share = np.array(constant)
+            return self.peak * share, self.growth * share
+        residual = self.section.of_soils("residual_cohesion")
+        is_none = self.peak == 0.0
+        divisor = np.where(is_none, 1.0, self.peak)
+        share = np.where(is_none, 1.0, residual / divisor)
+        return residual, self.growth * share
+
+    @cached_property
+    def softening(self) -> dict[str, Term]:
+        """Terms that change with slip, by the numbers of their laws in the program."""
+        laws = [law for law in self._laws if law is not None]
+        if not laws:
+            return {}
+        if not self._share_one_law:
+            return self._by_soil()
+        name, given = laws[0]
+        cohesion, growth = self.lasting
+        over_peak: Law = name, {**given, "peak": 1.0, "residual": 0.0}
+        return {OF_COHESION: (over_peak, self.peak - cohesion, self.growth - growth)}
+
+    def _by_soil(self) -> dict[str, Term]:
+        """A term of each soil whose cohesion changes, of which the law is in Pa."""
+        soils = self.section.soils
+        divisor = np.where(self.peak == 0.0, 1.0, self.peak)
+        terms = dict[str, Term]()
+        for k, soil in enumerate(distinct(soils)):
+            law = cohesion_law(soil.cohesion)
+            if law is None:
+                continue
+            along = np.array([[float(other is soil)] for other in soils])
+            one = along * np.ones_like(self.growth)
+            terms[f"{OF_COHESION}{k}"] = law, one, along * self.growth / divisor
+        return terms

@@ -1,0 +1,173 @@
+"""Cohesion that changes with slip, of one soil and of layers, beside definitions and plain integrations."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from slipcircle import Arc, LayeredSection, Scene, Section, Soil, backanalyse, plan, solve
+from tests.campaigns import softening
+from tests.campaigns.softening import Softened, at_slip
+
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+CIRCLE: Any = {"ground": [(-40, 0), (0, 0), (20, 10), (60, 10)], "centre": (2.0, 18.0), "radius": 20.0}
+LAW = {"law": "exponential", "peak": 14e3, "residual": 4e3, "length": 0.4}
+TABLE = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "cohesion": [14e3, 9e3, 6e3, 5e3, 4e3]}
+
+
+def of_rays(alpha: float) -> tuple[float, float, float, float]:
+    """Theta*, the amplitudes of J_theta and J_r, and I_p* of an arc, from their definitions along rays."""
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    u = alpha * nodes
+    inner = np.cos(alpha) / np.cos(u)
+    powers = [(1.0 - inner ** (k + 1)) / (k + 1) for k in range(4)]
+    integrands = (powers[3], powers[2] * np.cos(u), powers[1] * np.cos(u), powers[2])
+    theta, fall, press, polar = (float(alpha * weights @ integrand) for integrand in integrands)
+    return theta, fall, press, polar
+
+
+def run_out(arc: Arc[float], mu: float, law: Any) -> float:
+    """Greatest displacement of an arc with rotation and centripetal stress, by DOP853."""
+    alpha, middle = (arc.theta_2 - arc.theta_1) / 2, (arc.theta_2 + arc.theta_1) / 2
+    theta, fall, press, polar = of_rays(alpha)
+    dip = 1.5 * np.pi - middle
+    side = np.sign(dip)
+
+    def rate(_: float, state: Any) -> tuple[float, float]:
+        rotation, omega = state
+        psi = abs(dip) - rotation
+        cohesion = 2 * alpha * at_slip(law, rotation * arc.radius) / (arc.unit_weight * arc.radius)
+        friction = mu * max(press * np.cos(psi) + polar * omega**2, 0.0)
+        return omega, (fall * np.sin(psi) - cohesion - friction) / theta
+
+    def stands(time: float, state: Any) -> float:
+        return float(state[1]) if time > 1e-3 else 1.0
+
+    stands.terminal, stands.direction = True, -1  # type: ignore[attr-defined]
+    done = solve_ivp(rate, (0.0, 1e3), (0.0, 0.0), "DOP853", rtol=1e-12, atol=1e-14, events=stands)
+    return float(side * done.y[0, -1] * arc.radius) * float(side)
+
+
+@pytest.mark.parametrize("name", ["exponential", "linear", "hyperbolic", "function"])
+def test_an_arc_runs_as_far_as_a_plain_integration_says(name: str) -> None:
+    """Also without friction, and with cohesion that rises."""
+    rng = np.random.default_rng(58)
+    moved = 0
+    while moved < 4:
+        radius = rng.uniform(10.0, 60.0)
+        middle, alpha = rng.uniform(4.2, 4.5), rng.uniform(0.3, 0.8)
+        arc = Arc(radius, middle - alpha, middle + alpha, rng.uniform(15e3, 22e3))
+        mu = float(rng.choice([0.0, 0.05]))
+        peak, residual = rng.uniform(0.002, 0.02, 2) * arc.unit_weight * radius
+        law: Any = {"law": name, "peak": peak, "residual": residual, "length": rng.uniform(0.1, 2.0)}
+        if name == "function":
+            law = lambda slip, p=peak, r=residual: r + (p - r) / (1.0 + np.square(slip))  # noqa: E731
+        effect = {"cohesion": law} if callable(law) else law
+        motion = solve(Scene(arc, mu, TURNING | {"cohesion": effect}))
+        if motion.run_out > 0.0:
+            moved += 1
+            assert motion.run_out == pytest.approx(run_out(arc, mu, law), rel=1e-8)
+            assert abs(motion.energy_error_estimate) < 1e-13
+
+
+@pytest.mark.parametrize("seed", [3, 7])
+def test_layers_accelerate_as_their_strength_at_this_slip_says(seed: int) -> None:
+    """Laws of friction and of cohesion and growth with depth, with the base and with the mass, along the way."""
+    stream = softening.scenes(np.random.default_rng(seed))
+    kinds = set[str]()
+    while len(kinds) < 2:
+        section, motion = next(stream)
+        if section.strength in kinds:
+            continue
+        kinds.add(section.strength)
+        slope = Softened(section)
+        for share in (0.0, 0.2, 0.5, 0.9):
+            state = motion.at(share * motion.farthest.time)
+            moment = SimpleNamespace(rotation=state.rotation, angular_velocity=state.angular_velocity, velocity=1.0)
+            assert state.acceleration == pytest.approx(slope.acceleration(moment), rel=1e-9, abs=1e-10)
+
+
+@pytest.mark.parametrize("law", [LAW, TABLE])
+@pytest.mark.parametrize("mu", [0.0, 0.05])
+def test_one_soil_in_layers_is_that_soil(law: Any, mu: float) -> None:
+    alone = solve(Scene(Section(unit_weight=19e3, **CIRCLE), mu, TURNING | {"cohesion": law}))
+    for strength in ("base", "mass") if law is LAW else ("mass",):
+        soils = [Soil(19e3, law, mu, name=name) for name in "ab"]
+        layers = [(soils[0], None), (soils[1], 2.0)]
+        motion = solve(Scene(LayeredSection(layers=layers, strength=strength, **CIRCLE), None, TURNING))
+        assert motion.run_out == pytest.approx(alone.run_out, rel=1e-11)
+        assert motion.factor_of_safety == pytest.approx(alone.factor_of_safety, rel=1e-13)
+
+
+@pytest.mark.parametrize("end", [3.0, 3.0 + 1e-6])
+def test_laws_that_break_at_the_same_slip_all_pass_their_breaks(end: float) -> None:
+    """Two tables of friction, and friction and cohesion that fall over one length, whatever the rounding."""
+    table = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "coefficient": [0.3, 0.2, 0.15, 0.12, 0.1]}
+    other = table | {"slip": [0.0, 0.2, 0.4, 1.0, end]}
+    alone = solve(Scene(Section(unit_weight=19e3, **CIRCLE), table, TURNING))
+    soils = [Soil(19e3, 0.0, law, name=name) for law, name in ((table, "a"), (other, "b"))]
+    section = LayeredSection(layers=[(soils[0], None), (soils[1], 2.0)], strength="mass", **CIRCLE)
+    assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(alone.run_out, rel=1e-11 + (end - 3.0))
+    linear = {"law": "linear", "length": 0.4}
+    soil = Soil(19e3, linear | {"peak": 12e3, "residual": 4e3}, linear | {"peak": 0.08, "residual": 0.05}, name="a")
+    section = LayeredSection(layers=[(soil, None)], **CIRCLE)
+    assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(softening.farthest(section)[0], rel=1e-8)
+
+
+def test_a_constant_law_is_a_number() -> None:
+    section = Section(unit_weight=19e3, **CIRCLE)
+    number, law = ({"cohesion": 8e3}, {"law": "constant", "cohesion": 8e3})
+    one, other = (solve(Scene(section, 0.05, TURNING | {"cohesion": given})) for given in (number, law))
+    assert one.run_out == other.run_out
+    assert plan(one.plan.scene).recipe == plan(other.plan.scene).recipe
+
+
+def test_arrays_derivatives_and_fits_know_the_numbers_of_the_law() -> None:
+    section = Section(unit_weight=19e3, **CIRCLE)
+    scene = Scene(section, 0.05, TURNING | {"cohesion": LAW})
+    step = np.array([3900.0, 4000.0, 4100.0])
+    lanes = solve(Scene(section, 0.05, TURNING | {"cohesion": LAW | {"residual": step}}))
+    singly = [solve(Scene(section, 0.05, TURNING | {"cohesion": LAW | {"residual": float(x)}})).run_out for x in step]
+    np.testing.assert_allclose(lanes.run_out, singly, rtol=1e-9)
+    slope = solve(scene).sensitivity().derivative("run_out", "cohesion.residual")
+    assert slope == pytest.approx((singly[2] - singly[0]) / 200.0, rel=1e-2)
+    found = backanalyse(scene, run_out=singly[0], field="cohesion.residual_kPa")
+    assert found.value == pytest.approx(3.9, rel=1e-6)
+
+
+MISTAKES: dict[str, tuple[Any, str]] = {
+    "law": ({"law": "linnear", "peak": 1e4, "residual": 1e3, "length": 1.0}, "effects.cohesion.law = 'linnear'"),
+    "missing": ({"law": "linear", "peak": 1e4, "length": 1.0}, "'residual' is missing"),
+    "speed": ({"law": "rate_weakening", "peak": 1e4}, "must be one of constant, exponential, linear, hyperbolic"),
+    "table": ({"law": "tabulated", "slip": [0.0, 1.0], "cohesion": [1e3]}, "two lists of equal length"),
+}
+
+
+@pytest.mark.parametrize("kind", MISTAKES)
+def test_mistakes_in_a_law_of_cohesion_are_named(kind: str) -> None:
+    given, words = MISTAKES[kind]
+    with pytest.raises(ValueError, match=words):
+        Scene(Arc(20.0, 3.7, 5.2, 19e3), 0.1, {"cohesion": given})
+
+
+def test_layers_on_the_base_share_the_law_and_length_of_cohesion() -> None:
+    soils = [Soil(19e3, LAW | {"length": length}, name=name) for length, name in ((0.4, "a"), (0.5, "b"))]
+    layers = [(soils[0], None), (soils[1], 2.0)]
+    with pytest.raises(ValueError, match="the cohesion of soils along an arc follows one law of slip with one length"):
+        LayeredSection(layers=layers, **CIRCLE)
+    assert solve(Scene(LayeredSection(layers=layers, strength="mass", **CIRCLE), None, TURNING)).moves
+
+
+@pytest.mark.parametrize("law", [LAW, {"cohesion": lambda slip: 4e3 + 10e3 * np.exp(-slip / 0.4)}])
+def test_a_factor_of_strength_multiplies_the_law_of_cohesion(law: Any) -> None:
+    section = Section(unit_weight=19e3, **CIRCLE)
+    weaker = {**LAW, "peak": 0.9 * 14e3, "residual": 0.9 * 4e3}
+    known = solve(Scene(section, 0.045, TURNING | {"cohesion": weaker}))
+    motion = solve(Scene(section, 0.05, TURNING | {"cohesion": law}, strength_factor=0.9))
+    assert motion.run_out == pytest.approx(known.run_out, rel=1e-11)
+    soil = Soil(19e3, law.get("cohesion", law), 0.05, name="clay")
+    layered = LayeredSection(layers=[(soil, None)], strength="mass", **CIRCLE)
+    motion = solve(Scene(layered, None, TURNING, strength_factor=0.9))
+    assert motion.run_out == pytest.approx(known.run_out, rel=1e-11)
