@@ -14,6 +14,7 @@ import slipcircle
 from slipcircle import Arc, Scene, Status, load, solve
 from slipcircle.derivatives import parameters, with_parameter_arrays, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
+from tests.campaigns import combined
 from tests.support.rays import from_method, random_slopes
 
 # Lodalen 1954 (Sevaldson 1956): 17 m high, 1:2, c' = 10 kPa, phi' = 27 degrees.
@@ -31,6 +32,12 @@ level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
 [rotation]
 [centripetal]
 """
+
+
+def test_starts_with_softening_cohesion_and_standing_water(tmp_path: Path) -> None:
+    """A sample of the campaign."""
+    found = list(combined.differences(3, 6, tmp_path))
+    assert max(found) < 1e-10
 
 
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])

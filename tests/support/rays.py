@@ -37,6 +37,9 @@ class Slope:
     level: Line | None = None
     ratio: float = 0.0
     shaken: bool = False
+    pool: float | None = None  # level of standing water at the exit, with which `level` ends
+    lost: float = 0.0  # share of the cohesion that slip takes away, exponentially
+    lost_length: float = 1.0
     ends: tuple[float, float] = field(init=False)  # of the arc, from straight below the centre to the right
 
     def __post_init__(self) -> None:
@@ -78,11 +81,9 @@ class Slope:
 
     # --- the motion ---
 
-    def moments(self) -> dict[str, float]:
-        """Return the moments of the mass by rays from the centre, lengths over R."""
-        vertices = np.subtract(self.ground, self.centre)
-        a, w = self.points([math.atan2(x, -y) for x, y in vertices])
-        line = vertices / self.radius
+    def distance(self, a: Any) -> Any:
+        """Return the distance of the ground over R from the centre along rays."""
+        line = np.subtract(self.ground, self.centre) / self.radius
         rho = np.full(a.size, np.nan)
         for (x, y), (u, v) in zip(line, np.diff(line, axis=0), strict=False):
             s, c = np.sin(a), -np.cos(a)
@@ -90,6 +91,16 @@ class Slope:
                 t = (x * c - y * s) / (v * s - u * c)  # where the edge meets the ray
                 hit = (t >= -1e-13) & (t <= 1 + 1e-13)
                 rho = np.where(hit, np.hypot(x + t * u, y + t * v), rho)
+        return rho
+
+    def corners(self) -> list[float]:
+        """Return the directions of the vertices of the ground."""
+        return [math.atan2(x, -y) for x, y in np.subtract(self.ground, self.centre)]
+
+    def moments(self) -> dict[str, float]:
+        """Return the moments of the mass by rays from the centre, lengths over R."""
+        a, w = self.points(self.corners())
+        rho = self.distance(a)
         second, third, fourth = ((1 - rho**n) / n for n in (2, 3, 4))
         return {
             "theta": w @ fourth,
@@ -100,15 +111,46 @@ class Slope:
             "moment_sin": w @ (third * np.sin(a)),
         }
 
+    def _at_pool(self) -> list[float]:
+        """Return the directions in which the circle is at the level of the pool."""
+        if self.pool is None or self.centre[1] - self.pool > self.radius:
+            return []
+        direction = math.acos((self.centre[1] - self.pool) / self.radius)
+        return [-direction, direction]
+
+    def drowned(self, turn: float) -> tuple[float, float]:
+        """Return driving moment and radial weight of the water that the turned mass displaces, over those of soil."""
+        if self.pool is None:
+            return 0.0, 0.0
+        deep = (self.centre[1] - self.pool) / self.radius  # of the level below the centre
+        (c, s), line = (math.cos(turn), math.sin(turn)), np.subtract(self.ground, self.centre) / self.radius
+        turned = line @ np.array([[c, s], [-s, c]])
+        kinks = self.corners()
+        for (x, y), (u, v) in zip(turned, np.diff(turned, axis=0), strict=False):
+            if (y + deep) * (y + v + deep) < 0.0:
+                kinks.append(math.atan2(x - u * (y + deep) / v, deep) - turn)
+        kinks += [b - turn for b in self._at_pool()]
+        a, w = self.points(kinks)
+        low = np.minimum(np.maximum(self.distance(a), deep / np.cos(a + turn)), 1.0)
+        share = GAMMA_W / self.gamma
+        return (
+            float(-share * w @ (np.sin(a + turn) * (1 - low**3) / 3)),
+            float(share * w @ (np.cos(a + turn) * (1 - low**2) / 2)),
+        )
+
     def head(self, turn: float) -> float:
         """Return the mean head of the level over R along the arc after a rotation."""
         if self.level is None:
             return 0.0
         x0, y0 = self.centre
         kinks = [math.asin(max(-1.0, min(1.0, (x - x0) / self.radius))) - turn for x, _ in self.level]
-        a, w = self.points(kinks + [b - turn for b in self._crossings(self.level)])
+        kinks += [b - turn for b in self._crossings(self.level)]
+        kinks += [b - turn for b in self._at_pool()]
+        a, w = self.points(kinks)
         x, y = x0 + self.radius * np.sin(a + turn), y0 - self.radius * np.cos(a + turn)
         height = np.maximum(np.interp(x, *np.transpose(self.level)) - y, 0.0)
+        if self.pool is not None:
+            height = height - np.maximum(self.pool - y, 0.0)
         return float(w @ height / w.sum() / self.radius)
 
     def motion(self, factor: float) -> tuple[float, float, float]:
@@ -128,11 +170,14 @@ class Slope:
             c, s = math.cos(turn), math.sin(turn)
             drive = -(m["moment_sin"] * c + m["moment_cos"] * s)
             radial = m["radial_cos"] * c - m["radial_sin"] * s
+            lifting, lighter = self.drowned(turn)
+            drive, radial = drive - lifting, radial - lighter
             water = GAMMA_W * self.head(turn) / self.gamma / (1 - math.cos(alpha))
             water += self.ratio * cover * radial / m["radial_cos"]
             mu = self.residual + (self.peak - self.residual) * math.exp(-self.radius * turn / self.length)
             normal = max(radial + m["polar"] * omega**2 - lever * water, 0.0)
-            cohesion = 2 * alpha * self.cohesion / weight
+            kept = 1.0 - self.lost * -math.expm1(-self.radius * turn / self.lost_length)
+            cohesion = 2 * alpha * self.cohesion / weight * kept
             return [omega, (drive - factor * (cohesion + mu * normal)) / m["theta"]]
 
         if rate(0.0, (0.0, 0.0))[1] <= 0.0:
@@ -152,7 +197,7 @@ class Slope:
         x0, y0 = self.centre
         lines = [self.ground, *([self.level] if self.level else [])]
         kinks = [math.asin(max(-1.0, min(1.0, (x - x0) / self.radius))) for line in lines for x, _ in line]
-        a, w = self.points(kinks + (self._crossings(self.level) if self.level else []))
+        a, w = self.points(kinks + (self._crossings(self.level) if self.level else []) + self._at_pool())
         s, c = np.sin(a), np.cos(a)
         x, y = x0 + self.radius * s, y0 - self.radius * c
         height = (np.interp(x, *np.transpose(self.ground)) - y) / self.radius
@@ -162,11 +207,24 @@ class Slope:
             pressure = pressure + GAMMA_W / self.gamma * head
         return s, c, height, w, pressure
 
+    def _standing(self) -> tuple[Any, Any, Any]:
+        """Return standing water over gamma R at the slices: on the ground, displaced by the slice, and at its base."""
+        s, c, height, *_ = self._slices()
+        if self.pool is None:
+            return (np.zeros_like(s),) * 3
+        y = self.centre[1] - self.radius * c
+        ground = y + self.radius * height
+        heads = self.pool - ground, np.minimum(self.pool, ground) - y, self.pool - y
+        scale = GAMMA_W / self.gamma / self.radius
+        on_ground, displaced, at_base = (scale * np.maximum(head, 0.0) for head in heads)
+        return on_ground, displaced, at_base
+
     def bishop(self, k_h: float = 0.0) -> float:
         """Return Bishop's factor of safety, less 1 if it is asked for the k_h at which that is 0."""
         s, c, height, w, pressure = self._slices()
-        drive = w @ (-height * s * c + k_h * height * c * (c - height / 2))
-        strength = (self.cohesion / self.gamma / self.radius + self.peak * (height - pressure)) * c
+        on_ground, displaced, _ = self._standing()
+        drive = w @ (-(height - displaced) * s * c + k_h * height * c * (c - height / 2))
+        strength = (self.cohesion / self.gamma / self.radius + self.peak * (height + on_ground - pressure)) * c
 
         def unbalanced(factor: float) -> float:
             return float(factor * drive - w @ (strength / (c - s * self.peak / factor)))
@@ -177,8 +235,9 @@ class Slope:
         """Return the factor of safety of the closure."""
         m, (_, _, _, w, pressure) = self.moments(), self._slices()
         alpha = (self.ends[1] - self.ends[0]) / 2
-        drive = -m["moment_sin"] + k_h * m["moment_cos"]
-        normal = m["radial_cos"] + k_h * m["radial_sin"] - w @ pressure
+        lifting, lighter = self.drowned(0.0)
+        drive = -m["moment_sin"] - lifting + k_h * m["moment_cos"]
+        normal = m["radial_cos"] - lighter + k_h * m["radial_sin"] - w @ (pressure - self._standing()[2])
         cohesion = 2 * alpha * self.cohesion / self.gamma / self.radius
         return float((cohesion + self.peak * max(normal, 0.0)) / drive)
 
@@ -198,26 +257,34 @@ class Slope:
         water = f"[water]\nlevel_m = {text['level']}\n" if self.level else ""
         ratio = f"[pore_pressure]\nratio = {self.ratio}\n" if self.ratio else ""
         shaking = '[shaking]\npulse = "sine"\namplitude_g = 0.0\nduration_s = 1\n' if self.shaken else ""
+        cohesion = f"cohesion_kPa = {self.cohesion / 1e3!r}\n"
+        if self.lost:
+            residual = (1.0 - self.lost) * self.cohesion / 1e3
+            cohesion = f'law = "exponential"\npeak_kPa = {self.cohesion / 1e3!r}\nresidual_kPa = {residual!r}\n'
+            cohesion += f"length_m = {self.lost_length!r}\n"
         return (
             f"[ground]\npoints_m = {text['ground']}\nunit_weight_kN_m3 = {self.gamma / 1e3!r}\n"
             f"[circle]\ncentre_m = {list(self.centre)}\nradius_m = {self.radius!r}\n"
             f'[friction]\nlaw = "exponential"\npeak = {self.peak!r}\nresidual = {self.residual!r}\n'
-            f"length_m = {self.length!r}\n[cohesion]\ncohesion_kPa = {self.cohesion / 1e3!r}\n"
+            f"length_m = {self.length!r}\n[cohesion]\n{cohesion}"
             f"[rotation]\n[centripetal]\n{water}{ratio}{shaking}"
         )
 
 
-def random_slopes(seed: int) -> Iterator[Slope]:
-    """Yield random slopes whose factor of safety by Bishop's method is about 1."""
+def random_slopes(seed: int, combined: bool = False) -> Iterator[Slope]:
+    """Yield random slopes whose factor of safety by Bishop's method is about 1.
+
+    Combined ones have cohesion that softens, and many of them standing water at the toe.
+    """
     rng = np.random.default_rng(seed)
     while True:
-        with suppress(ValueError):  # no friction in the range gives this factor
-            slope = _random_slope(rng)
+        with suppress(ValueError):  # no friction in the range gives this factor, or the pool is elsewhere
+            slope = _random_slope(rng, combined)
             slope.strength_factor  # noqa: B018
             yield slope
 
 
-def _random_slope(rng: np.random.Generator) -> Slope:
+def _random_slope(rng: np.random.Generator, combined: bool) -> Slope:
     """Return a random slope."""
     height, run = rng.uniform(5.0, 30.0), rng.uniform(1.2, 3.0)
     edge = height * run
@@ -225,14 +292,29 @@ def _random_slope(rng: np.random.Generator) -> Slope:
     ground = [[-4 * edge, height], [0.0, height], *bench, [edge, 0.0], [5 * edge, 0.0]]
     centre = (float(edge * rng.uniform(0.5, 0.9)), float(height * rng.uniform(1.6, 3.0)))
     radius = float(centre[1] * rng.uniform(1.0, 1.15))
-    level, ratio = None, 0.0
+    level, ratio, pool = None, 0.0, None
     if rng.random() < 0.4:
         level = [[-4 * edge, 0.8 * height], [0.0, 0.6 * height], [edge, 0.0], [5 * edge, 0.0]]
     elif rng.random() < 0.5:
         ratio = float(rng.uniform(0.05, 0.3))
     gamma = float(rng.uniform(16e3, 22e3))
     cohesion = float(gamma * height * rng.uniform(0.0, 0.05))
-    slope = Slope(ground, centre, radius, gamma, cohesion, 0.3, 0.2, height / 20, level, ratio, rng.random() < 0.3)
+    shaken = bool(rng.random() < 0.3)
+    lost, lost_length = 0.0, 1.0
+    if combined:
+        shaken, cohesion = False, 2.0 * cohesion
+        lost, lost_length = float(rng.uniform(0.1, 0.9)), float(height * rng.uniform(0.01, 0.2))
+        if rng.random() < 0.7:
+            ratio, pool = 0.0, float(height * rng.uniform(0.05, 0.45))
+            shore = float(np.interp(-pool, *np.transpose([[-y, x] for x, y in ground[1:-1]])))
+            upper = pool + float(rng.uniform(0.0, 0.6)) * (height - pool)
+            level = [[-4 * edge, upper], [0.0, upper], [shore, pool], [5 * edge, pool]]
+    slope = Slope(
+        ground, centre, radius, gamma, cohesion, 0.3, 0.2, height / 20, level, ratio, shaken, pool, lost, lost_length
+    )
+
+    if pool is not None and centre[1] - radius * math.cos(slope.ends[1]) > pool:
+        raise ValueError("the pool does not reach the mass")
 
     def with_friction(peak: float) -> float:
         slope.peak = peak
