@@ -142,14 +142,10 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0
     move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
-    end_alike = len({*map(_ending, status), _ending(final[ix.STATUS])}) == 1
-    if not (end_alike and move_alike):
+    if not (_end_alike(status, final) and move_alike):
         return 1.0, True
-    creeps = final[ix.TIME] == np.inf
-    durations = [
-        end if code == ix.ENDED and not creeps else rest
-        for code, end, rest in zip(status, end_times, rests, strict=True)
-    ]
+    in_time = [code == ix.ENDED and final[ix.TIME] < np.inf for code in status]
+    durations = np.where(in_time, end_times, rests).tolist()
     rows = durations, run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
@@ -167,6 +163,11 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
     moves = cells[ix.PHASES] > 0.0
     phases = final[ix.PHASES]
     return other_status | (moves != (phases > 0.0))
+
+
+def _end_alike(status: list[float], final: Final) -> bool:
+    """Return whether all runs end as the motion does."""
+    return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
 
 
 def _ending(status: Any) -> Any:

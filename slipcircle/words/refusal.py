@@ -12,7 +12,7 @@ from slipcircle.core.scene.effects import rotates
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
-_REMEDIES = {"drag": "a greater xi", "viscosity": "a lower viscosity"}
+_REMEDIES = {"friction": "less friction", "drag": "a greater xi", "viscosity": "a lower viscosity"}
 
 
 def refusal(motion: Any) -> InputError:
@@ -34,12 +34,7 @@ def refusal(motion: Any) -> InputError:
     elif not turns and (status == Status.ENDLESS or overflows):
         why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
     elif few_turnings and motion.brake > STRONGEST:
-        names = ["friction", *(name for name in _REMEDIES if name in motion.plan.recipe.effects)]
-        remedies = " or ".join(["less friction", *(_REMEDIES[name] for name in names[1:])])
-        why = (
-            f"{', '.join(names)}: too strong a brake to be followed: the speed falls by e in 1/q of a radian, q = "
-            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give {remedies}"
-        )
+        why = _too_strong(motion)
     elif few_turnings:
         why = (
             "{end_time}: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or "
@@ -53,3 +48,13 @@ def refusal(motion: Any) -> InputError:
         lower = "a lower velocity or " if speed else ""
         why = f"{velocity}, {end_time}: {growing} overflows; give {lower}an earlier end"
     return InputError("", [why])
+
+
+def _too_strong(motion: Any) -> str:
+    """Return the message about brakes that are too strong: the numbers of the scene that brake, and remedies."""
+    brakes = [name for name in _REMEDIES if name in ("friction", *motion.plan.recipe.effects)]
+    remedies = " or ".join(_REMEDIES[name] for name in brakes)
+    return (
+        f"{', '.join(brakes)}: too strong a brake to be followed: the speed falls by e in 1/q of a radian, q = "
+        f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give {remedies}"
+    )
