@@ -160,10 +160,7 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     found = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
         if column.role in (quantity.role, "vertical"):
-            unit = _unit(quantity, name, column.unit or table.unit)
-            if unit_of(table.unit, quantity) not in (None, unit):
-                said = f"column {k} ({column.name}): its unit is {unit}, and {table.unit!r} in the header above"
-                raise ValueError(f"{name}: {said}; correct one of them")
+            unit = _unit_of_column(quantity, name, k, column, table.unit)
             samples = _samples(name, time, of_column, lines, unit)
             label = table.component * (width == 1) or column.name
             role = column.role if roles or column.role == "vertical" else ""
@@ -201,6 +198,15 @@ def _unit(quantity: Quantity, name: str, stated: str) -> str:
     unit = unit_of(stated, quantity) if stated else ""
     if unit is None:
         raise ValueError(f"{name}: its header says the unit {stated!r}: must be one of {quantity.choice}")
+    return unit
+
+
+def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, above: str) -> str:
+    """The unit of a column, which it states itself or the header above does."""
+    unit = _unit(quantity, name, column.unit or above)
+    if unit_of(above, quantity) not in (None, unit):
+        said = f"column {place} ({column.name}): its unit is {unit}, and {above!r} in the header above"
+        raise ValueError(f"{name}: {said}; correct one of them")
     return unit
 
 
