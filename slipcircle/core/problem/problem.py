@@ -77,6 +77,14 @@ class Problem:
                 cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
         return cells
 
+    def ending_first(self, which: Any) -> "Problem":
+        """Have lanes end at their first standstill (1), or not (0); return the problem itself."""
+        values = np.ravel(which)
+        value = float(values[0]) if self.lanes == 1 else values
+        self.start = {**self.start, "FIRST_ONLY": value}
+        vars(self).pop("_only_lane", None)
+        return self
+
     @cached_property
     def _only_lane(self) -> Floats:
         """The cells of a single lane at its start, a column."""
