@@ -129,11 +129,13 @@ def test_sections_and_records_are_copied() -> None:
 LAYERS: Any = load("layered-slope").arc
 BIG = 10**400
 BETWEEN: Any = Interval
+TEXT: Any = bytearray(b"1")
 ENSEMBLE: Any = ensemble
 NUMBERS: Any = parameters
 REFUSED: list[tuple[Callable[[], Any], str]] = [
     *((lambda x=x: backanalyse(SCENE, run_out=x), "run_out = .*: must be a number other than 0") for x in
       (True, b"12", "5", BIG, (5.0, BIG), BETWEEN(4.0, BIG), BETWEEN(True, 5.0), BETWEEN(b"4", 5.0))),
+    (lambda: replace(SCENE, friction=TEXT), "friction = bytearray.*: must be a friction coefficient"),
     (lambda: replace(LAYERS, layers=0.1), "layers: must be pairs of a Soil and its top"),
     (lambda: replace(LAYERS, surcharge=0.1), "surcharge = 0.1: must be a list"),
     (lambda: ENSEMBLE(SCENE, 8, rng=1, folder=1), "folder = 1: must be a path"),

@@ -272,6 +272,7 @@ def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, objec
             r"level: varies by 0\.4\d* m from x = 0 to 39\..* horizontal level there, or confined",
         ),
         ({"level": [(0, 20), (60, 20)], "confined": 1}, "confined = 1: must be True or False"),
+        ({"confined": True}, "confined: has no level; give the level"),
         ({"ponds": [(0, 20)]}, r"pond\.1 = \(0, 20\): must be x of its left"),
         ({"ponds": [(20, 25, 27)]}, r"pond\.1\.level: water at this level reaches from x = 0 to 34"),
         ({"ponds": [(0, 32, 27)]}, r"pond\.1\.level: .* to 34; extend the pond to both shores"),

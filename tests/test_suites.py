@@ -154,6 +154,7 @@ def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
         ("IT.ACC..HNZ.D.20161030.ASC", "IT.ACC.D.20161030", "Z", True),
         ("MYG0131103111446.EW", "MYG0131103111446", "EW", False),
         ("IBRH111103111446.UD2", "IBRH1111031114462", "UD", True),
+        ("Station.up", "Station", "UP", True),
         ("Kobe1995.txt", "Kobe1995", "", False),
     ],
 )

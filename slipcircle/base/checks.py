@@ -133,7 +133,8 @@ def array_of(value: Any) -> NDArray[Any]:
     """Return an input as an array; one of objects, which no check accepts, if a mask or a unit would be lost."""
     nothing = np.asarray(None)
     try:
-        array = nothing if loses_something(value) else np.asarray(value)
+        is_text = isinstance(value, bytearray)
+        array = nothing if is_text or loses_something(value) else np.asarray(value)
     except (ValueError, RuntimeError):  # ragged, or nested too deep
         return nothing
     if array.dtype.kind == "f":

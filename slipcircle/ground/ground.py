@@ -153,6 +153,8 @@ def _lines_errors(given: Values, many: bool) -> list[str]:
     confined = given["confined"]
     if not isinstance(confined, bool):
         errors.append(f"{{confined}} = {confined!r}: must be True or False")
+    elif confined and given["level"] is None:
+        errors.append("{confined}: has no {level}; give the level, or leave {confined} out")
     for k, pond in enumerate(given["ponds"], 1):
         errors += _pond_errors(k, pond)
     return errors

@@ -21,6 +21,10 @@ OBSERVABLE: Mapping[str, tuple[str, Callable[[Any], float]]] = {
     "peak_velocity_m_s": ("peak velocity, m/s", lambda motion: motion.peak.velocity),
     "duration_s": ("duration, s", lambda motion: motion.duration),
     "factor_of_safety": ("factor of safety", lambda motion: motion.factor_of_safety),
+    "ordinary_factor": (
+        "factor of safety, the ordinary method",
+        lambda motion: motion.plan.scene.stability.factor_of_safety["ordinary"],
+    ),
 }
 Row = tuple[str, str, float | None]  # a key, in words, what comes out
 
@@ -60,7 +64,7 @@ def computed(case: Mapping[str, Any]) -> tuple[list[Row], str]:
     except ValueError as error:
         says = str(error).replace(str(path), path.name).partition("\n")[0]
         return [(key, OBSERVABLE[key][0], None) for key in case["observed"]], says
-    says = "" if motion.status == Status.RESTS else f"{motion.status.words}: nothing holds it"
+    says = "" if motion.status in (Status.RESTS, Status.STAYS) else f"{motion.status.words}: nothing holds it"
     return [(key, OBSERVABLE[key][0], float(OBSERVABLE[key][1](motion))) for key in case["observed"]], says
 
 

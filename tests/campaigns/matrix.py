@@ -5,10 +5,12 @@ written, without a locale, in a path with spaces, with the oldest allowed versio
 versions on every Python here that the package allows, with every GCC and Clang here, and with the sanitizers of GCC.
 Cases with versions make environments of their own in a temporary folder, from the package index.
 
-Each case runs the tests that own the values of scenes, what the command line prints, and scene files; those of the
-documents where only the processor differs; those of the compiled code with other versions and compilers. Its line
-gives the outcome. Pythons and compilers that the machine's own packages lack can be installed in a newer Debian, in a
-folder made by `debootstrap` with this checkout mounted in it, where the same command finds them.
+Settings of the machine run the tests that own the values of scenes, what the command line prints, and scene files;
+where only the processor differs, also those of the documents. Other versions and compilers run the complete suite, or
+with ``--short`` the tests of the compiled code, of the numerics and of the types, in a few minutes. The sanitizers run
+those of the compiled code. The line of each case gives the outcome. Pythons and compilers that the machine's own
+packages lack can be installed in a newer Debian, in a folder made by `debootstrap` with this checkout mounted in it,
+where the same command finds them.
 """
 
 import argparse
@@ -20,6 +22,7 @@ import sys
 import tempfile
 import tomllib
 from collections.abc import Mapping, Sequence
+from datetime import date
 from pathlib import Path
 
 import numpy as np
@@ -28,10 +31,12 @@ ROOT = Path(__file__).parents[2]
 TESTED = ("accuracy", "ensemble_states", "scenefile", "cli", "records")
 PRINTED = ("golden", "notebooks", "readme")  # the same digits on every processor
 TESTS, DOCUMENTS = ([f"tests/test_{name}.py" for name in names] for names in (TESTED, PRINTED))
-COMPILED = [f"tests/test_{name}.py" for name in ("flow_compiled", "compiled", "walk", "golden", "creep")]
-TYPES = ["tests/test_house.py::test_mypy_is_silent"]
-SANITIZED = [*COMPILED[:1], "tests/test_compiled.py"]
-COPIED = ("derive", "generated", "slipcircle", "tests", "notebooks")
+SANITIZED = [f"tests/test_{name}.py" for name in ("flow_compiled", "compiled")]
+NUMERICS = ("flow_programs", "walk", "kernels", "golden", "creep", "accuracy", "ensemble_states")
+SHORT = [*SANITIZED, *(f"tests/test_{name}.py" for name in NUMERICS)]
+TYPES = "tests/test_house.py::test_mypy_is_silent"
+COMPLETE = ["--numprocesses=logical", "--maxprocesses=8", "--dist=worksteal"]  # as `./run test`
+NOT_COPIED = ("__pycache__", "*.so", ".git", ".venv", ".*_cache", "build", "dist")
 _UMATH = getattr(np, "_core")._multiarray_umath  # noqa: B009 (private, and without a type)
 _WIDE = [name for name in _UMATH.__cpu_dispatch__ if _UMATH.__cpu_features__[name]]
 PROCESSORS: dict[str, dict[str, str]] = {
@@ -47,13 +52,16 @@ SETTINGS: dict[str, dict[str, str]] = {
 OLDEST = "oldest versions"
 SPACES = "path with spaces"
 SANITIZERS = "sanitizers"
-EXTRAS = ("derive", "scenes", "plot", "dask", "dxf", "test")
-# The integrator under the sanitizers, with little optimisation: its straight-line programs take minutes otherwise.
+EXTRAS = ("derive", "scenes", "plot", "dask", "dxf", "test", "book")
+# The integrator under the sanitizers, without optimisation and at the baseline: one text makes all levels, but checked
+# wide vectors take more than ten minutes to compile.
 SANITIZE = """
 from pathlib import Path
 from derive import build
+for kind in ("avx512", "avx2"):
+    build.KINDS[kind] += ("-fno-sanitize=all",)
 for name in build.MODULES:
-    build.build(Path("generated").resolve(), ("-O1", *build.FLAGS[1:]), name)
+    build.build(Path("generated").resolve(), ("-O0", *build.FLAGS[1:]), name)
 """
 
 
@@ -81,10 +89,10 @@ def compilers() -> list[str]:
 
 
 def oldest_versions() -> list[str]:
-    """The lower bound of every dependency of the package and its extras as a pin, tools of the tests apart."""
+    """The lower bound of every dependency of the package and its extras as a pin, without tools of tests and book."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     optional = project["optional-dependencies"]
-    every = [*project["dependencies"], *(x for name in EXTRAS if name != "test" for x in optional[name])]
+    every = [*project["dependencies"], *(x for name in EXTRAS if name not in ("test", "book") for x in optional[name])]
     return sorted({x.replace(">=", "==") for x in every if ">=" in x})
 
 
@@ -100,12 +108,7 @@ def tested(folder: Path, python: Path | str, settings: Mapping[str, str], tests:
 
 def copied(folder: Path) -> Path:
     """A checkout without what is built."""
-    for name in COPIED:
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", ".*", "*.so"))
-    for path in ROOT.iterdir():
-        if path.is_file():
-            shutil.copy(path, folder)
-    return folder
+    return shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*NOT_COPIED))
 
 
 def environment(folder: Path, python: Path, pins: Sequence[str] = ()) -> Path:
@@ -119,8 +122,8 @@ def environment(folder: Path, python: Path, pins: Sequence[str] = ()) -> Path:
     return inside
 
 
-def compiled_by(folder: Path, compiler: str) -> tuple[bool, str]:
-    """Whether the tests of the compiled code pass with a compiler, and whose binaries they ran."""
+def compiled_by(folder: Path, compiler: str, tests: Sequence[str]) -> tuple[bool, str]:
+    """Whether tests pass with a compiler, and whose binaries they ran."""
     checkout = copied(folder / "checkout")
     settings = {"CC": compiler, "PYTHONPATH": str(checkout)}
     version = "from slipcircle.core.walk import compiled; print(compiled.module().COMPILER)"
@@ -129,7 +132,7 @@ def compiled_by(folder: Path, compiler: str) -> tuple[bool, str]:
                               text=True)  # fmt: skip
         if done.returncode or "NumPy serves" in done.stdout:
             return False, (done.stderr or done.stdout).strip()
-    passed, line = tested(checkout, sys.executable, settings, COMPILED)
+    passed, line = tested(checkout, sys.executable, settings, tests)
     return passed, f"{line}; {done.stdout.strip()}"
 
 
@@ -141,24 +144,26 @@ def sanitized(folder: Path) -> tuple[bool, str]:
         for name in ("asan", "ubsan")
     ]
     settings = {
-        "CC": "gcc -fsanitize=address,undefined -fno-sanitize-recover=undefined",
+        "CC": "env LD_PRELOAD= gcc -fsanitize=address,undefined -fno-sanitize-recover=undefined",
         "LD_PRELOAD": " ".join(libraries),
         "ASAN_OPTIONS": "detect_leaks=0",
         "PYTHONPATH": str(checkout),
+        "SLIPCIRCLE_COMPILED": "baseline",
     }
     subprocess.run([sys.executable, "-c", SANITIZE], cwd=checkout, env=os.environ | settings, check=True)
     return tested(checkout, sys.executable, settings, SANITIZED)
 
 
-def case(name: str, folder: Path) -> tuple[bool, str]:
-    """One case, in a temporary folder."""
+def case(name: str, folder: Path, short: bool = False) -> tuple[bool, str]:
+    """One case, in a temporary folder, with the complete suite or a selection where versions or compilers differ."""
+    selected = SHORT if short else COMPLETE
     if name in SETTINGS:
         tests = TESTS + DOCUMENTS if name in PROCESSORS else TESTS
         return tested(ROOT, sys.executable, SETTINGS[name], tests)
     if name == SANITIZERS:
         return sanitized(folder)
     if name in compilers():
-        return compiled_by(folder, name)
+        return compiled_by(folder, name, selected)
     if name == SPACES:
         checkout = copied(folder / "a path with späces")
         compiling = subprocess.run([sys.executable, "-m", "derive.build"], cwd=checkout, capture_output=True, text=True)
@@ -166,28 +171,31 @@ def case(name: str, folder: Path) -> tuple[bool, str]:
         return passed, f"{line}; {compiling.stdout.strip()}"
     checkout = copied(folder / "checkout")
     interpreters = pythons()
-    if name == OLDEST:
-        inside = environment(checkout, next(iter(interpreters.values())), oldest_versions())
-        return tested(checkout, inside, {}, TESTS + COMPILED)
-    return tested(checkout, environment(checkout, interpreters[name]), {}, TESTS + COMPILED + TYPES)
+    pins = oldest_versions() if name == OLDEST else ()
+    inside = environment(checkout, interpreters.get(name, next(iter(interpreters.values()))), pins)
+    settings = {"PATH": f"{inside.parent}{os.pathsep}{os.environ['PATH']}"}  # as of `./run`
+    return tested(checkout, inside, settings, [*SHORT, TYPES] if short and not pins else selected)
 
 
 def main() -> int:
     names = [*SETTINGS, SPACES, OLDEST, *pythons(), *compilers(), SANITIZERS]
     parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
     parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(names)}; default: all")
-    chosen = parser.parse_args().cases or names
+    parser.add_argument("--short", action="store_true", help="versions and compilers: a selection of the tests")
+    arguments = parser.parse_args()
+    chosen = arguments.cases or names
     if unknown := [name for name in chosen if name not in names]:
         parser.error(f"no case {', '.join(unknown)}; there are {', '.join(names)}")
     failed = 0
     for name in chosen:
         with tempfile.TemporaryDirectory() as folder:
             try:
-                passed, line = case(name, Path(folder))
+                passed, line = case(name, Path(folder), arguments.short)
             except subprocess.CalledProcessError as error:
                 passed, line = False, str(error)
         failed += not passed
-        print(f"{name}: {'passed' if passed else 'FAILED'}: {line}", flush=True)
+        outcome = "passed" if passed else "FAILED"
+        print(f"{date.today()} {name}: {outcome}: {line}", flush=True)
     return int(failed > 0)
 
 

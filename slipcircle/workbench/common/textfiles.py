@@ -19,6 +19,7 @@ _CELL = re.compile(rf"{NUMBER.pattern}|\d+[-/:]\d+[-/:T\d.Z+ ]*", re.ASCII | re.
 CLOCK = re.compile(r"\d+[-/:]\d+[-/:T\d.Z+ ]*", re.ASCII)
 _COMMAS = re.compile(r"(?=.*\d,\d)[-+\d.,eE]+(?:[;\t ]+[-+\d.,eE]+)*", re.ASCII)
 SEPARATORS = (";", "\t", ",", None)
+NUMBER_AND_STEP = re.compile(r"\s*(\d{1,15})[\s,;]+0?\.\d+\s*", re.ASCII)  # of samples, above them
 
 
 def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds: str) -> str:
@@ -77,7 +78,8 @@ def split(line: str, separator: str | None) -> list[str]:
 def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int]:
     """Return the number of lines above the first row of numbers, its separator, and its number of columns.
 
-    A row of numbers followed by two rows of another length, such as a date, belongs to the header.
+    A row of numbers followed by two rows of another length, such as a date, belongs to the header, and so does the
+    number of samples with their step.
     """
     rows: list[tuple[int, str | None, int]] = []
     for k, line in enumerate(map(without_comment, io.StringIO(text))):
@@ -90,7 +92,18 @@ def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int
     if not rows:
         raise ValueError(f"{name}: has no line of numbers; a record has a line of time and {quantity} for each sample")
     widths = [row[2] for row in rows]
-    return rows[1] if len(rows) == 3 and widths[1] == widths[2] != widths[0] else rows[0]
+    is_alone = widths[1:] == [rows[-1][2]] * 2 and widths[0] != widths[1]
+    return rows[1] if is_alone or (len(rows) == 3 and _is_count(text, rows[0][0])) else rows[0]
+
+
+def _is_count(text: str, line: int) -> bool:
+    """Whether a line is the number of the lines or numbers below it, and their step."""
+    *_, first, below = text.split("\n", line + 1)
+    stated = NUMBER_AND_STEP.fullmatch(first)
+    return stated is not None and int(stated[1]) in (
+        sum(map(bool, below.split("\n"))),
+        len(re.findall(r"[^\s,;]+", below)),
+    )
 
 
 def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:

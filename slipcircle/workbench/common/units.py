@@ -43,7 +43,7 @@ ACCELERATION = Quantity(
         "%g": "(?:%|percent|pct)g'?s?",
         "mg": "m(?:illi)?-?g'?s?",
         "mgal": "m(?:illi)?gals?",
-        "cm/s2": f"(?:cm|centimet(?:er|re)s?){_PER_S2}|gals?",
+        "cm/s2": f"(?:cm|centimet(?:er|re)s?){_PER_S2}|gal(?:e?s)?",
         "m/s2": f"(?:m|met(?:er|re)s?){_PER_S2}",
         "mm/s2": f"(?:mm|millimet(?:er|re)s?){_PER_S2}",
         "ft/s2": f"(?:ft|feet|foot){_PER_S2}",

@@ -8,13 +8,13 @@ from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, unit
 _SEED = "[bcehs][nlgh]"  # band and instrument of a channel code, followed by its orientation
 _VERTICAL = rf"[zvu]|(?:ud|up|du|dn|dwn|down|vert?|vrt)\d?|verti[ck]al\w*|updown|a(?:cc|ccel)?[zv]|{_SEED}z(?:\d\d)?"
 _HORIZONTAL = (
-    r"[newsxylt]|(?:ns|ew|sn|we|h|fn|fp)\d?|north\w*|east\w*|south|west|long\w*|trans?\w*|rad\w*|horiz\w*|"
+    r"[newsxylt]|(?:ns|ew|sn|we|h|fn|fp)\d?|north\w*|east\w*|south|west|long\w*|trans?\w*|rad(?:ial)?|horiz\w*|"
     rf"[ns]\d{{1,2}}[ew]|[0-2]\d\d|3[0-5]\d|360|\d{{1,3}}deg|{_SEED}[ne123rt](?:\d\d)?"
 )
 _NAMED = r"acc(?:el\w*)?|acel\w*|beschl\w*|ivme|a[xyhn]?|ae"
 _TIME = r"t|times?|timestamp|zeit|temps|tiempo|tempo|zaman|elapsed|s|secs?|seconds?"
 _COUNTER = r"index|idx|samples?(?:no|number|index)?|n|no|nr|num|number|i|k|row|points?|npts?|unnamed0"
-_SPECTRAL = r"freq\w*|frequenz|fréquence|frec\w*|f|hz|per[ií]od\w*|tn|omega"
+_SPECTRAL = r"freq\w*|frequenz|fréquence|frec\w*|f|hz|per[ií]od\w*|tn|omega|ω"
 _OTHER = r"p?s[adv]|spectr\w*|response|fourier|amplitude|arias|vel\w*|dis\w*|geschw\w*|temperature|depth"
 _OTHER_UNIT = r"(?:[mck]?m|in|ft|feet)(?:[/_ ]?s(?:ec)?|s-1)?|hz|k?pa|deg|counts?|v|mv|°c?"
 

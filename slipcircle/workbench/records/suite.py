@@ -57,7 +57,7 @@ class Place(NamedTuple):
 def place_of(name: str, component: str = "") -> Place:
     """Station and component by the name of a file without its folder, or by its header or column."""
     stem, dot, suffix = name.rpartition(".")
-    is_axis = suffix.upper().rstrip("12") in {"NS", "EW", "UD"}  # K-NET names components by the suffix
+    is_axis = re.fullmatch(f"(?:{_AXIS})[12]?", suffix, re.IGNORECASE)  # K-NET names components by the suffix
     plain = name if is_axis or not dot else stem
     named = _SEED.fullmatch(plain) or _NAMED.fullmatch(plain)
     if named is None:

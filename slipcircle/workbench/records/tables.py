@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from slipcircle.workbench.common.textfiles import NUMBER, SEPARATORS, first_row, split, without_comment
+from slipcircle.workbench.common.textfiles import NUMBER, NUMBER_AND_STEP, SEPARATORS, first_row, split, without_comment
 from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, period_of, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
 
@@ -69,7 +69,7 @@ def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
 def _columns(quantity: Quantity, above: list[str], separator: str | None, width: int) -> list[Column]:
     """The columns by the last line of the header that names them, and the units below it; empty if there is none."""
     units = [""] * width
-    if above and re.fullmatch(r"\s*\d+[\s,;]+0?\.\d+\s*", above[-1]):
+    if above and NUMBER_AND_STEP.fullmatch(above[-1]):
         why = f"is below {above[-1].strip()!r}, which resembles a number of samples and their step"
         return [Column("", "", quantity.role * (width == 1), why)] * width
     for line in reversed(above):

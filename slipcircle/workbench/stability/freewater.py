@@ -10,6 +10,8 @@ from slipcircle.workbench.stability.bases import Arcs
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.slices import Slices
 
+_ROUNDING = 1e-9  # over R: as near to the end of an arc, a shore is that end, as at an end of flooded ground
+
 
 def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
     """Moment of free water on the ground less that of the weight of the water displaced below the ground it covers.
@@ -21,8 +23,8 @@ def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
         return 0.0
     x, y = arcs.centre.T
     sines = (np.stack([ponds.first, ponds.last]) - x) / arcs.radius
-    after_first = sines > np.sin(arcs.first)
-    before_last = sines < np.sin(arcs.last)
+    after_first = sines > np.sin(arcs.first) + _ROUNDING
+    before_last = sines < np.sin(arcs.last) - _ROUNDING
     square = np.maximum(1.0 - sines**2, 0.0)
     cosine = np.sqrt(square)
     height = (ponds.level - y) / arcs.radius + cosine
