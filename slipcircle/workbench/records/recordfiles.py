@@ -204,9 +204,11 @@ def _unit(quantity: Quantity, name: str, stated: str) -> str:
 def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, above: str) -> str:
     """The unit of a column, which it states itself or the header above does."""
     unit = _unit(quantity, name, column.unit or above)
-    if unit_of(above, quantity) not in (None, unit):
-        said = f"column {place} ({column.name}): its unit is {unit}, and {above!r} in the header above"
-        raise ValueError(f"{name}: {said}; correct one of them")
+    other = unit_of(above, quantity)
+    if other and other != unit:
+        where = f"{name}: column {place} ({column.name})"
+        why = "correct one of them"
+        raise ValueError(f"{where}: its unit is {unit}, and {above!r} in the header above; {why}")
     return unit
 
 
