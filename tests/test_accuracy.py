@@ -5,6 +5,7 @@
 
 import hashlib
 import json
+import math
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -187,3 +188,16 @@ def test_a_callable_that_changes_too_sharply_is_refused() -> None:
     """Within 2^-40 of how far it was asked, nothing is told apart: the sentence names the place."""
     with pytest.raises(ValueError, match=r"^friction: the function changes too sharply near 0 to be followed"):
         solve(replace(load("vaiont"), friction=lambda slip: 0.18 + 0.23 * np.exp(-slip / 1e-12)))
+
+
+@pytest.mark.parametrize("name", ["vaiont", "layered-slope"])
+def test_an_end_time_next_to_the_duration_is_no_error(name: str) -> None:
+    """Some of the runs that estimate the error rest before it, others do not; at half of it all still move."""
+    shipped_scene = load(name)
+    motion = solve(shipped_scene)
+    for end_time in (motion.duration, math.nextafter(motion.duration, 0.0), motion.duration / 2):
+        ended = solve(replace(shipped_scene, end_time=end_time))
+        assert ended.error_estimate < 10 * motion.error_estimate
+    times: Any = np.array([motion.duration, 2 * motion.duration])
+    lanes = solve(replace(shipped_scene, end_time=times))
+    assert np.all(np.less(lanes.error_estimate, lanes.plan.accuracy))

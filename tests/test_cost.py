@@ -22,7 +22,6 @@ from slipcircle.workbench.cost.rows import Row
 from slipcircle.workbench.files.scenefile import shipped
 from tests.support import oracle, taylor
 from tests.support.outputs import QUICK, words_of
-from tests.support.rays import from_method
 
 SEEN = (1e-90, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
@@ -181,8 +180,6 @@ def odd_scenes() -> dict[str, Scene]:
 def test_rows_of_scenes(name: str) -> None:
     """A single scene is accurate to rounding, and cases keep to the accuracy, where they are accurate enough."""
     scene = load(name) if name in shipped() else odd_scenes()[name]
-    if name.endswith("-slope"):
-        scene = from_method(scene, "paper")  # so that errors are those of the motion at which the accuracy was set
     alone, *ensemble = scenes.of_scene(scene)
     if scene.shape:
         ensemble = [alone, *ensemble]

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from slipcircle import Scene, load, solve
+from slipcircle import Scene, Status, load, solve
 from slipcircle.tables import Pulse, Series
 
 ARC: Any = load("vaiont").arc
@@ -80,9 +80,20 @@ def test_pressurisation_that_removes_all_strength(heat: float) -> None:
         assert motion.run_out == pytest.approx(solve(Scene(ARC, 0.0, TURNING)).run_out, rel=1e-6)
 
 
-def test_swings_that_hardly_die_away_are_refused() -> None:
+@pytest.mark.parametrize("friction", [0.0, 1e-12, 1e-9])
+def test_swings_that_do_not_die_away_end_at_their_first_turning_point(friction: float) -> None:
+    """Without friction a pendulum, which turns at twice its dip; the integrator stops after 2,000 swings."""
+    lanes = solve(Scene(ARC, np.array([friction, 0.0]), TURNING))
+    alone = solve(Scene(ARC, friction, TURNING))
+    for motion in (alone, lanes[0]):
+        assert (motion.status, motion.turnings, motion.end.velocity) == (Status.MOVING, 0, 0.0)
+        assert motion.run_out == motion.end.displacement == pytest.approx(2 * ARC.radius * ARC.dip, rel=1e-8)
+    assert alone.error_estimate < 1e-12
     with pytest.raises(ValueError, match=r"turns back \d{4} times or more without coming to rest; give an earlier end"):
-        solve(Scene(ARC, 1e-9, TURNING))
+        solve(Scene(ARC, 1e-9, TURNING, end_time=1e6))
+
+
+def test_vanishing_friction_is_followed_to_its_end_time() -> None:
     vanishing = RATE | {"residual": 0.0, "velocity": 1e-9}
     motion = solve(Scene(ARC, vanishing, TURNING, end_time=300.0))  # asked for so much only, it is followed
     sense = np.sign(motion.at(np.linspace(0.1, 300.0, 3001)).velocity)

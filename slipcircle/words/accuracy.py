@@ -142,10 +142,10 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     status, phases, end_times, rests, run_outs, peaks = cells.take(COMPARED, axis=0).tolist()
     moves = final[ix.PHASES] > 0.0
     move_alike = min(phases) > 0.0 if moves else max(phases) == 0.0
-    end_alike = status.count(final[ix.STATUS]) == RUNS
-    if not (end_alike and move_alike):
+    if not (_end_alike(status, final) and move_alike):
         return 1.0, True
-    durations = end_times if _ends_in_time(final) else rests
+    in_time = [code == ix.ENDED and final[ix.TIME] < np.inf for code in status]
+    durations = np.where(in_time, end_times, rests).tolist()
     rows = durations, run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
@@ -159,11 +159,21 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:
     """Whether runs end with another status than the motion, or move where it does not."""
-    status = final[ix.STATUS]
-    other_status = cells[ix.STATUS] != status
+    other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
     moves = cells[ix.PHASES] > 0.0
     phases = final[ix.PHASES]
     return other_status | (moves != (phases > 0.0))
+
+
+def _end_alike(status: list[float], final: Final) -> bool:
+    """Return whether all runs end as the motion does."""
+    return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
+
+
+def _ending(status: Any) -> Any:
+    """Return statuses with one code for lanes at rest and at their end time, whose durations are compared instead."""
+    is_answer = (status >= ix.ARRESTED) & (status <= ix.ENDED)
+    return choose(is_answer, float(ix.ENDED), status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:

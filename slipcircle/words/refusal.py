@@ -12,6 +12,8 @@ from slipcircle.core.scene.effects import rotates
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
+_REMEDIES = {"friction": "less friction", "drag": "a greater xi", "viscosity": "a lower viscosity"}
+
 
 def refusal(motion: Any) -> InputError:
     """Why a single scene has no result, and what to change."""
@@ -32,10 +34,7 @@ def refusal(motion: Any) -> InputError:
     elif not turns and (status == Status.ENDLESS or overflows):
         why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
     elif few_turnings and motion.brake > STRONGEST:
-        why = (
-            f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
-            f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
-        )
+        why = _too_strong(motion)
     elif few_turnings:
         why = (
             "{end_time}: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or "
@@ -45,5 +44,17 @@ def refusal(motion: Any) -> InputError:
         times = min(motion.turnings, MOST_TURNS)
         why = f"{end_time}: this mass turns back {times} times or more without coming to rest; give an earlier end in s"
     else:
-        why = f"{velocity}, {end_time}: the motion overflows; give a lower velocity or an earlier end"
+        growing = "the motion or a state of its effects" if len(motion.plan.program.states) > 2 else "the motion"
+        lower = "a lower velocity or " if speed else ""
+        why = f"{velocity}, {end_time}: {growing} overflows; give {lower}an earlier end"
     return InputError("", [why])
+
+
+def _too_strong(motion: Any) -> str:
+    """Return the message about brakes that are too strong: the numbers of the scene that brake, and remedies."""
+    brakes = [name for name in _REMEDIES if name in ("friction", *motion.plan.recipe.effects)]
+    remedies = " or ".join(_REMEDIES[name] for name in brakes)
+    return (
+        f"{', '.join(brakes)}: too strong a brake to be followed: the speed falls by e in 1/q of a radian, q = "
+        f"{motion.brake:.2g}, at most {STRONGEST:.0e} can be; give {remedies}"
+    )

@@ -88,7 +88,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def problem(self) -> Problem:
-        return problem_of(self.plan, self.invalid)
+        return problem_of(self.plan, self.invalid).ending_first(self._final[ix.FIRST_ONLY])
 
     def _shaped(self, values: Any) -> Any:
         """One number of each lane in the scene's shape; of a single scene a Python number."""

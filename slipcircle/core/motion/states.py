@@ -27,14 +27,15 @@ class Status(IntEnum):
 
     RESTS = 0, "comes to rest"  #: it moved, and came to rest without turning back
     STAYS = 1, "does not move"  #: it does not move
-    #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    #: it still moves at its end time. Without an end time: friction is 0 or too small to stop it within 2,000 swings,
+    #: and it swings on; duration, end and run-out are those of its first turning point
     MOVING = 2, "still moving"
     TURNED = 3, "comes to rest after turning back"  #: it turned back at least once, and came to rest
     #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
     CREEPS = 4, "creeps to its equilibrium"
     #: no result: the chord stands upright and the mass would hang over
     UPRIGHT = 5, "turns over", "the chord is vertical, and the mass would overhang"
-    #: no result: it never rests, or turns back too often
+    #: no result: it never rests, or turns back more than 2,000 times before its end time
     ENDLESS = 6, "never rests", "it never rests, or turns back too often"
     FAILED = 7, "overflow", "overflow"  #: no result: overflow
     #: its numbers are no scene

@@ -77,6 +77,14 @@ class Problem:
                 cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
         return cells
 
+    def ending_first(self, which: Any) -> "Problem":
+        """Have lanes end at their first standstill (1), or not (0); return the problem itself."""
+        values = np.ravel(which)
+        value = float(values[0]) if self.lanes == 1 else values
+        self.start = {**self.start, "FIRST_ONLY": value}
+        vars(self).pop("_only_lane", None)
+        return self
+
     @cached_property
     def _only_lane(self) -> Floats:
         """The cells of a single lane at its start, a column."""
@@ -119,7 +127,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
         failed = np.logical_or(invalid, is_unknown)
         numbers.start["STATUS"] = plain(np.where(failed, float(ix.FAILED), 0.0))
     start = _flat(numbers.start, scene.shape)
-    start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes)
+    start["ORDER"], start["FACTOR"] = order_and_step(plan.accuracy, lanes, "shaking" in scene.effects)
     start["ONE_WAY"] = _one_way(scene.called.get("shaking", {}))
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
@@ -141,14 +149,15 @@ def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=256)
-def order_and_step(accuracy: float, lanes: int) -> tuple[int, float]:
+def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[int, float]:
     """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence.
 
     Single scenes are solved to rounding.
     """
     attainable = max(accuracy if lanes > 1 else min(accuracy, FINEST), 1e-16)
     step = STEP if attainable > FINEST else STEP_TO_ROUNDING
-    terms = math.ceil(3.0 + math.log(attainable) / math.log(step))
+    margin = 4.0 if shaken and attainable > FINEST else 3.0  # displacements of shaken masses are small sums of steps
+    terms = math.ceil(margin + math.log(attainable) / math.log(step))
     return max(terms, LOWEST), step
 
 

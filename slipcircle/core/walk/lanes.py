@@ -47,11 +47,24 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         status = cells[ix.STATUS]
         if not status.size or status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
             return cells
+        if begin is None and _stop_swinging(problem, cells):
+            continue
         _go_on(problem, cells, samples, log)
         if not np.any(cells[ix.STATUS] == ix.NEED):
             return cells
         # One lane finds how far a Python function is needed; then all start again with the whole table.
         room("functions").extend_to_end(problem, cells, engine().integrate)
+
+
+def _stop_swinging(problem: Problem, cells: Floats) -> bool:
+    """Have lanes that turned back too often end at their first standstill; return whether there are any."""
+    turns_on = cells[ix.TURNS] > ix.MOST_TURNS
+    ends = np.isfinite(cells[ix.END_TIME])
+    swings = turns_on & ~ends & (cells[ix.STATUS] == ix.TOO_LONG)
+    if not swings.any():
+        return False
+    problem.ending_first(np.where(swings, 1.0, cells[ix.FIRST_ONLY]))
+    return True
 
 
 def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
