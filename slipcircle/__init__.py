@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
     from slipcircle.workbench.common.quantities import Interval
+    from slipcircle.workbench.files.loaded import SlopeScene
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
@@ -72,6 +73,7 @@ _PLACES = {
     "layers": "LayeredSection Soil",
     "tables": "Pulse Series",
     "workbench.common.quantities": "Interval",
+    "workbench.files.loaded": "SlopeScene",
     "workbench.files.scenefile": "load",
     "workbench.records.records": "Record",
     "workbench.records.suite": "Suite read_suite",
@@ -100,6 +102,7 @@ __all__ = [
     "Section",
     "Series",
     "Slope",
+    "SlopeScene",
     "Soil",
     "State",
     "Status",

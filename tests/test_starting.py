@@ -183,6 +183,19 @@ def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
     assert Scene(scene.arc, 0.3).strength_factor == 1.0
 
 
+def test_a_scene_of_a_search_in_python_is_that_of_its_file(file: Any) -> None:
+    text = LODALEN.replace("[rotation]\n[centripetal]\n", "[rotation]\n").replace('"bishop"', '"{}"')
+    for method in ("bishop", "paper", "k_y"):
+        read: Any = load(file(text.format(method)))
+        made: Any = SlopeScene.of(read.stability, {"rotation": {}})
+        close(made, read)
+        assert solve(made).run_out == solve(read).run_out
+    till = [(slipcircle.Soil(19e3, 3e3, 0.3, name="till"), None)]
+    layered: Any = slipcircle.critical(slipcircle.Slope([[0, 0], [20, 0], [40, 10], [90, 10]], layers=till))
+    motion = solve(SlopeScene.of(layered, {"rotation": {}}))
+    assert motion.factor_of_safety == pytest.approx(layered.factor_of_safety["bishop"], rel=1e-12)
+
+
 def test_a_start_without_a_result_is_a_sentence_or_a_status(file: Any) -> None:
     """Bishop's method refuses a circle whose toe rises steeply, under a pore pressure that leaves little strength."""
     dry = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n[pore_pressure]\nratio = {}\n"

@@ -110,7 +110,7 @@ def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
     """The separator and number of columns of a line of numbers, some of which may be times of day; else empty."""
     for separator in SEPARATORS:
         fields = split(line, separator)
-        filled = "\n".join(fields).rstrip("\n").split("\n")
+        filled = list(filter(None, fields))
         numbers = [field for field in filled if NUMBER.fullmatch(field)]
         if separator in (None, *line) and numbers and all(map(_CELL.fullmatch, filled)):
             return [(k, separator, len(fields))]

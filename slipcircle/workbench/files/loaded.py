@@ -12,7 +12,10 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers, cached_property
 from slipcircle.core import AS_ENTERED, Motion, Scene, room
+from slipcircle.ground import Section
+from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.numbers import by_name
+from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.stability.starting import OF_CLOSURE, at_rest_by, residual_by, strength_factor, yield_by
 
 if TYPE_CHECKING:
@@ -45,6 +48,29 @@ class SlopeScene(Scene[Numbers]):
     remarks: tuple[str, ...] = ()
     start: str = OF_CLOSURE
     set_by_start: Any = AS_ENTERED
+
+    @classmethod
+    def of(cls, found: Critical, effects: Mapping[str, Any], friction: Any = None, **fields: Any) -> SlopeScene[Any]:
+        """Return the motion along a circle of `critical`, which starts from the factor by the method of the search.
+
+        Ground, water, soils, cohesion and pore pressure are those of the slope, and so is friction unless it is given.
+        """
+        slope = found.slope
+        names = ("ground", "level", "water_unit_weight", "base", "confined", "ponds")
+        common: dict[str, Any] = {name: getattr(slope, name) for name in names}
+        common |= {"centre": found.centre, "radius": found.radius, "between": found.between}
+        start = found.method if found.method in METHODS else "bishop"
+        fields |= {"start": start, "stability": found.without_map()}
+        if slope.layers:
+            arc: Section = LayeredSection(**common, layers=slope.layers, surcharge=slope.surcharge, crack=slope.crack)
+            return cls(arc, effects=effects, **fields)
+        water = {"ratio": slope.pore_ratio, "pressure": slope.pressure}
+        given = {name: value for name, value in water.items() if value}
+        own = {"cohesion": {"cohesion": slope.cohesion}} if slope.cohesion else {}
+        own |= {"pore_pressure": given} if given else {}
+        arc = Section(**common, unit_weight=float(slope.unit_weight or 0.0))
+        law = slope.friction if friction is None else friction
+        return cls(arc, law, own | dict(effects), **fields)
 
     def __post_init__(self) -> None:
         if self.strength_factor is self.set_by_start:

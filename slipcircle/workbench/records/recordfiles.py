@@ -160,7 +160,7 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     found = []
     for k, (column, of_column) in enumerate(zip(columns, cells, strict=True), 1):
         if column.role in (quantity.role, "vertical"):
-            unit = _unit(quantity, name, column.unit or table.unit)
+            unit = _unit_of_column(quantity, name, k, column, table.unit)
             samples = _samples(name, time, of_column, lines, unit)
             label = table.component * (width == 1) or column.name
             role = column.role if roles or column.role == "vertical" else ""
@@ -198,6 +198,17 @@ def _unit(quantity: Quantity, name: str, stated: str) -> str:
     unit = unit_of(stated, quantity) if stated else ""
     if unit is None:
         raise ValueError(f"{name}: its header says the unit {stated!r}: must be one of {quantity.choice}")
+    return unit
+
+
+def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, above: str) -> str:
+    """The unit of a column, which it states itself or the header above does."""
+    unit = _unit(quantity, name, column.unit or above)
+    other = unit_of(above, quantity)
+    if other and other != unit:
+        where = f"{name}: column {place} ({column.name})"
+        why = "correct one of them"
+        raise ValueError(f"{where}: its unit is {unit}, and {above!r} in the header above; {why}")
     return unit
 
 
