@@ -2,6 +2,8 @@
 
 import math
 from dataclasses import replace
+from itertools import count
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,6 +14,7 @@ from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, s
 from slipcircle.workbench.common.quantities import summary
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
+from slipcircle.workbench.studies.roots import solve_exact
 from tests.campaigns.round_trips import outcome
 
 VAIONT = load("vaiont")
@@ -41,6 +44,7 @@ def test_what_moved_the_mass_is_found_again(name: str, output: str, field: str, 
     ("scene", "number", "observed", "how"),
     [("layered-slope", "soils.clay.cohesion", "run_out", "found"),
      ("layered-slope", "layers.2.top", "duration", "found"),
+     ("weak-toe", "ground.3.x", "run_out", "without effect"), ("weak-toe", "layers.4.top", "run_out", "without effect"),
      ("layered-slope", "ground.3.x", "run_out", "without effect"), ("vaiont", "gravity", "run_out", "without effect"),
      ("vaiont", "radius", "peak_velocity", "found")],
 )  # fmt: skip
@@ -320,3 +324,18 @@ def test_the_command_says_which_intervals_are_met(said: Any, records: Any) -> No
         assert text in out
     (record,) = records(argv)
     assert record["intervals"] == {"run_out": [300.0, 450.0], "peak_velocity": [20.0, 30.0], "duration": [0.0, 45.0]}
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-12])
+@pytest.mark.parametrize("first", [0.0, 1.0])
+def test_roots_of_outcomes_with_rounding(noise: float, first: float) -> None:
+    """Outcomes that fall through 1 at x = 1, or from it at an end of the range, and change with the lanes beside."""
+    calls = count()
+
+    def outcomes(values: Any) -> Any:
+        error = noise * (-1.0) ** next(calls) if first == 0.0 else -1e-15
+        return 2.0 - values + error, np.zeros(values.shape[1], dtype=int)
+
+    problem: Any = SimpleNamespace(targets=[1.0], ranges=[np.linspace(first, 2.0, 8)], outcomes=outcomes)
+    (root,) = solve_exact(problem)
+    assert root == pytest.approx(1.0, abs=2e-12)

@@ -277,9 +277,9 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     about = np.linspace(-1.0, 1.0, 401)
     if name in ("theta_1", "theta_2"):
         return value + np.pi * about
-    if name in lengths(arc):
+    if name in lengths(arc) or name.endswith(".top"):
         return value + radius * about
-    return (abs(value) or 1.0) * np.geomspace(1e-3, 1e3, 121)
+    return (value or 1.0) * np.geomspace(1e-3, 1e3, 121)
 
 
 def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:

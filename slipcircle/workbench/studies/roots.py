@@ -1,6 +1,7 @@
 """Back-analysis of one number from one observation: all roots over its range, many candidates at once."""
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ _PARTS = 16  # into which a bracket is divided: each round gains four bits
 _ROUNDS = 16
 _STEEP = 30.0  # per cent that an outcome may change with a per cent of the number, where the motion changes its kind
 _ROUNDING = 64 * EPS  # relative: by which outcomes of one number differ with the lanes beside it
+_WIDE, _FLAT = 1e-6, 1e-12  # relative: brackets so wide with misfits so small are not divided; the number has no effect
 _TOLERANCE = 1e-9  # relative: a jump over what was observed misses it by more
 
 Places = tuple[Integers, Integers]
@@ -29,31 +31,34 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     target = float(problem.targets[0])
     rows = problem.ranges[0][None, :]
     fine: list[Floats] = []
-    at_ends: tuple[Floats, Floats] | None = None
+    at_ends: Any = None
     for _ in range(_ROUNDS):
         outcomes, kind = problem.outcomes(rows.reshape(1, -1))
         misfit = outcomes.reshape(rows.shape) - target
         if at_ends is not None:
             misfit[:, 0], misfit[:, -1] = at_ends
         first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
-        is_met = np.abs(misfit) <= _ROUNDING * abs(target)
+        size = np.abs(misfit)
+        is_met = size <= _ROUNDING * abs(target)
         fine.append(rows[is_met])
         left = rows[first]
         right = rows[last]
-        is_fine = _neighbours(left, right) | (is_met[first] & is_met[last])
+        is_level = np.maximum(size[first], size[last]) <= _FLAT * abs(target)
+        is_flat = is_level & _apart(left, right, _WIDE)
+        is_fine = is_flat | (is_met[first] & is_met[last]) | ~_apart(left, right, 4 * EPS)
         fine += [left[is_fine], right[is_fine]]
-        rough = ~is_fine
-        if not rough.any():
+        if is_fine.all():
             break
+        rough = ~is_fine
         at_ends = misfit[first][rough], misfit[last][rough]
         rows = _divided(left[rough], right[rough])
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
 
 
-def _neighbours(left: Floats, right: Floats) -> NDArray[np.bool_]:
-    """Return whether the ends of brackets differ by rounding only."""
+def _apart(left: Floats, right: Floats, least: float) -> NDArray[np.bool_]:
+    """Return whether the ends of brackets differ by more than a share of them."""
     magnitude = np.maximum(np.abs(left), np.abs(right))
-    return right - left <= 4 * EPS * magnitude
+    return right - left > least * magnitude
 
 
 def _divided(left: Floats, right: Floats) -> Floats:
