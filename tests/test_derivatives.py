@@ -168,7 +168,7 @@ HARD: dict[str, tuple[Any, ...]] = {
     "half disc": (hard(math.pi - 1e-9), ALL, 32, 2e-6),
     "limit-3": (hard(share=1.0 - 1e-3), ALL, 42),
     "limit-9": (hard(share=1.0 - 1e-9), ALL, 42, 5e-5, ENDS),
-    "no friction": (hard(share=0.0), ALL, 32, 1e-7, ["friction"]),
+    "no friction": (hard(share=0.0), ALL, 32),
     "many swings": (hard(share=0.06), ("friction", "theta_1"), 32),
     "weak brake": (hard(drag={"xi": 1e9}), ALL, 32),
     "strong brake": (hard(drag={"xi": 0.1}), ("friction", "drag.xi"), 32),

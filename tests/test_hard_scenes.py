@@ -133,7 +133,7 @@ CASES: dict[str, Hard] = {
         SLOPE, softening("hyperbolic", 0.3, 0.2, 0.001), {"centripetal": {}}, end=1e9, tolerance=1e-9),
     "swings for thirty years": Hard("25 million swings; naively does them all", SLOPE, 0.0, end=1e9, says="end_time"),
     "swings until worn out": Hard("millions of swings until friction has won; naively does them all",
-        SLOPE, 1e-07, says="end_time"),
+        SLOPE, 1e-07, end=1e9, says="end_time"),
     "floats": Hard("water carries it wherever it goes: it never rests; naively swings for ever",
         SLOPE, 0.5, {"rotation": {}, "pore_pressure": {"pressure": 1e9}}),
     "thrown over": Hard("the chord would stand upright; naively a negative normal stress",
