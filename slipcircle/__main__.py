@@ -1,7 +1,7 @@
 """Command line: `slipcircle run SCENE...`, `plan`, `sweep`, ..., also as `python -m slipcircle`.
 
-The commands are modules of `slipcircle.workbench.commands`; here they are found, run and their answers printed.
-Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
+The commands are modules of `slipcircle.workbench.commands`. This module runs them and prints their answers. Results are
+printed to stdout, messages to stderr. `EPILOG` lists the exit statuses.
 """
 
 import argparse
@@ -75,8 +75,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
-    threads."""
+    """Run the shell command.
+
+    It announces long computations and, if interrupted, does not wait for computing threads.
+    """
     computing = say_later(SILENT)
     finish()
     status = main()
@@ -87,7 +89,7 @@ def command() -> None:
 
 
 def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
-    """Parser of the called command, or of all if none is; only these are imported."""
+    """Return the parser of the called command, or of all commands if none is called. Only these are imported."""
     names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
     parser = argparse.ArgumentParser(
         "slipcircle",
@@ -131,7 +133,7 @@ def _print(answer: Answer, as_json: bool) -> None:
 
 
 def _report_output_error(error: OSError) -> None:
-    """Report which output failed; nothing for a closed pipe, as with `| head`."""
+    """Report which output failed. A closed pipe, as after `| head`, is not reported."""
     if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
     if not isinstance(error, BrokenPipeError):

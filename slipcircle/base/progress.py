@@ -1,4 +1,4 @@
-"""How much of long work is done, on stderr: a bar on a terminal with rich, else a line on it, or lines now and then."""
+"""Progress of long computations on stderr: a bar with rich on a terminal, otherwise a line now and then."""
 
 import sys
 import time
@@ -9,26 +9,28 @@ from threading import Timer
 from typing import IO, Any, ClassVar, Self, TypeVar
 
 T = TypeVar("T")
-_SOON = 1.0, 10.0  # s, before `counted` work shows anything on a terminal, elsewhere
-_OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first line elsewhere, ever more for the next
+_SOON = 1.0, 10.0  # s before the first output of `counted` on a terminal, and elsewhere
+_OFTEN, _SELDOM = 0.2, 2.0  # s between updates on a terminal; elsewhere initially, doubled after each line
 _CLEAR = "\r\x1b[K"  # the line of a terminal
 
 
 def is_terminal(stream: Any) -> bool:
-    """Return whether a stream is a terminal; it may be closed, or unable to tell."""
+    """Return whether a stream is a terminal. Streams that are closed or that cannot tell are not."""
     return bool(getattr(stream, "isatty", bool)())
 
 
 class Progress:
-    """Things done of a total, their rate and the time left; of several at work, one within the other, the outermost.
+    """Progress report with the finished and the total number of items, the rate and the time left.
+
+    Nested reports are silent.
 
     Parameters
     ----------
     total : int
     things : str
-        What is counted, in the plural.
+        Name of the items in the plural.
     stream : text stream, optional
-        By default stderr.
+        Output, by default stderr.
     """
 
     running: ClassVar[int] = 0
@@ -56,7 +58,7 @@ class Progress:
             print(_CLEAR, end="", file=self.stream, flush=True)
 
     def __call__(self, count: int = 1, kept: int = 0) -> None:
-        """Count what is done, of which so much was kept by an earlier run."""
+        """Add finished items to the count, ``kept`` of them from an earlier run."""
         self.done += count
         self.kept += kept
         now = time.monotonic()
@@ -73,7 +75,7 @@ class Progress:
             print(f"{_CLEAR}{self.text()}", end="", file=self.stream, flush=True)
 
     def text(self) -> str:
-        """How much is done, how fast, and the time left."""
+        """Return the progress, the rate and the time left as text."""
         seconds = time.monotonic() - self.start
         rate = (self.done - self.kept) / max(seconds, 1e-9)
         if not rate:
@@ -99,14 +101,14 @@ class Progress:
 
 
 def counted(total: int, things: str) -> Progress:
-    """Progress of which nothing is shown if the work is done soon."""
+    """Return a progress report that stays silent if the work finishes soon."""
     progress = Progress(total, things)
     progress.shown += _SOON[not progress.is_terminal]
     return progress
 
 
 def track(items: Collection[T], things: str) -> Iterator[T]:
-    """The items one by one, `counted` as they are done; of a single one its parts are counted."""
+    """Yield the items and report progress. A single item reports its own parts."""
     if len(items) < 2:
         yield from items
         return
@@ -117,7 +119,7 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
 
 
 def say_later(seconds: float) -> Timer:
-    """Say that work goes on if nothing counts it until then; the timer may be cancelled."""
+    """Start a timer that announces a computation without progress report. The caller may cancel it."""
     timer = Timer(seconds, _say_computing)
     timer.daemon = True
     timer.start()
