@@ -21,7 +21,7 @@ _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
 
 class Message(str):
-    """Sentence about input in which ``{name}`` marks an argument, so that a file reader can show its own key instead.
+    """Sentence about input in which ``{name}`` marks an argument, so that a file reader can show its own key.
 
     For ``{~path.name}`` only the last part is shown, if the path is already given.
     """
@@ -40,7 +40,7 @@ class Message(str):
         return _worded(self.template, name_of)
 
     def within(self, path: str) -> "Message":
-        """Return the sentence for arguments nested in ``path``, such as a table or an effect.
+        """Return the sentence for arguments nested in ``path``. The first argument is shown with its full path.
 
         The first argument is shown with its full path.
         """
@@ -72,7 +72,7 @@ def _worded(template: str, name_of: Callable[[str], str]) -> str:
 
 
 class InputError(ValueError):
-    """Error about invalid input, with one `Message` per mistake. Its text names arguments as in Python."""
+    """Error about invalid input with one `Message` per mistake. Its text names arguments as in Python."""
 
     def __init__(self, what: str, messages: Iterable[str]) -> None:
         self.what = what
@@ -136,10 +136,7 @@ def loses_something(value: Any) -> bool:
 
 
 def array_of(value: Any) -> NDArray[Any]:
-    """Return an input as an array.
-
-    If the conversion would lose a mask or a unit, the result is an object array, which every check rejects.
-    """
+    """Return an input as an array, an array of objects (which every check rejects) if a mask or unit would be lost."""
     nothing = np.asarray(None)
     try:
         is_text = isinstance(value, bytearray)
@@ -250,15 +247,12 @@ def shown(value: Any) -> str:
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
-    """Return a message for each field that is not a finite real number within its open bounds.
-
-    A field named in ``one`` must be a single number.
-    """
+    """Return a message for each field that is not a finite number in its bounds, or an array although in ``one``."""
     sentences: list[str] = []
     for name, allowed in bounds.items():
         value: Any = fields[name]
         lower, upper, _ = allowed
-        plausible = type(value) is float and lower < value < upper  # most are; arrays take twenty times as long
+        plausible = type(value) is float and lower < value < upper  # the usual case; arrays take twenty times as long
         if not plausible:
             sentences += map(Message, _number_mistakes(name, value, allowed, name in one))
     return sentences

@@ -1,9 +1,9 @@
-"""The core: a mass that slides along a circular arc, from its scene to its motion.
+"""Core: motion of a mass that slides along a circular arc, from its scene to the result.
 
     Scene -> Plan -> Problem -> Motion
 
-The names listed here are public: all that the workbench, or any program built on the core, needs. What only some scenes
-need stands in rooms beside it, which `slipcircle.core.doors` lists.
+The names listed here are public and sufficient for the workbench and other programs built on the core. Modules that
+only some scenes need are imported lazily. `slipcircle.core.doors` lists them.
 """
 
 from slipcircle.core.doors import room

@@ -1,4 +1,4 @@
-"""The one table of what the core may reach beyond itself: rooms, loaded when a scene or a question asks for them."""
+"""Table of the modules outside the core that only some scenes or results need, imported at their first use."""
 
 from functools import cache
 from importlib import import_module
@@ -6,41 +6,41 @@ from typing import Any, NamedTuple
 
 
 class Door(NamedTuple):
-    """When a room is entered, and the module that answers there."""
+    """Condition under which a module is imported, and the name of the module."""
 
     condition: str
     module: str
 
 
 DOORS = {
-    "given": Door("coefficients are given in place of computed ones", "slipcircle.given"),
-    "arc": Door("an arc is no mass that can slide", "slipcircle.words.arc"),
-    "history": Door("states, forces, stresses or energy are asked for", "slipcircle.history.history"),
-    "journey": Door("where a rotation brings the mass is asked for", "slipcircle.history.journey"),
-    "validity": Door("whether the method applies is asked for", "slipcircle.history.validity"),
-    "toe": Door("how far the toe of a section may rise is asked for", "slipcircle.ground.toe"),
-    "forcing": Door("shaking, or water that changes with time", "slipcircle.tables.forcing"),
-    "tables": Door("a function of time, or a law in pieces or by a list", "slipcircle.tables.tables"),
-    "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),
+    "given": Door("tabulated coefficients replace the computed ones", "slipcircle.given"),
+    "arc": Door("an arc is invalid", "slipcircle.words.arc"),
+    "history": Door("states, forces, stresses or energy are requested", "slipcircle.history.history"),
+    "journey": Door("the displacement of toe or centroid is requested", "slipcircle.history.journey"),
+    "validity": Door("the range of validity is requested", "slipcircle.history.validity"),
+    "toe": Door("the range of validity of a section is requested", "slipcircle.ground.toe"),
+    "forcing": Door("shaking, or pore pressure that changes with time", "slipcircle.tables.forcing"),
+    "tables": Door("a function of time, or a piecewise or tabulated law", "slipcircle.tables.tables"),
+    "functions": Door("friction is a Python function of slip", "slipcircle.tables.functions"),
     "soils": Door("soils have friction laws of their own", "slipcircle.layers.fragments"),
     "water": Door("a section has a water level", "slipcircle.ground.water"),
     "standing": Door("free water covers the exit of a section", "slipcircle.layers.standing"),
-    "creep": Door("a viscous layer and no end time, or the slow run-out is asked for", "slipcircle.stiff.creep"),
-    "stiff": Door("explicit steps were too many", "slipcircle.stiff.implicit"),
-    "plan": Door("a plan is asked for its words", "slipcircle.words.choice"),
-    "equation": Door("the equation of a scene is asked for", "slipcircle.words.equation"),
-    "estimate": Door("the error of a motion is asked for", "slipcircle.words.accuracy"),
-    "warnings": Door("the warnings of a motion are asked for", "slipcircle.words.warnings"),
+    "creep": Door("a viscous layer without end time, or the slow run-out is requested", "slipcircle.stiff.creep"),
+    "stiff": Door("explicit steps are too many", "slipcircle.stiff.implicit"),
+    "plan": Door("the description of a plan is requested", "slipcircle.words.choice"),
+    "equation": Door("the equation of motion is requested", "slipcircle.words.equation"),
+    "estimate": Door("the error estimate is requested", "slipcircle.words.accuracy"),
+    "warnings": Door("warnings are requested", "slipcircle.words.warnings"),
     "plausible": Door("a scene has an unusual number", "slipcircle.words.plausible"),
-    "summary": Door("a motion in one line is asked for", "slipcircle.words.summary"),
+    "summary": Door("the one-line summary is requested", "slipcircle.words.summary"),
     "refusal": Door("a single scene has no result", "slipcircle.words.refusal"),
-    "velocity": Door("velocity classes are asked for", "slipcircle.words.velocity"),
-    "parameters": Door("lanes of an ensemble are chosen", "slipcircle.derivatives.parameters"),
-    "sensitivity": Door("derivatives are asked for", "slipcircle.derivatives.sensitivity"),
+    "velocity": Door("velocity classes are requested", "slipcircle.words.velocity"),
+    "parameters": Door("lanes of an ensemble are selected", "slipcircle.derivatives.parameters"),
+    "sensitivity": Door("derivatives are requested", "slipcircle.derivatives.sensitivity"),
 }
 
 
 @cache
 def room(name: str) -> Any:
-    """The module behind a door, imported on its first use."""
+    """Return a lazily imported module by its name in `DOORS`."""
     return import_module(DOORS[name].module)

@@ -25,7 +25,7 @@ SAFETY = 0.9  # ratio of a step to the step whose error would equal the toleranc
 
 
 def _radau(count: int) -> tuple[Floats, Floats, Floats]:
-    """Points c_i in (0, 1], a_ij, and the matrix from values at 0 and at the points to Legendre coefficients."""
+    """Return the points c_i in (0, 1], a_ij, and the matrix from values at 0 and c_i to Legendre coefficients."""
     difference = np.zeros(count + 1)
     difference[-2:] = -1.0, 1.0  # P_s - P_(s-1), 1 among its roots
     points = legendre.legroots(difference).real  # complex since NumPy 2.5
