@@ -3,10 +3,10 @@
     Scene -> Plan -> Problem -> Motion
 
 The names listed here are public and sufficient for the workbench and other programs built on the core. Modules that
-only some scenes need are imported lazily. `slipcircle.core.doors` lists them.
+only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
@@ -40,11 +40,11 @@ __all__ = [
     "law_mistakes",
     "law_names",
     "law_parts",
+    "lazy_import",
     "may_have_rate",
     "numpy_only",
     "plan",
     "problem_of",
     "program_integers",
-    "room",
     "solve",
 ]

@@ -6,7 +6,7 @@ from functools import lru_cache
 from generated.flow import FRAGMENTS, Fragment
 from generated.program import OF_SOIL, Program, Recipe, build
 from slipcircle.base.kinds import Names
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 
 
 @lru_cache(maxsize=256)
@@ -25,5 +25,5 @@ def _fragments(name: str, turns: bool) -> Sequence[Fragment]:
     """Return the fragments of an effect or a law. The package of layers creates the fragments of single soils."""
     if OF_SOIL not in name:
         return [FRAGMENTS[name]]
-    of_soil: list[Fragment] = room("soils").fragments_of(name, turns)
+    of_soil: list[Fragment] = lazy_import("soils").fragments_of(name, turns)
     return of_soil

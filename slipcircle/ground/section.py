@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
 from slipcircle.base.kinds import Effects, Floats
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import rotates
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
@@ -163,7 +163,7 @@ class Section(SectionGeometry, Mass):
         return {**effects, "pore_pressure": own} if own else effects
 
     # Rotations within the range of the method, rad: the toe must not rise far above the original ground.
-    rotation_range = cached_property(lambda self: room("toe").rotation_range(self))
+    rotation_range = cached_property(lambda self: lazy_import("toe").rotation_range(self))
 
     @property
     def lanes_shape(self) -> tuple[int, ...]:
@@ -281,7 +281,7 @@ class Section(SectionGeometry, Mass):
         shape, turned = self._rotations(rotation)
         first, last = self._span
         to_exit = np.broadcast_to(last, (1, *turned.shape))
-        standing = room("standing")
+        standing = lazy_import("standing")
         (normal,), _ = standing.displaced(self, turned, to_exit)
         hydrostatic = standing.relieved(self.standing_level, first + turned, last + turned)
         taken = (normal - hydrostatic) / (last - first)
@@ -292,7 +292,7 @@ class Section(SectionGeometry, Mass):
         """Return the moment of the weight of water displaced below standing water, over Theta*."""
         shape, turned = self._rotations(rotation)
         nowhere = np.empty((0, *turned.shape))
-        _, moment = room("standing").displaced(self, turned, nowhere)
+        _, moment = lazy_import("standing").displaced(self, turned, nowhere)
         lighter = np.divide(self.water_unit_weight, self.mean_unit_weight)
         of_weight = lighter / self.moments["moment_of_inertia"]
         by_rotation = moment.reshape(shape)
@@ -308,7 +308,7 @@ class Section(SectionGeometry, Mass):
         for symbol, name in {"water": "level", "standing_water": "standing"}.items():
             function = pressures.get(name)
             if function is not None:
-                tables[symbol] = room("water").table_of(self, function, turns, upslope, tolerance)
+                tables[symbol] = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:
@@ -329,7 +329,7 @@ class Section(SectionGeometry, Mass):
             turns = np.concatenate(until_kink, axis=1)
             kinks.append(turns * self._facing[:, None])
         if self.in_standing_water:
-            kinks.append(room("standing").vertex_kinks(self))
+            kinks.append(lazy_import("standing").vertex_kinks(self))
         every = np.concatenate(kinks, axis=1)
         return self._shaped(np.sort(every, axis=1))
 

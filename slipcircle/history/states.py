@@ -7,7 +7,7 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.walk.compiled import Samples, engine
 from slipcircle.core.walk.lanes import BLOCK, integrate
@@ -43,7 +43,7 @@ def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
         cells[ix.SLIP] = slip
         problem.reach_farther(states.rotation, states.lane)
         if problem.functions:
-            room("functions").extend(problem, cells)
+            lazy_import("functions").extend(problem, cells)
         for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
             cells[cell] = value
     registers = engine().begin_phase(problem.program, problem.tables(states.lane), cells)

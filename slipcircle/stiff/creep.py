@@ -24,7 +24,7 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import Mask, first_section
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.walk import compiled
@@ -277,7 +277,7 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     cells[ix.LIFTED] = 0.0
     problem.reach_farther(cells[ix.ROTATION], lanes)
     if problem.functions:
-        room("functions").extend(problem, cells)
+        lazy_import("functions").extend(problem, cells)
     registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
     net = problem.program.roles["net"]
     return np.reshape(registers[net], distance.shape)

@@ -17,7 +17,7 @@ from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Numbers, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
@@ -49,7 +49,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def _history(self) -> Any:
-        return room("history").History(self)
+        return lazy_import("history").History(self)
 
     @cached_property
     def problem(self) -> Problem:
@@ -160,13 +160,13 @@ class Motion(Forms, Generic[Numbers]):
         A mass that moves quasi-statically rests there, with constant friction and without water at R (psi_0 - delta). A
         free mass passes it with speed and rests about twice as far from the start. The initial velocity is ignored.
         """
-        rotation = self._shaped(room("creep").slow_rotation(self.problem))
+        rotation = self._shaped(lazy_import("creep").slow_rotation(self.problem))
         return self._known(self._radius * rotation)
 
     @property
     def no_slow_run_out(self) -> str:
         """Reason for a missing slow run-out: forces depend on time, speed or heat, or nothing holds the mass."""
-        if other := room("creep").other_than_position(self.problem):
+        if other := lazy_import("creep").other_than_position(self.problem):
             return f"forces depend on {other}"
         return "nothing holds it" if np.any(np.isnan(self.slow_run_out)) else ""
 
@@ -217,12 +217,12 @@ class Motion(Forms, Generic[Numbers]):
     @cached_property
     def outside_range(self) -> Any:
         """Whether the motion leaves the range of validity, the `rotation_range` of its mass."""
-        return room("validity").outside(self)
+        return lazy_import("validity").outside(self)
 
     @cached_property
     def range_end(self) -> Any:
         """State in which a single motion leaves the range of validity, or None."""
-        return room("validity").range_end(self)
+        return lazy_import("validity").range_end(self)
 
     # --- along the way -----------------------------------------------------------------------------------------------
 
@@ -271,12 +271,12 @@ class Motion(Forms, Generic[Numbers]):
     @property
     def velocity_class(self) -> str:
         """Class of the peak velocity by Cruden and Varnes (1996), such as "extremely rapid"; empty without motion."""
-        return str(room("velocity").velocity_class(self))
+        return str(lazy_import("velocity").velocity_class(self))
 
     @cached_property
     def velocity_times(self) -> Any:
         """Time that the mass spends in each velocity class, s."""
-        return room("velocity").velocity_times(self)
+        return lazy_import("velocity").velocity_times(self)
 
     @property
     def lift_off(self) -> tuple[float, ...]:
@@ -328,7 +328,7 @@ class Motion(Forms, Generic[Numbers]):
     def error_estimate(self) -> Numbers:
         """Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two."""
         final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
-        return self._shaped(room("estimate").estimate(self.plan, self.problem, final))
+        return self._shaped(lazy_import("estimate").estimate(self.plan, self.problem, final))
 
     @cached_property
     def energy(self) -> Any:
@@ -343,7 +343,7 @@ class Motion(Forms, Generic[Numbers]):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings about a single motion, usually empty."""
-        return tuple(room("warnings").collect_warnings(self))
+        return tuple(lazy_import("warnings").collect_warnings(self))
 
     def sensitivity(self) -> Any:
         """Return derivatives of a single motion with respect to every input, each with an error bound.
@@ -355,7 +355,7 @@ class Motion(Forms, Generic[Numbers]):
         ValueError
             If the scene is an ensemble, or exactly at its limit, where the motion has no derivative.
         """
-        return room("sensitivity").sensitivity(self)
+        return lazy_import("sensitivity").sensitivity(self)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
@@ -371,7 +371,7 @@ class Motion(Forms, Generic[Numbers]):
         """Return the motion of one lane, or of several lanes, by NumPy indices of the scene's shape."""
         if not self.shape:
             raise TypeError("a single motion cannot be indexed: its scene has no arrays")
-        scene = room("parameters").taken(self.plan.scene, lambda values: values[index])
+        scene = lazy_import("parameters").taken(self.plan.scene, lambda values: values[index])
         plan = replace(self.plan, scene=scene)
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:
@@ -385,5 +385,5 @@ class Motion(Forms, Generic[Numbers]):
         if name:
             name += ": "
         if self.shape:
-            return f"<{math.prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
-        return f"<Motion {name}{room('summary').summary(self)}>"
+            return f"<{math.prod(self.shape)} motions {name}{lazy_import('summary').ensemble_summary(self)}>"
+        return f"<Motion {name}{lazy_import('summary').summary(self)}>"

@@ -16,7 +16,7 @@ import numpy as np
 
 from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import problem_of
@@ -58,7 +58,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any 
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
     if not (scene.shape or _is_finite(motion)):
-        raise room("refusal").refusal(motion)
+        raise lazy_import("refusal").refusal(motion)
     return motion
 
 
@@ -83,6 +83,6 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
-        part = room("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
+        part = lazy_import("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
         final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
     return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

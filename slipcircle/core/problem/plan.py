@@ -7,7 +7,7 @@ from generated.effects import EFFECTS
 from generated.program import Program, Recipe
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
@@ -70,12 +70,12 @@ class Plan:
 
     @property
     def _words(self) -> Any:
-        return room("plan").words_of(self)
+        return lazy_import("plan").words_of(self)
 
     @property
     def equation(self) -> Any:
         """Equation of motion of this scene: its terms, and the values of its coefficients."""
-        return room("equation").equation_of(self)
+        return lazy_import("equation").equation_of(self)
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:

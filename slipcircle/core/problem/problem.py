@@ -19,7 +19,7 @@ from generated.flow import FRAGMENTS, INPUTS
 from generated.program import OF_COHESION, Program, Recipe
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.friction import law_paths
@@ -208,9 +208,9 @@ class Numbers:
             elif p.kind != "series":  # a function of the rotation, tabulated by the mass
                 self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
             else:
-                factor = room("forcing").factor(effect, parameters, p.name)
+                factor = lazy_import("forcing").factor(effect, parameters, p.name)
                 scaled = p.dimensionless(factor, scales)
-                self.add_table(symbol, room("tables").of_time(value), self.mass.time_scale, scaled)
+                self.add_table(symbol, lazy_import("tables").of_time(value), self.mass.time_scale, scaled)
 
     def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
         """Add the functions of the rotation of the mass, and return the function that extends them, if needed."""
@@ -236,10 +236,10 @@ class Numbers:
         }
         if law == "callable":
             self.add_table(
-                name, room("functions").first_table(parameters["function"], self.radius), self.radius, strength
+                name, lazy_import("functions").first_table(parameters["function"], self.radius), self.radius, strength
             )
         elif FRAGMENTS[law].tables:
-            table, scale, unit = room("tables").of_law(law, parameters, self.shape)
+            table, scale, unit = lazy_import("tables").of_law(law, parameters, self.shape)
             self.add_table(name, table, units[unit] / scale, strength)
         else:
             for p in LAWS[law].parameters:

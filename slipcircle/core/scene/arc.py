@@ -24,7 +24,7 @@ from slipcircle.base.checks import (
     two_sum,
 )
 from slipcircle.base.kinds import Array, Numbers, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -113,7 +113,7 @@ class Arc(Mass, Generic[Numbers]):
     def __new__(cls, *numbers: Any, **named: Any) -> Self:
         """Create an arc, or a `GivenArc` if coefficients are given."""
         given = named.get("given", numbers[6] if len(numbers) > 6 else None)
-        kind: Any = cls if given is None else room("given").GivenArc
+        kind: Any = cls if given is None else lazy_import("given").GivenArc
         arc: Self = object.__new__(kind)
         return arc
 
@@ -154,7 +154,7 @@ class Arc(Mass, Generic[Numbers]):
             yield lanes, partial(self._complaint, fault)
 
     def _complaint(self, fault: str, lane: int) -> str:
-        sentence: str = getattr(room("arc"), fault)(self, lane)
+        sentence: str = getattr(lazy_import("arc"), fault)(self, lane)
         return sentence
 
     @cached_property

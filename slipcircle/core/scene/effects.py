@@ -8,7 +8,7 @@ from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
 from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 
 Law = tuple[str, Parameters]  # name and parameters
 WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
@@ -103,7 +103,7 @@ def cohesion_mistakes(given: Any, path: str) -> list[str]:
     faults = parameter_mistakes(path, parameters, declared)
     if faults or declared[0].kind != "list":
         return faults
-    of_list: list[str] = room("tables").list_faults(path, name, parameters, "cohesion")
+    of_list: list[str] = lazy_import("tables").list_faults(path, name, parameters, "cohesion")
     return of_list
 
 
@@ -127,4 +127,4 @@ def resolved(name: str, given: Frozen) -> Frozen:
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given
-    return Frozen(room("forcing").resolved(name, given))
+    return Frozen(lazy_import("forcing").resolved(name, given))

@@ -8,7 +8,7 @@ from generated.effects import LAWS
 from generated.program import OF_SOIL
 from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import MAPPING, Names, Parameters
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, without_soil
 
 NAMES = tuple(LAWS)
@@ -56,7 +56,7 @@ def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
     faults = parameter_mistakes(path, parameters, declared)
     if faults or declared[0].kind != "list":
         return faults
-    of_list: list[str] = room("tables").list_faults(path, name, parameters)
+    of_list: list[str] = lazy_import("tables").list_faults(path, name, parameters)
     return of_list
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from generated.program import OF_COHESION
 from slipcircle.base.checks import EPS, Fault, plain
 from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Values, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
 
@@ -188,11 +188,11 @@ class Mass:
 
     def placed(self, points: Any, rotation: Any) -> Any:
         """Return the positions of points of the mass, (..., 2), after a rotation, m."""
-        return room("journey").placed(self, points, rotation)
+        return lazy_import("journey").placed(self, points, rotation)
 
     def journey(self, rotation: Any) -> Any:
         """Return the displacement of toe and centroid by a rotation, a `slipcircle.history.Journey`."""
-        return room("journey").journey(self, rotation)
+        return lazy_import("journey").journey(self, rotation)
 
     # --- derived quantities -------------------------------------------------------------------------------------------
 

@@ -23,7 +23,7 @@ from slipcircle.base.checks import (
     shape_mistakes,
 )
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
@@ -174,7 +174,7 @@ class Scene(Generic[Numbers]):
         if faults:
             raise_all(f"Scene {self.name}".rstrip(), faults)
         if self._is_unusual:
-            room("plausible").warn(self)
+            lazy_import("plausible").warn(self)
 
     @property
     def _is_unusual(self) -> bool:
@@ -250,7 +250,7 @@ class Scene(Generic[Numbers]):
         assert isinstance(self.effects, dict)
         shaking = self.effects.get("shaking", {})
         if callable(shaking.get("horizontal")):
-            numbers |= room("forcing").record_numbers(shaking)
+            numbers |= lazy_import("forcing").record_numbers(shaking)
         for effect, given in self.effects.items():
             for p in declared_parameters(effect, given):
                 if p.name in given and p.kind in ("number", "series"):

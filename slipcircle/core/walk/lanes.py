@@ -6,7 +6,7 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.walk.compiled import Log, Samples, engine
 
@@ -30,7 +30,7 @@ def integrate(
         begin = problem.cells() if begin is None else begin
         if np.any(begin[ix.END_TIME] == np.inf):
             walk = partial(_integrate, problem, log=log)
-            final: Floats = room("creep").integrate(problem, begin, samples, walk)
+            final: Floats = lazy_import("creep").integrate(problem, begin, samples, walk)
             return final
     return _integrate(problem, begin, samples, log)
 
@@ -53,7 +53,7 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         if not np.any(cells[ix.STATUS] == ix.NEED):
             return cells
         # One lane determines how far a Python function is needed. Then all lanes start again with the complete table.
-        room("functions").extend_to_end(problem, cells, engine().integrate)
+        lazy_import("functions").extend_to_end(problem, cells, engine().integrate)
 
 
 def _stop_swinging(problem: Problem, cells: Floats) -> bool:
@@ -74,11 +74,11 @@ def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | 
     stopped = cells[ix.STATUS] == ix.TOO_LONG
     (which,) = np.nonzero(stopped & many_steps & moving)
     while which.size:
-        room("stiff").integrate(problem, cells, samples, log, which)
+        lazy_import("stiff").integrate(problem, cells, samples, log, which)
         waiting = cells[ix.STATUS, which] == ix.NEED
         which = which[waiting]
         if which.size:
-            room("functions").extend(problem, cells[:, which])
+            lazy_import("functions").extend(problem, cells[:, which])
 
 
 BLOCK = 8200  # lanes per block, which fit into the cache; not a power of two, since rows would share cache lines
