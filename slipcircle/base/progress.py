@@ -8,6 +8,8 @@ from importlib.util import find_spec
 from threading import Timer
 from typing import IO, Any, ClassVar, Self, TypeVar
 
+from slipcircle.base.text import clean
+
 T = TypeVar("T")
 _SOON = 1.0, 10.0  # s, before `counted` work shows anything on a terminal, elsewhere
 _OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first line elsewhere, ever more for the next
@@ -116,6 +118,12 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
             progress()
 
 
+def say(message: str, before: str = "") -> None:
+    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    for text in message.splitlines() if sys.stderr is not None else ():
+        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr, flush=True)
+
+
 def say_later(seconds: float) -> Timer:
     """Say that work goes on if nothing counts it until then; the timer may be cancelled."""
     timer = Timer(seconds, _say_computing)
@@ -125,5 +133,5 @@ def say_later(seconds: float) -> Timer:
 
 
 def _say_computing() -> None:
-    if not Progress.is_shown and sys.stderr is not None:
-        print("slipcircle: computing; Ctrl-C stops it", file=sys.stderr, flush=True)
+    if not Progress.is_shown:
+        say("computing; Ctrl-C stops it")
