@@ -8,6 +8,8 @@ from importlib.util import find_spec
 from threading import Timer
 from typing import IO, Any, ClassVar, Self, TypeVar
 
+from slipcircle.base.text import clean
+
 T = TypeVar("T")
 _SOON = 1.0, 10.0  # s before the first output of `counted` on a terminal, and elsewhere
 _OFTEN, _SELDOM = 0.2, 2.0  # s between updates on a terminal; elsewhere initially, doubled after each line
@@ -118,6 +120,12 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
             progress()
 
 
+def say(message: str, before: str = "") -> None:
+    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    for text in message.splitlines() if sys.stderr is not None else ():
+        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr, flush=True)
+
+
 def say_later(seconds: float) -> Timer:
     """Start a timer that announces a computation without progress report. The caller may cancel it."""
     timer = Timer(seconds, _say_computing)
@@ -127,5 +135,5 @@ def say_later(seconds: float) -> Timer:
 
 
 def _say_computing() -> None:
-    if not Progress.is_shown and sys.stderr is not None:
-        print("slipcircle: computing; Ctrl-C stops it", file=sys.stderr, flush=True)
+    if not Progress.is_shown:
+        say("computing; Ctrl-C stops it")
