@@ -286,7 +286,8 @@ def _read_all(
     files: Sequence[Path], vertical: str | None, reading: Mapping[str, Any]
 ) -> tuple[list[Entry], list[Unread]]:
     """Return the records of files, the first of which remain in memory, and the unused files and columns."""
-    entries, unread = list[Entry](), list[Unread]()
+    entries = list[Entry]()
+    unread = list[Unread]()
     remaining = _KEPT
     for file in track(files, "records read"):
         try:
