@@ -16,6 +16,7 @@ from slipcircle.base.checks import INFINITY, array_of, mistakes, raise_all
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
+from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.identity import digest
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
@@ -112,6 +113,7 @@ def ensemble(
     raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, shaken))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
     if records is not None:
+        special()  # which it ends with: missing, it is missed before hours of solving
         unshaken, motions = ground_motions(design.scene, design.inputs, records, shaken)
         design = replace(design, scene=unshaken, base=0, records=motions)
     return conduct(design, executor, confidence, folder, progress)

@@ -103,16 +103,11 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
     The number of samples below the quantile is binomial, whatever the distribution.
     """
     tail = (1.0 - confidence) / 2
-    low, high = (_binomial_quantile(share, n, p) for share in (tail, 1.0 - tail))
+    tails = np.array([tail, 1.0 - tail])
+    count = np.nan_to_num(np.ceil(special().bdtrik(tails, n, p)), nan=n * p)  # NaN of p = 0 and 1
+    before = np.maximum(count - 1.0, 0.0)
+    low, high = np.where(special().bdtr(before, n, p) >= tails, before, count).astype(int).tolist()
     return low, min(high, n) + 1
-
-
-def _binomial_quantile(share: float, n: int, p: float) -> int:
-    """Return the least number of n hits of probability p whose cumulative probability is at least a share."""
-    if not 0.0 < p < 1.0:
-        return n if p > 0.0 else 0
-    hits = math.ceil(special().bdtrik(share, n, p))
-    return hits - (hits > 0 and bool(special().bdtr(hits - 1, n, p) >= share))
 
 
 # --- moments and quantiles --------------------------------------------------------------------------------------------
