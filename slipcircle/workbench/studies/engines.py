@@ -11,6 +11,7 @@ are given back to the system and faulted in again, which takes half as long agai
 
 import hashlib
 import json
+import logging
 import math
 import os
 import signal
@@ -20,6 +21,7 @@ from contextlib import contextmanager
 from multiprocessing import get_context
 from pathlib import Path
 from tempfile import TemporaryFile, gettempdir
+from threading import Event
 from typing import Any
 
 import numpy as np
@@ -54,6 +56,8 @@ def engine(name: str = "threads", workers: int | None = None, scheduler: str | N
 
 
 def _client(scheduler: str) -> Any:
+    for name in ("tornado.application", "distributed.client"):  # which print tracebacks of cancelled futures
+        logging.getLogger(name).disabled = True
     try:
         return optional("distributed", "--scheduler").Client(scheduler, timeout="10s")
     except OSError as error:
@@ -189,24 +193,42 @@ def compute(
             store.save(index, future.result())
             progress(design.scenes(index), 0)
 
-    def finished() -> Iterable[Future[Result]]:
-        return wait(under_way, 0.1, FIRST_COMPLETED).done  # for a time in which Ctrl-C is heard on every system
+    with _deferred_interrupt() as interrupted:
 
+        def save_until(left: int) -> None:
+            while len(under_way) > left:
+                if interrupted.is_set():
+                    raise KeyboardInterrupt
+                save(wait(under_way, 0.1, FIRST_COMPLETED).done)
+
+        try:
+            for index in range(design.blocks):
+                if store.has(index):
+                    progress(design.scenes(index), design.scenes(index))
+                    continue
+                work, argument = design.task(index)
+                under_way[executor.submit(work, argument)] = index
+                save_until(_AHEAD)
+            save_until(0)
+        finally:  # after an error or Ctrl-C, finished blocks are stored as well
+            for future in [*under_way]:
+                future.cancel()
+            save([future for future in under_way if _is_complete(future)])
+
+
+@contextmanager
+def _deferred_interrupt() -> Iterator[Event]:
+    """Yield an event that Ctrl-C sets; a KeyboardInterrupt at once could be raised, and lost, in a callback of Dask."""
+    interrupted = Event()
     try:
-        for index in range(design.blocks):
-            if store.has(index):
-                progress(design.scenes(index), design.scenes(index))
-                continue
-            work, argument = design.task(index)
-            under_way[executor.submit(work, argument)] = index
-            while len(under_way) >= _AHEAD:
-                save(finished())
-        while under_way:
-            save(finished())
-    finally:  # after an error or Ctrl-C, finished blocks are stored as well
-        for future in [*under_way]:
-            future.cancel()
-        save([future for future in under_way if _is_complete(future)])
+        before = signal.signal(signal.SIGINT, lambda *_: interrupted.set())
+    except ValueError:  # outside the main thread, which alone receives signals
+        yield interrupted
+        return
+    try:
+        yield interrupted
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def _is_complete(future: Future[Result]) -> bool:
