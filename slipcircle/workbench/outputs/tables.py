@@ -94,28 +94,24 @@ _TITLES = {name: title for title, names in _GROUPS.items() for name in names.spl
 
 def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
     """Return all results of a motion by label, key results first, in titled groups of at most ten."""
-    scene, plan, first = motion.plan.scene, motion.plan, summary(motion)
+    plan, first = motion.plan, summary(motion)
     groups: dict[str, dict[str, str]] = {title: {} for title in _GROUPS}
-    of_methods, strength = groups["Factors of safety"], groups["Strength and stress"]
-    of_methods |= _factors(factors(scene, motion.factor_of_safety))
+    groups["Factors of safety"] = _factors_at_start(motion)
     for quantity in results(motion):
         title = _TITLES.get(quantity.name, "Toe and centroid")
         groups.setdefault(title, {})[quantity.label] = quantity.text(motion)
     groups["Motion"] |= end_words(motion)
     if plan.law != "constant":
-        strength["friction angle"] += f", {plan.law}"
+        groups["Strength and stress"]["friction angle"] += f", {plan.law}"
     if height := toe_words(motion):
         groups["Toe and centroid"]["toe at the run-out"] = f"{height}: the method continues the circle there"
-    if (critical := stability_of(scene)) is not None:
+    if (critical := stability_of(plan.scene)) is not None:
         groups["Slip circle"] = _circle(critical)
-        if critical.slope.k_h:
-            of_methods |= _factors(critical.factor_of_safety, critical.slope.k_h)
-        if critical.slope.surcharge and "shaking" in scene.called:
-            strength["loads at the start"] = "those of the motion, also for k_y: surcharges are shaken with the mass"
-    if starts(motion):
-        of_methods["strength factor"] = shown(float(scene.strength_factor))
-    groups["Section"] |= pond_row(scene.arc)
-    coefficients = scene.arc.dimensionless
+        if critical.slope.surcharge and "shaking" in plan.scene.called:
+            loads = "those of the motion, also for k_y: surcharges are shaken with the mass"
+            groups["Strength and stress"]["loads at the start"] = loads
+    groups["Section"] |= pond_row(plan.scene.arc)
+    coefficients = plan.scene.arc.dimensionless
     groups["Method"] = {
         "effects": ", ".join(plan.effects) or "none",
         "not included": ", ".join(plan.left_out) or "none",
@@ -128,6 +124,18 @@ def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
         if rest := {label: text for label, text in group.items() if text and label not in first}:
             others[title] = rest
     return {"": first} | others
+
+
+def _factors_at_start(motion: Motion) -> dict[str, str]:
+    """Return the factors of safety by every method, also under the k_h of a search, and the strength factor."""
+    scene = motion.plan.scene
+    critical = stability_of(scene)
+    column = _factors(factors(scene, motion.factor_of_safety))
+    if critical is not None and critical.slope.k_h:
+        column |= _factors(critical.factor_of_safety, critical.slope.k_h)
+    if starts(motion):
+        column["strength factor"] = shown(float(scene.strength_factor))
+    return column
 
 
 def motion_parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
