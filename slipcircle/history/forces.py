@@ -96,16 +96,26 @@ class Forces:
 
     def factor_of_safety(self, states: States) -> Floats:
         """Return the resistance over the drive of a mass that is at rest in some states; infinite without a drive."""
+        (driving, resisting, normal), friction = self._at_rest(states)
+        strength = resisting + np.maximum(friction * normal, 0.0)
+        is_driven = driving > 0.0
+        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+
+    def _at_rest(self, states: States) -> tuple[Balance, Floats]:
+        """Return the balance in the direction of the drive and the friction of a mass at rest in some states."""
         program = self._with_outputs.program
         at_rest = states._replace(omega=np.zeros(states.lane.size))
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
         pull = cells[program.roles["cell_driving"]]
         cells, _ = begin(self._with_outputs, at_rest, np.where(pull < 0.0, -1.0, 1.0))
-        driving, resisting, normal = Balance.of(program, cells)
-        friction = cells[program.roles["cell_mu"]] * normal
-        strength = resisting + np.maximum(friction, 0.0)
-        is_driven = driving > 0.0
-        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+        return Balance.of(program, cells), cells[program.roles["cell_mu"]]
+
+    def strengths(self, states: States) -> tuple[Floats, Floats]:
+        """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
+        (driving, resisting, _), _ = self._at_rest(states)
+        moving = self.outputs(states)
+        friction = np.maximum(moving["mu"] * moving["normal"], 0.0) * self._strength(states.lane)
+        return resisting + friction, driving
 
     def holding_friction(self, states: States) -> Floats:
         """Friction coefficient required for equilibrium of the mass where it is; NaN where nothing presses.

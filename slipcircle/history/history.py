@@ -37,6 +37,13 @@ class Stresses(NamedTuple):
     effective: Any
 
 
+class Strengths(NamedTuple):
+    """Mean shear strength along the slip surface that is mobilised, and that required for equilibrium, Pa."""
+
+    mobilised: Any
+    required: Any
+
+
 class FurtherFactors(NamedTuple):
     """Factors of safety with residual strength on the original geometry, and of a single mass at rest after the slide.
 
@@ -225,6 +232,13 @@ class History:
         """`Motion.holding_friction_at`."""
         time = self._checked(times)
         return self._by_state(time, self.forces.holding_friction(self._states(time)))
+
+    def strength_at(self, times: ArrayLike) -> Strengths:
+        """Return the strengths of `Motion.strength_at`."""
+        time = self._checked(times)
+        unit = before(stress_unit(self.plan.scene.arc), time.ndim)
+        strengths = self.forces.strengths(self._states(time))
+        return Strengths(*(unit * self._by_state(time, strength) for strength in strengths))
 
     def path_at(self, times: ArrayLike) -> Any:
         """`Motion.path_at`."""

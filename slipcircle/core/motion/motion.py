@@ -281,6 +281,19 @@ class Motion(Forms, Generic[Numbers]):
         """
         return self._history.holding_friction_at(times)
 
+    def strength_at(self, times: ArrayLike) -> Any:
+        """Return the mobilised shear strength and that required for equilibrium, Pa; times as for `at`.
+
+        Both are means over the slip surface and contain the strength factor. The required strength is that at which
+        the mass, brought to rest where it is, would just stay.
+
+        Returns
+        -------
+        NamedTuple of arrays
+            ``mobilised`` and ``required``.
+        """
+        return self._history.strength_at(times)
+
     def path_at(self, times: ArrayLike) -> Any:
         """The path travelled from the start, there and back, m; times as for `at`."""
         return self._history.path_at(times)
