@@ -263,13 +263,8 @@ class Motion(Forms, Generic[Numbers]):
     def strength_at(self, times: ArrayLike) -> Any:
         """Return the mobilised shear strength and that required for equilibrium, Pa; times as for `at`.
 
-        Both are means over the slip surface and contain the strength factor. The required strength is that at which
-        the mass, brought to rest where it is, would just stay.
-
-        Returns
-        -------
-        NamedTuple of arrays
-            ``mobilised`` and ``required``.
+        The fields ``mobilised`` and ``required`` are means over the slip surface and contain the strength factor. With
+        the required strength the mass, brought to rest where it is, would just stay.
         """
         return self._history.strength_at(times)
 
