@@ -108,14 +108,18 @@ class Forces:
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
         pull = cells[program.roles["cell_driving"]]
         cells, _ = begin(self._with_outputs, at_rest, np.where(pull < 0.0, -1.0, 1.0))
-        return Balance.of(program, cells), cells[program.roles["cell_mu"]]
+        balance = Balance.of(program, cells)
+        friction = cells[program.roles["cell_mu"]]
+        return balance, friction
 
     def strengths(self, states: States) -> tuple[Floats, Floats]:
         """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
         (driving, resisting, _), _ = self._at_rest(states)
         moving = self.outputs(states)
-        friction = np.maximum(moving["mu"] * moving["normal"], 0.0) * self._strength(states.lane)
-        return resisting + friction, driving
+        friction = moving["mu"] * moving["normal"]
+        friction = np.maximum(friction, 0.0)
+        mobilised = resisting + friction * self._strength(states.lane)
+        return mobilised, driving
 
     def holding_friction(self, states: States) -> Floats:
         """Return the friction coefficient required for equilibrium in the given states, NaN without contact.

@@ -239,8 +239,11 @@ class History:
         """Return the strengths of `Motion.strength_at`."""
         time = self._checked(times)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
-        strengths = self.forces.strengths(self._states(time))
-        return Strengths(*(unit * self._by_state(time, strength) for strength in strengths))
+        states = self._states(time)
+        mobilised, required = self.forces.strengths(states)
+        return Strengths(
+            mobilised=unit * self._by_state(time, mobilised), required=unit * self._by_state(time, required)
+        )
 
     def path_at(self, times: ArrayLike) -> Any:
         """Return the length of the path at times, m. See `Motion.path_at`."""
