@@ -111,19 +111,25 @@ def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
             loads = "those of the motion, also for k_y: surcharges are shaken with the mass"
             groups["Strength and stress"]["loads at the start"] = loads
     groups["Section"] |= pond_row(plan.scene.arc)
+    groups["Method"] = _method_rows(motion)
+    others = {}
+    for title, group in groups.items():
+        if rest := {label: text for label, text in group.items() if text and label not in first}:
+            others[title] = rest
+    return {"": first} | others
+
+
+def _method_rows(motion: Motion) -> dict[str, str]:
+    """Return effects, method of solution, numerical error and coefficients of the arc by label."""
+    plan = motion.plan
     coefficients = plan.scene.arc.dimensionless
-    groups["Method"] = {
+    return {
         "effects": ", ".join(plan.effects) or "none",
         "not included": ", ".join(plan.left_out) or "none",
         "method": plan.method,
         "estimated error": f"{motion.error_estimate:.1e}",
         **{symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()},
     }
-    others = {}
-    for title, group in groups.items():
-        if rest := {label: text for label, text in group.items() if text and label not in first}:
-            others[title] = rest
-    return {"": first} | others
 
 
 def _factors_at_start(motion: Motion) -> dict[str, str]:
