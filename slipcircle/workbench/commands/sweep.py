@@ -222,28 +222,32 @@ def _of_grid(study: Study) -> _Tables:
 
 
 def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Part | str:
-    """Return the outcomes of a grid as a table, those of two inputs as a table of run-outs; counts of a large grid."""
-    name, samples, note = study.scene.name, study.samples, ""
-    counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
+    """Return a table of the outcomes of a grid, of two inputs a table of run-outs; counts of a large grid."""
     words = [Status(s).reason or Status(s).words for s in statuses]
-    if len(keys) == 2:
-        down, along = (level.tolist() for level in study.design.levels)
-        run_outs = samples["run_out"].tolist()
-        known = [w if math.isnan(r) else r for r, w in zip(run_outs, words, strict=True)]
-        rows = [[at, *known[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
-        head = [keys[0], *map(shown, along)]
-        title = f"{name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
-        note = counts
-    else:
-        method = method_of(study.scene)
-        factors = {f"{_FACTOR}{method}": f"F, {method}"} if f"{_FACTOR}{method}" in samples else {}
-        names = [*keys, *OUTCOMES, *factors]
-        rows = [[*row, w] for *row, w in zip(*(samples[n].tolist() for n in names), words, strict=True)]
-        head = [*keys, *(q.heading for q in OUTCOMES.values()), *factors.values(), "status"]
-        title = name
-    if len(rows) > _MOST_ROWS or len(head) > _MOST_COLUMNS:
-        return f"{len(statuses)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
-    return Part(head, rows, title, note)
+    counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
+    part = _run_outs(study, keys, words, counts) if len(keys) == 2 else _outcomes(study, keys, words)
+    if len(part.rows) <= _MOST_ROWS and len(part.head) <= _MOST_COLUMNS:
+        return part
+    return f"{len(statuses)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
+
+
+def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> Part:
+    """Return the run-outs on a grid of two inputs, and words where there is none."""
+    down, along = (level.tolist() for level in study.design.levels)
+    run_outs = study.samples["run_out"].tolist()
+    known = [w if math.isnan(r) else r for r, w in zip(run_outs, words, strict=True)]
+    rows = [[at, *known[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
+    title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
+    return Part([keys[0], *map(shown, along)], rows, title, note)
+
+
+def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
+    """Return a row for each scene of a grid: inputs, outcomes, the factor of safety of the start, status."""
+    heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
+    heads |= {f"{_FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
+    columns = {heads[name] or name: study.samples[name].tolist() for name in heads if name in study.samples}
+    rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
+    return Part([*columns, "status"], rows, study.scene.name)
 
 
 def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
