@@ -40,7 +40,7 @@ KEYS = "law rate soils function value scales half_angle gravity radius density r
 TABLES_OF = (("slip", "m", "list"), ("speed", "m/s", "list"), ("time", "s", "list"))
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
-KINDS = (*NUMBERS, "list", "text", "name", "flag")
+KINDS = (*NUMBERS, "list", "text", "name", "flag", "fixed")
 # Functions of series, beside powers and minima.
 OF_SERIES: set[type] = {sp.tanh}  # made of exponentials
 for _operation in OPERATIONS.values():
@@ -288,11 +288,11 @@ def _check_effect(effect: Effect) -> None:
     _check_values(effect)
     if not (used or effect.turns):
         raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
-    in_time = "series" in (p.kind for p in effect.parameters)  # its other parameters say how it is made
+    of_functions = {"series", "rotation"} & {p.kind for p in effect.parameters}  # its other parameters say how it is made
     unused = []
     for x, p in _by_symbol(effect).items():
-        makes_series = p.symbol is None and in_time
-        if not makes_series and (p.symbol or x) not in used:
+        makes_function = p.symbol is None and of_functions
+        if not makes_function and (p.symbol or x) not in used:
             unused.append(p.name)
     _check_used(effect, unused)
     fragments.of_effect(effect)

@@ -281,6 +281,7 @@ _KINDS = {
     "name": "a name or a number",
     "flag": "True or False",
     "number": "a number",
+    "fixed": "one number within 1e9",
     "list": "a list of numbers",
     "series": "a function of time, such as Record(t, a), Record(a, dt=0.01), a Series or a Pulse",
 }
@@ -306,13 +307,17 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
 
 
 def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
-    """Whether there is one number within its bounds for each parameter and nothing else, as a rule."""
+    """Whether each parameter that is not optional has one number within its bounds, and nothing else is given."""
+    count = 0
     for p in parameters:
         value = given.get(p.name)
+        if value is None and p.optional:
+            continue
         is_number = p.kind == "number" and type(value) is float
         if not (is_number and p.lower < value < p.upper):
             return False
-    return len(given) == len(parameters)
+        count += 1
+    return len(given) == count
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
@@ -347,6 +352,8 @@ def _is_of_kind(kind: str, value: Any) -> bool:
             return hasattr(value, "kinks")
         case "flag":
             return isinstance(value, bool)
+        case "fixed":
+            return type(value) in (int, float) and abs(value) < 1e9
         case "text" | "name":
             return isinstance(value, str | int | PathLike)
     return value in kind.split("|")

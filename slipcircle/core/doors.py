@@ -24,6 +24,7 @@ DOORS = {
     "functions": Door("friction as a function of slip in Python", "slipcircle.tables.functions"),
     "soils": Door("soils have friction laws of their own", "slipcircle.layers.fragments"),
     "water": Door("a section has a water level", "slipcircle.ground.water"),
+    "depths": Door("cohesion of one soil grows with depth", "slipcircle.layers.depths"),
     "standing": Door("free water covers the exit of a section", "slipcircle.layers.standing"),
     "creep": Door("a viscous layer and no end time, or the slow run-out is asked for", "slipcircle.stiff.creep"),
     "stiff": Door("explicit steps were too many", "slipcircle.stiff.implicit"),

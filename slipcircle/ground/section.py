@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
 from slipcircle.base.kinds import Effects, Floats
 from slipcircle.core.doors import room
-from slipcircle.core.scene.effects import rotates
+from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.coordinates import coordinates
@@ -145,11 +145,17 @@ class Section(SectionGeometry, Mass):
                 "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
                 "pressure already; leave one out"
             )
+        cohesion = effects.get("cohesion", {})
+        if np.any(cohesion.get("gradient")) and "law" in cohesion and not np.all(cohesion.get("peak", 1.0)):
+            found.append("{effects.cohesion.peak} = 0: must be positive, as the law multiplies the increase with depth")
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Adds what water does that stays in place as the mass turns through it: its pressure, and standing water."""
+        cohesion = effects.get("cohesion", {})
         effects = super().effects_with_own(effects)
+        if np.any(cohesion.get("gradient")):
+            effects = room("depths").growing(self, cohesion, effects)
         own = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
             own["level"] = self.mean_lift
@@ -294,14 +300,15 @@ class Section(SectionGeometry, Mass):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
-        """What water does that stays in place."""
-        pressures = effects.get("pore_pressure", {})
+        """What water does that stays in place, and the depth with which cohesion grows."""
         turns = rotates(effects)
         tables = {}
-        for symbol, name in {"water": "level", "standing_water": "standing"}.items():
-            function = pressures.get(name)
-            if function is not None:
-                tables[symbol] = room("water").table_of(self, function, turns, upslope, tolerance)
+        for effect, given in effects.items():
+            for name in ("level", "standing", "depth"):
+                function = given.get(name)
+                if function is not None:
+                    symbol = symbols_of(effect)[name]
+                    tables[symbol] = room("water").table_of(self, function, turns, upslope, tolerance)
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:

@@ -1,4 +1,4 @@
-"""The water of a section, which stays in place: tables of functions of the rotation."""
+"""Tables of functions of the rotation: of the water of a section, which stays in place, and of depths."""
 
 from collections.abc import Callable
 from typing import Any
@@ -27,7 +27,7 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
 
 
 def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslope: bool, tolerance: float) -> Data:
-    """A function of the rotation of a section whose water stays in place, until contact is lost."""
+    """Return a function of the rotation of a section as a table, until contact is lost."""
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape
@@ -38,7 +38,7 @@ def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslop
     last = upright(section)
     if rotates:
         first = first_rotation(last, upslope)
-        kinks = section.pressure_kinks
+        kinks = getattr(function, "kinks", section.pressure_kinks)
         *_, count = kinks.shape
         kinks = kinks.reshape(last.size, count)
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)

@@ -11,6 +11,7 @@ from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.doors import room
 
 Law = tuple[str, Parameters]  # by name, with its parameters
+OF_GROWTH = EFFECTS["cohesion"].parameters[1:]  # of the growth of cohesion with depth, by any law
 WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
 
 
@@ -73,7 +74,7 @@ def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
     if name != "cohesion" or "law" not in given:
         return EFFECTS[name].parameters
     law = COHESION_LAWS.get(given["law"])
-    return law.parameters if law else ()
+    return (*law.parameters, *OF_GROWTH) if law else ()
 
 
 def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
@@ -81,9 +82,12 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
     path = f"effects.{name}"
-    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
-        return cohesion_mistakes(parameters.get(name) if len(parameters) == 1 else parameters, path)
     faults = []
+    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
+        of_growth = {p.name: parameters[p.name] for p in OF_GROWTH if p.name in parameters}
+        law = {key: value for key, value in parameters.items() if key not in of_growth}
+        faults = cohesion_mistakes(law if "law" in law else law[name], path)
+        return faults + parameter_mistakes(path, of_growth, OF_GROWTH)
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
@@ -114,8 +118,9 @@ def cohesion_law(given: Any) -> Law | None:
         return "callable", {"function": given}
     if not isinstance(given, MAPPING) or given["law"] == "constant":
         return None
-    parameters = {"coefficient" if name == "cohesion" else name: value for name, value in given.items()}
-    return str(parameters.pop("law")), parameters
+    law = COHESION_LAWS[given["law"]]
+    names = {"coefficient" if p.name == "cohesion" else p.name: p.name for p in law.parameters}
+    return law.name, {name: given[own] for name, own in names.items()}
 
 
 def resolved(name: str, given: Frozen) -> Frozen:
