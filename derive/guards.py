@@ -288,7 +288,9 @@ def _check_effect(effect: Effect) -> None:
     _check_values(effect)
     if not (used or effect.turns):
         raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
-    of_functions = {"series", "rotation"} & {p.kind for p in effect.parameters}  # its other parameters say how it is made
+    of_functions = {"series", "rotation"} & {
+        p.kind for p in effect.parameters
+    }  # its other parameters say how it is made
     unused = []
     for x, p in _by_symbol(effect).items():
         makes_function = p.symbol is None and of_functions

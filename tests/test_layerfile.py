@@ -18,7 +18,7 @@ from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope
 from slipcircle.workbench.studies.ensemble import grid
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 Write = Callable[..., str]
 

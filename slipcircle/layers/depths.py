@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Effects, Floats
+from slipcircle.ground.ground import continued
 from slipcircle.ground.heights import HeightIntegrals, height_integrals
 from slipcircle.layers.at_rest import cohesion_at_rest
 from slipcircle.layers.strips import edge_below
@@ -64,7 +65,7 @@ def depths_below(section: Any, top: Any) -> Depths:
         lines = np.stack(np.broadcast_arrays(ground[:1, [0, -1], 0], heights), axis=-1)
     facing = section._facing
     first, last = section._span
-    over_radius = (lines - centre[:, None]) / radius[:, None, None]
+    over_radius = continued((lines - centre[:, None]) / radius[:, None, None], -2.0, 2.0)
     held = []
     for direction, inward in (first, _INWARD), (last, -_INWARD):
         x = facing * np.sin(direction)
