@@ -16,6 +16,7 @@ from derive.code import emit
 from derive.declare import domain, quantities
 from derive.declare import effects as declared
 from derive.declare.effects import GRAVITY, RADIUS, SLIP, VALUE, Effect, Law, Parameter
+from derive.declare.limits import LIMITS
 from derive.declare.quantities import Moment
 from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
@@ -272,7 +273,7 @@ def _range(p: Parameter) -> tuple[float, float]:
 
 
 def _check_effect(effect: Effect) -> None:
-    _check_parameters(effect, declared.LIMITS)
+    _check_parameters(effect, LIMITS)
     strange = {*effect.any_of} - {p.name for p in effect.parameters}
     if strange:
         raise ProofError(_claim(effect, "any_of"), strange, "names of its parameters")
