@@ -313,16 +313,13 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
 
 def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
     """Return whether there is one valid float for each required parameter and nothing else, which is the usual case."""
-    count = 0
-    for p in parameters:
+    needed = [p for p in parameters if not p.optional or p.name in given]
+    for p in needed:
         value = given.get(p.name)
-        if value is None and p.optional:
-            continue
         is_number = p.kind == "number" and type(value) is float
         if not (is_number and p.lower < value < p.upper):
             return False
-        count += 1
-    return len(given) == count
+    return len(given) == len(needed)
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound

@@ -148,7 +148,9 @@ class Section(SectionGeometry, Mass):
                 "pressure already; leave one out"
             )
         cohesion = effects.get("cohesion", {})
-        if np.any(cohesion.get("gradient")) and "law" in cohesion and not np.all(cohesion.get("peak", 1.0)):
+        grows = np.any(cohesion.get("gradient"))
+        peak = cohesion.get("peak", 1.0)
+        if grows and not np.all(peak):
             found.append("{effects.cohesion.peak} = 0: must be positive, as the law multiplies the increase with depth")
         return found
 
@@ -311,11 +313,14 @@ class Section(SectionGeometry, Mass):
         turns = rotates(effects)
         tables = {}
         for effect, given in effects.items():
+            symbols = symbols_of(effect)
             for name in ("level", "standing", "depth"):
                 function = given.get(name)
-                if function is not None:
-                    symbol = symbols_of(effect)[name]
-                    tables[symbol] = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+                if function is None:
+                    continue
+                table = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+                symbol = symbols[name]
+                tables[symbol] = table
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:

@@ -52,7 +52,9 @@ def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
         return growth
     peak = cohesion_at_rest(cohesion)
     is_none = np.equal(peak, 0.0)
-    share = np.where(is_none, 1.0, cohesion_at_rest(cohesion, slipped)) / np.where(is_none, 1.0, peak)
+    residual = cohesion_at_rest(cohesion, slipped)
+    divisor = np.where(is_none, 1.0, peak)
+    share = np.where(is_none, 1.0, residual / divisor)
     return growth * share
 
 

@@ -30,8 +30,11 @@ class Depths(NamedTuple):
         """Integral from the entry of the arc to directions (..., circles), by its own line up to a limit beyond."""
         limit = self.last if limit is None else limit
         inside = np.clip(there, self.first, limit)
-        ends = self.facing * self.first, self.facing * inside
-        within = self.heights.integral(np.minimum(*ends), np.maximum(*ends))
+        entry = self.facing * self.first
+        end = self.facing * inside
+        left = np.minimum(entry, end)
+        right = np.maximum(entry, end)
+        within = self.heights.integral(left, right)
         at_first, at_last = self.held
         beyond = there - inside
         at_end = np.where(beyond > 0.0, at_last, at_first)
@@ -40,9 +43,10 @@ class Depths(NamedTuple):
 
     def mean(self, rotation: Floats) -> Floats:
         """Mean depth over the arc under the mass after rotations (..., circles)."""
-        until = self.integral(self.last + rotation)
-        before = self.integral(self.first + rotation)
-        mean: Floats = (until - before) / (self.last - self.first)
+        up_to_exit = self.integral(self.last + rotation)
+        up_to_entry = self.integral(self.first + rotation)
+        opening = self.last - self.first
+        mean: Floats = (up_to_exit - up_to_entry) / opening
         return mean
 
     @property
@@ -55,25 +59,26 @@ class Depths(NamedTuple):
 
 def depths_below(section: Any, top: Any) -> Depths:
     """Return the depths of the arcs of a section below a height, heights of its shape, or a line; below its ground."""
-    ground, centre, radius = section._circle
-    if top is None:
-        lines = ground
-    elif np.ndim(top) > 1:
-        lines = section._lines(top)
-    else:
-        heights = np.broadcast_to(top, section.shape if np.ndim(top) else ()).reshape(-1, 1)
-        lines = np.stack(np.broadcast_arrays(ground[:1, [0, -1], 0], heights), axis=-1)
+    _, centre, radius = section._circle
+    lines = section._top_line(top)
     facing = section._facing
     first, last = section._span
-    over_radius = continued((lines - centre[:, None]) / radius[:, None, None], -2.0, 2.0)
-    held = []
-    for direction, inward in (first, _INWARD), (last, -_INWARD):
-        x = facing * np.sin(direction)
-        inside = x + facing * inward
-        height, _ = edge_below(over_radius, x[:, None], inside[:, None])
-        held.append(np.maximum(height[:, 0] + np.cos(direction), 0.0))
-    at_first, at_last = held
-    return Depths(facing, first, last, (at_first, at_last), height_integrals(lines, centre, radius))
+    from_centre = lines - centre[:, None]
+    over_radius = from_centre / radius[:, None, None]
+    line = continued(over_radius, -2.0, 2.0)
+    heights = height_integrals(lines, centre, radius)
+    at_first = _at_end(line, facing, first, _INWARD)
+    at_last = _at_end(line, facing, last, -_INWARD)
+    return Depths(facing, first, last, (at_first, at_last), heights)
+
+
+def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> Floats:
+    """Return the depths of an end of the arcs below lines over R."""
+    x = facing * np.sin(direction)
+    inside = x + facing * inward
+    y, _ = edge_below(line, x[:, None], inside[:, None])
+    depth = y[:, 0] + np.cos(direction)
+    return np.maximum(depth, 0.0)
 
 
 class MeanDepth(NamedTuple):
@@ -84,15 +89,17 @@ class MeanDepth(NamedTuple):
 
     def __call__(self, rotation: Any) -> Any:
         shape, turned = self.section._rotations(rotation)
-        return self.depths.mean(turned).reshape(shape) * self.section.radius
+        over_radius = self.depths.mean(turned)
+        by_rotation = over_radius.reshape(shape)
+        return by_rotation * self.section.radius
 
     @property
     def kinks(self) -> Floats:
         """Rotations at which it is not smooth, on a last axis."""
         ends = np.stack([self.depths.first, self.depths.last], axis=1)
         between = self.depths.kinks[:, :, None] - ends[:, None]
-        rotations: Floats = np.sort(between.reshape(len(ends), -1), axis=1)
-        return rotations
+        rotations = between.reshape(len(ends), -1)
+        return np.sort(rotations, axis=1)
 
 
 def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
@@ -104,5 +111,7 @@ def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
             grown[name] = {**given, "depth": depth}
         elif name.startswith("softening"):
             peak = cohesion_at_rest(cohesion)
-            grown[name] = {**given, "gradient": given["moment"] * cohesion["gradient"] / peak, "depth": depth}
+            per_peak = cohesion["gradient"] / peak
+            gradient = given["moment"] * per_peak
+            grown[name] = {**given, "gradient": gradient, "depth": depth}
     return grown

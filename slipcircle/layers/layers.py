@@ -159,14 +159,21 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         tops = [None, *self.tops]
         if self.foreland is not None:
             tops.append(top_of(self.foreland, self.layers))
-        return [top if soil.datum is None else soil.datum for soil, top in zip(self.soils, tops, strict=True)]
+        datums = []
+        for soil, top in zip(self.soils, tops, strict=True):
+            own = soil.datum
+            datums.append(top if own is None else own)
+        return datums
 
     @cached_property
     def depths(self) -> list[Depths | None]:
         """Depths of the arc below the datums of the soils; None where the cohesion does not grow."""
         raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
-        pairs = zip(self.soils, self.datums, strict=True)
-        return [depths_below(self, datum) if np.any(soil.cohesion_gradient) else None for soil, datum in pairs]
+        depths: list[Depths | None] = []
+        for soil, datum in zip(self.soils, self.datums, strict=True):
+            grows = np.any(soil.cohesion_gradient)
+            depths.append(depths_below(self, datum) if grows else None)
+        return depths
 
     def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
@@ -195,18 +202,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _lines_over_radius(self) -> list[Floats]:
         """Ground, tops of the layers and water level from the centre, over R, (circles or 1, V, 2)."""
         ground, centre, radius = self._circle
-        ends = ground[:, [0, -1], 0]
-        lines = [ground]
-        for top in self.tops:
-            height = np.asarray(top)
-            if height.ndim > 1:
-                lines.append(self._lines(height))
-                continue
-            if height.ndim == 1:  # one of each circle
-                height = np.broadcast_to(height, self.shape)
-            row = height.reshape(-1, 1)
-            line = np.broadcast_arrays(ends, row)
-            lines.append(np.stack(line, axis=-1))
+        lines = [ground, *map(self._top_line, self.tops)]
         if self.level is not None:
             lines.append(self._level)
         origin = centre[:, None]
@@ -374,8 +370,16 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     same_tops = all(map(operator.is_, one.tops, other.tops))
     if np.prod(one.shape) > 1 and not np.array_equal(one.weight_steps, other.weight_steps):
         return False  # which the profiles of many circles are of
-    datums = [[(soil.datum, np.any(soil.cohesion_gradient)) for soil in section.soils] for section in (one, other)]
-    return same_tops and datums[0] == datums[1]
+    return same_tops and _growing_below(one) == _growing_below(other)
+
+
+def _growing_below(section: LayeredSection) -> list[tuple[Any, bool]]:
+    """Return for each soil its own datum and whether its cohesion grows."""
+    rows = []
+    for soil in section.soils:
+        grows = bool(np.any(soil.cohesion_gradient))
+        rows.append((soil.datum, grows))
+    return rows
 
 
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:

@@ -85,10 +85,14 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
     path = f"effects.{name}"
     faults = []
     if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
-        of_growth = {p.name: parameters[p.name] for p in OF_GROWTH if p.name in parameters}
-        law = {key: value for key, value in parameters.items() if key not in of_growth}
-        faults = cohesion_mistakes(law if "law" in law else law[name], path)
-        return faults + parameter_mistakes(path, of_growth, OF_GROWTH)
+        law = dict(parameters)
+        of_growth = {}
+        for p in OF_GROWTH:
+            if p.name in law:
+                of_growth[p.name] = law.pop(p.name)
+        faults = parameter_mistakes(path, of_growth, OF_GROWTH)
+        given = law if "law" in law else law[name]
+        return cohesion_mistakes(given, path) + faults
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
@@ -120,8 +124,11 @@ def cohesion_law(given: Any) -> Law | None:
     if not isinstance(given, MAPPING) or given["law"] == "constant":
         return None
     law = COHESION_LAWS[given["law"]]
-    names = {"coefficient" if p.name == "cohesion" else p.name: p.name for p in law.parameters}
-    return law.name, {name: given[own] for name, own in names.items()}
+    parameters = {}
+    for p in law.parameters:
+        name = "coefficient" if p.name == "cohesion" else p.name
+        parameters[name] = given[p.name]
+    return law.name, parameters
 
 
 def resolved(name: str, given: Frozen) -> Frozen:
