@@ -355,7 +355,8 @@ def _is_of_kind(kind: str, value: Any) -> bool:
         case "flag":
             return isinstance(value, bool)
         case "fixed":
-            return type(value) in (int, float) and abs(value) < 1e9
+            is_number = type(value) in (int, float)
+            return is_number and abs(value) < 1e9
         case "text" | "name":
             return isinstance(value, str | int | PathLike)
     return value in kind.split("|")

@@ -57,8 +57,10 @@ class SectionGeometry(TurningMass):
         """Return the top of a layer, a height, heights or points, or the ground, as lines, (circles or 1, V, 2)."""
         ground, *_ = self._circle
         height = np.asarray(top)
-        if top is None or height.ndim > 1:
-            return ground if top is None else self._lines(height)
+        if top is None:
+            return ground
+        if height.ndim > 1:
+            return self._lines(height)
         if height.ndim == 1:  # one of each circle
             height = np.broadcast_to(height, self.shape)
         row = height.reshape(-1, 1)

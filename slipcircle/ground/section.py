@@ -161,7 +161,8 @@ class Section(SectionGeometry, Mass):
         """
         cohesion = effects.get("cohesion", {})
         effects = super().effects_with_own(effects)
-        if np.any(cohesion.get("gradient")):
+        grows = np.any(cohesion.get("gradient"))
+        if grows:
             effects = lazy_import("depths").growing(self, cohesion, effects)
         own = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
