@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 13aa55e47d638ea091d1d4ce0436a0845c939e6f3074cf4765a6c7ebd99b34ad
+# sha256 of the text below: f1ebc83ba96c0760da10ca241056dd3b38f531602219053d6b5dccf65c0389cd
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -208,7 +208,7 @@ EFFECTS = {
         Parameter('gradient', 'Pa/m', -5e-324, 1000000000000.0,
             'growth of the cohesion per metre below datum_m, by default 0', 'cohesion_per_m_kPa', 1000.0, '',
             lambda value, scales: value, True, 'number'),
-        Parameter('datum', 'm', -INFINITY, INFINITY,
+        Parameter('datum', 'm', -1e+20, 1e+20,
             'y below which the cohesion grows, by default the ground before the slide', 'datum_m', 1.0, '',
             lambda value, scales: value, True, 'fixed'),
         Parameter('depth', 'm', -5e-324, INFINITY,

@@ -62,7 +62,7 @@ class Parameter:
     @property
     def bounds(self) -> tuple[float, float]:
         """Open bounds; those of its unit, `LIMITS`, where declared ones say no more than its sign."""
-        if not self.key or self.kind not in ("number", "list", "series"):
+        if not self.key or self.kind not in ("number", "list", "series", "fixed"):
             return self.lower, self.upper
         least, most = LIMITS[self.unit]
         return least if self.lower == 0.0 else max(self.lower, -most), min(self.upper, most)

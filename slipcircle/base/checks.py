@@ -286,7 +286,6 @@ _KINDS = {
     "name": "a name or a number",
     "flag": "True or False",
     "number": "a number",
-    "fixed": "one number within 1e9",
     "list": "a list of numbers",
     "series": "a function of time, such as Record(t, a), Record(a, dt=0.01), a Series or a Pulse",
 }
@@ -327,13 +326,14 @@ _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
     """Return the messages about the value of a declared parameter."""
-    has_bounds = p.key and p.kind in ("number", "list", "series")
+    has_bounds = p.key and p.kind in ("number", "list", "series", "fixed")
     if has_bounds and not callable(value):
         lower = min(p.lower, 0.0)
         sign = _SIGNS.get(lower, "")
         allowed = f"{p.help}{sign} ({p.unit})"
         bounds = {p.name: (p.lower, p.upper, allowed)}
-        sentences = mistakes({p.name: value}, bounds)
+        one = (p.name,) if p.kind == "fixed" else ()
+        sentences = mistakes({p.name: value}, bounds, one)
         messages = map(Message.of, sentences)
         return [message.within(path) for message in messages]
     if _is_of_kind(p.kind, value):
@@ -348,15 +348,12 @@ def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
 def _is_of_kind(kind: str, value: Any) -> bool:
     """Return whether a value has the type that its parameter's kind requires."""
     match kind:
-        case "number" | "list":
+        case "number" | "list" | "fixed":
             return False
         case "series":
             return hasattr(value, "kinks")
         case "flag":
             return isinstance(value, bool)
-        case "fixed":
-            is_number = type(value) in (int, float)
-            return is_number and abs(value) < 1e9
         case "text" | "name":
             return isinstance(value, str | int | PathLike)
     return value in kind.split("|")
