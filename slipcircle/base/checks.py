@@ -312,13 +312,16 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
 
 def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
     """Return whether there is one valid float for each required parameter and nothing else, which is the usual case."""
-    needed = [p for p in parameters if not p.optional or p.name in given]
-    for p in needed:
+    count = 0
+    for p in parameters:
+        if p.optional and p.name not in given:
+            continue
+        count += 1
         value = given.get(p.name)
         is_number = p.kind == "number" and type(value) is float
         if not (is_number and p.lower < value < p.upper):
             return False
-    return len(given) == len(needed)
+    return len(given) == count
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
