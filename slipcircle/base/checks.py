@@ -318,8 +318,7 @@ def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
             continue
         count += 1
         value = given.get(p.name)
-        is_number = p.kind == "number" and type(value) is float
-        if not (is_number and p.lower < value < p.upper):
+        if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
             return False
     return len(given) == count
 

@@ -279,7 +279,7 @@ class AlongTheArc:
         fastest: Callable[..., float] = lambda t, state: rate(t, state)[1]  # noqa: E731
         stops.terminal, stops.direction = True, -1.0  # type: ignore[attr-defined]
         start = (0.0, velocity / self.radius)
-        run = solve_ivp(rate, (0.0, 1e4), start, "DOP853", rtol=1e-11, atol=1e-13, events=(stops, fastest))
+        run = solve_ivp(rate, (0.0, 1e4), start, "DOP853", rtol=1e-12, atol=1e-14, events=(stops, fastest))
         greatest = max([velocity / self.radius, *(state[1] for state in run.y_events[1])])
         return self.radius * run.y_events[0][0][0], run.t_events[0][0], self.radius * greatest
 
