@@ -40,5 +40,5 @@ def run(options: argparse.Namespace) -> Answer:
         for name, circle, lines in zip(names, circles, warnings, strict=True)
     ]
     lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
-    drawn = {"plot": partial(pictures.picture, "search", circles[0])}
+    drawn = {"plot": partial(pictures.picture, "search", (names[0], circles[0]))}
     return Answer(lambda: records, [table], lines, drawn)
