@@ -185,6 +185,12 @@ class Design:
             matrices[k, 2 + k] = points[d + k]
         return _drawn(self, matrices)
 
+    def samples(self) -> dict[str, Floats]:
+        """Return the values of each input at all samples by key, in its unit."""
+        blocks = [self.values(block) for block in range(self.sample_blocks)]
+        of_inputs = zip(self.inputs.values(), zip(*blocks, strict=True), strict=True)
+        return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
+
     def _si(self, index: int) -> dict[str, Floats]:
         """The same in SI units, by name."""
         with np.errstate(all="ignore"):

@@ -92,9 +92,7 @@ class Study(Pictured):
     @cached_property
     def inputs(self) -> dict[str, Floats]:
         """Values of the numbers that vary at each sample, by key and in its unit."""
-        blocks = [self.design.values(block) for block in range(self.design.sample_blocks)]
-        of_inputs = zip(self.design.inputs.values(), zip(*blocks, strict=True), strict=True)
-        return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
+        return self.design.samples()
 
     @cached_property
     def samples(self) -> dict[str, NDArray[Any]]:

@@ -49,9 +49,7 @@ class SuiteStudy(Pictured):
         self.design, self.records, self.suite = design, design.records, design.records.suite
         self.polarities, self.scales = np.array(self.records.polarities), self.records.scales
         self.values, self.damaged = values, damaged
-        blocks = [design.values(block) for block in range(design.sample_blocks)]
-        of_inputs = zip(design.inputs.values(), zip(*blocks, strict=True), strict=True)
-        self.samples = {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
+        self.samples = design.samples()
 
     @property
     def scene(self) -> Scene:
