@@ -24,6 +24,24 @@ class Estimate(NamedTuple):
     high: float
 
 
+class Exceedance(NamedTuple):
+    """Probabilities that values are exceeded, with their intervals."""
+
+    at: Floats
+    probability: Floats
+    low: Floats
+    high: Floats
+
+
+class Convergence(NamedTuple):
+    """Estimates from the first n valid samples."""
+
+    n: int
+    moving: Estimate
+    median: Estimate
+    upper: Estimate
+
+
 NOT_GIVEN = Estimate(math.nan, math.nan, math.nan)
 BEYOND = "beyond"  # in place of an infinite value: exceeded by samples that slide to no known end
 

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,9 @@ from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.searched import effect_of_searching
 from slipcircle.workbench.studies.statistics import (
+    Convergence,
     Estimate,
+    Exceedance,
     Indices,
     Ordered,
     Spread,
@@ -41,24 +43,6 @@ from slipcircle.workbench.studies.statistics import (
 )
 
 _VARYING = ("moves", *OUTCOMES)  # outputs with sensitivity indices
-
-
-class Exceedance(NamedTuple):
-    """Probabilities that values are exceeded, with their intervals."""
-
-    at: Floats
-    probability: Floats
-    low: Floats
-    high: Floats
-
-
-class Convergence(NamedTuple):
-    """Estimates from the first n valid samples."""
-
-    n: int
-    moving: Estimate
-    median: Estimate
-    upper: Estimate
 
 
 class Study(Pictured):
