@@ -1,6 +1,8 @@
 """What results turn into for other tools and for the eye. The core computes; a package above makes the forms."""
 
+from collections.abc import Mapping
 from importlib import import_module
+from os import PathLike
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -16,15 +18,16 @@ def use_forms(module: str) -> None:
 class Pictured:
     """The method that draws a result."""
 
-    def plot(self, what: str = "overview", ax: Any = None) -> Any:
-        """Draw it with matplotlib.
+    def plot(self, what: str | PathLike[str] = "overview", ax: Any = None) -> Any:
+        """Draw it with matplotlib, on axes or into a file.
 
         Parameters
         ----------
-        what : str
-            ``"overview"``, which is several panels. Of a motion also ``"section"``, ``"energy"``, ``"shaking"``, of one
-            through layers ``"stress_along_arc"``, and over time ``"velocity"``, ``"displacement"``, ``"rotation"``,
-            ``"friction"``, ``"normal_stress"``; of a study also ``"run_out"``, ``"peak_velocity"``,
+        what : str or path
+            ``"overview"``, which is several panels, or the path of a file to write with these, ``"slide.png"`` (.svg,
+            .pdf, .jpg; .gif of a motion is an animation). Of a motion also ``"section"``, ``"energy"``, ``"shaking"``,
+            of one through layers ``"stress_along_arc"``, and over time ``"velocity"``, ``"displacement"``,
+            ``"rotation"``, ``"friction"``, ``"normal_stress"``; of a study also ``"run_out"``, ``"peak_velocity"``,
             ``"duration"``; of a suite of records ``"displacements"``, ``"incremental"``, ``"fragility"``, and of its
             median record ``"velocity"``, ``"displacement"``.
         ax : matplotlib axis, optional
@@ -32,8 +35,8 @@ class Pictured:
 
         Returns
         -------
-        matplotlib.axes.Axes
-            Of the overview its first panel; ``.figure`` is the whole, with ``savefig``.
+        matplotlib.axes.Axes or None
+            Of the overview its first panel; ``.figure`` is the whole, with ``savefig``. None where a path is given.
 
         Raises
         ------
@@ -51,6 +54,12 @@ class Pictured:
 
 class Forms(Pictured):
     """The methods of `Motion` that other tools call."""
+
+    @property
+    def factors_of_safety(self) -> Mapping[str, Any]:
+        """Factors of safety at the start by each method that the mass allows; of an `Arc`, by the paper's alone."""
+        factors: Mapping[str, Any] = self._form("factors_of_safety")
+        return factors
 
     def animate(self, path: str = "", seconds: float = 5.0) -> Any:
         """The slide as a moving section.

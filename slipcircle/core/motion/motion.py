@@ -61,7 +61,7 @@ class Motion(Forms, Generic[Numbers]):
     yield_coefficient : float
         k_y, down-slope acceleration over g at which it would just move, by the method of the start; negative if moving.
     friction, factor_of_safety : float
-        Friction coefficient and available resistance over drive at the start; the latter is infinite without a drive.
+        Friction coefficient and factor of safety by the starting method at the start; infinite without a drive.
     further_factors : FurtherFactors
         Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide.
     error_estimate : float
@@ -314,13 +314,17 @@ class Motion(Forms, Generic[Numbers]):
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
+    def _at_start(self, quantity: str) -> Any:
+        by_start = self.plan.scene.by_start(quantity, self)
+        return by_start[0] if by_start else self._shaped(self._history.forces.statics[quantity])
+
     @property
     def limit_friction(self) -> Any:
-        return self._shaped(self._history.forces.statics["limit_friction"])
+        return self._at_start("limit_friction")
 
     @property
     def factor_of_safety(self) -> Any:
-        return self._shaped(self._history.forces.statics["factor_of_safety"])
+        return self._at_start("factor_of_safety")
 
     @property
     def further_factors(self) -> Any:
@@ -328,12 +332,11 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def yield_coefficient(self) -> Any:
-        by_start = self.plan.scene.by_start("yield_coefficient", self)
-        return by_start[0] if by_start else self._shaped(self._history.forces.statics["yield_coefficient"])
+        return self._at_start("yield_coefficient")
 
     @property
     def friction(self) -> Any:
-        return self._shaped(self._history.forces.statics["friction"])
+        return self._at_start("friction")
 
     # --- accuracy ----------------------------------------------------------------------------------------------------
 

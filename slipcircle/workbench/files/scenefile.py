@@ -1,8 +1,10 @@
 """Scenes read from TOML files, every mistake listed at once, and the scenes that ship."""
 
+import json
 import os
+import re
 import tomllib
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from importlib import resources
@@ -19,13 +21,12 @@ from slipcircle.ground import Section
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
-from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
 from slipcircle.workbench.records.forcing import with_records
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical, SlopeScene
 from slipcircle.workbench.stability.stability import soil
 
 _MOST_BYTES, _DEEPEST = 10**7, 64
@@ -109,6 +110,57 @@ def critical_of_file(
     if parts["uncertain"]:
         warnings.append(f"at the median of {', '.join(parts['uncertain'])}")
     return parts["name"], parts.get("note", ""), parts["stability"], warnings
+
+
+_MOVING = ("rotation", "centripetal", "shaking", "drag", "viscosity", "heating", "end_time_s", "initial_velocity_m_s")
+_ELSEWHERE = r"(?:^[ \t]*(?:#[^\n]*)?\n)*^[ \t]*\[[^,\n]*\][ \t]*(?:#[^\n]*)?$"
+_CIRCLE = re.compile(rf"^[ \t]*\[[ \t]*circle[ \t]*\].*?(?={_ELSEWHERE}|\Z)", re.MULTILINE | re.DOTALL)
+
+
+def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
+    """Return the text of the scene in which the slope of a file moves along a circle of `critical_of_file`.
+
+    A slope without a motion gets rotation and centripetal stress.
+
+    Raises
+    ------
+    ValueError
+        If the circle is not a table of its own, a motion does not allow another table, or the file refers to files in
+        its folder and the scene is for a ``path`` in another one.
+    """
+    source = find(name)
+    file = str(source)
+    content = _content(source, file)
+    circle = {"centre_m": found.centre, "radius_m": found.radius, "between_m": found.between, "start": found.start}
+    tables: dict[str, Any] = {"circle": json.loads(json.dumps(circle))}
+    tables |= {} if any(key in content for key in _MOVING) else {"rotation": {}, "centripetal": {}}
+    texts = {}
+    for table, values in tables.items():
+        lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
+        texts[table] = "".join([f"[{table}]\n", *lines])
+    text, count = _CIRCLE.subn(lambda _: texts["circle"], source.read_text("utf-8-sig"), 1)
+    text = "\n".join([text, *([] if count else [texts["circle"]]), *(texts[n] for n in tables if n != "circle")])
+    expected = content | tables
+    try:
+        is_replaced = tomllib.loads(text) == expected
+    except tomllib.TOMLDecodeError:
+        is_replaced = False
+    if not is_replaced:
+        raise ValueError(f"{file}: circle: cannot be replaced in the text; make it a table of its own, [circle]")
+    _parts(expected, file)
+    here = Path(file).parent
+    if here.resolve() != Path(path).parent.resolve():
+        near = [t for t in _texts(content) if os.path.isfile(here / t.partition("#")[0])]
+        if near:
+            raise ValueError(f"{path}: is in another folder than {file}, which refers to {near[0]}; write it beside it")
+    return text
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Yield the texts among values in tables and lists."""
+    inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    for one in inside:
+        yield from [one] if isinstance(one, str) else _texts(one)
 
 
 _ADVICE = (

@@ -7,8 +7,8 @@ import numpy as np
 from slipcircle.workbench.outputs.plotstyle import SCENERY, area, label, note, to_scale
 from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.factors import YIELD
-from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _CELLS = 30  # of the map of factors, across

@@ -30,7 +30,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 from slipcircle.workbench.outputs.scenery import lines
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 from slipcircle.workbench.outputs.trace import toe_words
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
@@ -195,7 +195,7 @@ def factors_in_words(critical: Critical | None) -> str:
     """Factors of safety with the names of their methods."""
     if critical is None:
         return ""
-    factors = critical.factor_of_safety.items()
+    factors = critical.factors_of_safety.items()
     known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors if value is not None]
     return "\n".join(["factor of safety", *known]) if known else ""
 

@@ -18,7 +18,7 @@ from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     factor_label,
     factor_text,
-    factors,
+    factors_of,
     results,
     slow_words,
     summary,
@@ -31,7 +31,7 @@ from slipcircle.workbench.common.starting import start_rows
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 from slipcircle.workbench.studies.ladder import Rung
@@ -93,7 +93,7 @@ def motion_summary(motion: Motion) -> dict[str, str]:
     critical = stability_of(motion.plan.scene)
     if critical is not None:
         if critical.slope.k_h:
-            column |= _factors(critical.factor_of_safety, critical.slope.k_h)
+            column |= _factors(critical.factors_of_safety, critical.slope.k_h)
         if critical.slope.surcharge and "shaking" in motion.plan.scene.called:
             column["loads at the start"] = "those of the motion, also for k_y: surcharges are shaken with the mass"
     return column | {"estimated error": f"{motion.error_estimate:.1e}"}
@@ -101,7 +101,7 @@ def motion_summary(motion: Motion) -> dict[str, str]:
 
 def difference_words(motion: Motion) -> str:
     """How far the factor of safety of a motion is from Bishop's, and why; empty where Bishop's is not known."""
-    known = factors(motion.plan.scene, motion.factor_of_safety)
+    known = factors_of(motion)
     gap = 100.0 * (known[OF_CLOSURE] / known.get("bishop", math.nan) - 1.0)
     side = "lower" if gap < 0.0 else "higher"
     return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if abs(gap) >= 0.05 else ""
@@ -164,8 +164,8 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 def stability_column(critical: Critical) -> dict[str, str]:
     """A slip circle of a slope with its factors of safety, by labels."""
-    column = _factors(critical.factor_of_safety, critical.slope.k_h)
-    without = critical.factor_of_safety_without_k_h or {}
+    column = _factors(critical.factors_of_safety, critical.slope.k_h)
+    without = critical.factors_of_safety_without_k_h or {}
     column |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
     size = critical.radius
     entry_and_exit = {"entry": _point(critical.entry, size), "exit": _point(critical.exit, size)}

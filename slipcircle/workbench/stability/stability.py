@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import InputError, complaint, raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.checks import InputError, complaint, freeze, raise_all
+from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.core import cohesion_mistakes, law_mistakes
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
@@ -75,10 +76,10 @@ class Slope:
     ----------
     ground : array_like
         Points of the surface from left to right, (V, 2), x and y in m; equal x is a vertical scarp.
-    cohesion : float
-        c', Pa.
-    friction : float
-        Friction coefficient, tan(phi').
+    cohesion : float, mapping or callable
+        c', Pa; or a law of slip as for a `Soil`, from which factors of safety take the value at the start.
+    friction : float, mapping or callable
+        Friction coefficient, tan(phi'); or a law as for a `Scene`, from which they take the value at the start, too.
     unit_weight : float
         gamma, N/m^3.
     level : array_like, optional
@@ -115,8 +116,8 @@ class Slope:
     """
 
     ground: ArrayLike
-    cohesion: float = 0.0
-    friction: float = 0.0
+    cohesion: float | Parameters | Callable[[Any], Any] = 0.0
+    friction: float | Parameters | Callable[[Any], Any] = 0.0
     unit_weight: float | None = None
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
@@ -135,6 +136,7 @@ class Slope:
     def __post_init__(self) -> None:
         mistakes = self._field_mistakes()
         if not mistakes:
+            freeze(self, ("cohesion", "friction"))
             object.__setattr__(self, "ground", np.array(self.ground, dtype=np.float64))
             if self.level is not None:
                 object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
@@ -151,8 +153,12 @@ class Slope:
                 if getattr(self, name):
                     mistakes.append(f"{name}: is given by the soils of the layers; leave it out")
             mistakes += layer_mistakes(self.layers, self.surcharge)
-        elif self.unit_weight is None:
-            mistakes.append("unit_weight is missing")
+        else:
+            if self.unit_weight is None:
+                mistakes.append("unit_weight is missing")
+            of_laws = self._law_mistakes()
+            mistakes += of_laws
+            fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
         mistakes += slope_errors(fields)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
@@ -160,12 +166,26 @@ class Slope:
             )
         return mistakes
 
+    def _law_mistakes(self) -> list[str]:
+        """Return a message for each mistake in strengths that are laws; numbers are checked with the other fields."""
+        found = []
+        if callable(self.friction) or isinstance(self.friction, Mapping):
+            found += law_mistakes(self.friction)
+        if callable(self.cohesion) or isinstance(self.cohesion, Mapping):
+            found += cohesion_mistakes(self.cohesion, "cohesion")
+        return found
+
+    @property
+    def _strength(self) -> dict[str, Any]:
+        """Cohesion and friction of one soil at the start."""
+        return {"cohesion": cohesion_at_rest(self.cohesion), "friction": friction_at_rest(self.friction)}
+
     def _joint_mistakes(self) -> list[str]:
         """A sentence for each mistake of fields that are valid by themselves."""
         mistakes = []
         ground = np.asarray(self.ground)
         mistakes += complaint([water_fault(*self._water)], ())
-        if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
+        if not self.layers and not any(self._strength.values()):
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
             mistakes.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
@@ -193,11 +213,17 @@ class Slope:
         """For `circle_factors`."""
         names = ("water_unit_weight", "pressure", "k_h", "crack", "crack_water", "k_h_on_surcharge")
         numbers = {name: getattr(self, name) for name in names}
-        layers = self.layers
-        if not layers:
-            assert self.unit_weight is not None
-            layers = _one_layer(self.unit_weight, self.cohesion, self.friction, self.pore_ratio)
-        return _slope_arrays(_of_one_slope, self, layers, self.surcharge, numbers)
+        return _slope_arrays(_of_one_slope, self, self.soils, self.surcharge, numbers)
+
+    @property
+    def soils(self) -> Sequence[tuple[Soil, Any]]:
+        """Soils from the ground down, each with its top; a single soil has its strength at the start."""
+        return self.layers or one_layer(self.unit_weight, **self._strength, pore_ratio=self.pore_ratio)
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether a soil has friction at the start."""
+        return any(np.any(soil.peak) for soil, _ in self.soils)
 
 
 _LAYERED = ("layers", "surcharge", "crack", "crack_water", "k_h_on_surcharge")
@@ -289,7 +315,7 @@ def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _B
     numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
-    layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
+    layers = one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
     numbers |= {"pressure": by_lane(strength["pressure"])}
     return _slope_arrays(by_lane, section, layers, (), numbers)
 
@@ -325,9 +351,9 @@ def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
     return np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
 
 
-def _one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) -> _Layers:
-    """Homogeneous ground as its only layer."""
-    return [(Soil(unit_weight, cohesion, friction, pore_ratio=pore_ratio), None)]
+def one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) -> _Layers:
+    """Return homogeneous ground as its only layer."""
+    return [(Soil(unit_weight, cohesion, friction, pore_ratio=pore_ratio, name="soil"), None)]
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
