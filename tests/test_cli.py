@@ -23,7 +23,7 @@ from slipcircle import State, load, solve
 from slipcircle import __main__ as line
 from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.common.records import record
-from slipcircle.workbench.files.scenefile import find, shipped
+from slipcircle.workbench.files.shipped import find, shipped
 from tests.support.lanes import BINARY, compiled
 from tests.support.outputs import COMPUTING, columns
 
@@ -340,6 +340,31 @@ def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
     assert "0 done, 1 the input was refused, 2 a wrong call, 130 interrupted" in text
     assert all(name in text for name in (*shipped(), *commands))
     assert said("--version") == f"slipcircle {slipcircle.__version__}\n"
+
+
+LOADED = """
+import sys
+from contextlib import suppress
+from slipcircle.__main__ import main
+def commands():
+    return sorted(n.rpartition(".")[2] for n in sys.modules if n.startswith("slipcircle.workbench.commands."))
+for words in ("--help", "records --help"):
+    with suppress(SystemExit):
+        main(words.split())
+    print(commands(), [n for n in ("slipcircle.workbench.files.scenefile", "scipy") if n in sys.modules])
+drawn = {"theta_1_deg": "normal:215:1", "theta_2_deg": "triangular:276:277:278", "radius_m": "lognormal:1490:9"}
+drawn = [f"--uncertain=arc.{key}={value}" for key, value in drawn.items()]
+drawn += ["--uncertain=friction.angle_deg=uniform:9:10", "--correlation=arc.radius_m,friction.angle_deg=0.5"]
+main(["sweep", "vaiont", "--samples", "64", *drawn])
+print("scipy.stats" in sys.modules)
+"""
+
+
+def test_a_command_loads_its_own_module_and_a_study_no_distributions_of_scipy() -> None:
+    """Help is to take less time than a run, and the import of scipy.stats takes longer than a small study."""
+    done = fresh("-c", LOADED)
+    lines = [line for line in done.stdout.splitlines() if line.startswith(("[", "True", "False"))]
+    assert lines == ["[] []", "['records'] []", "False"], done.stderr
 
 
 def test_a_scene_without_an_end_is_named_with_the_key_to_write(tmp_path: Path, refused: Any) -> None:

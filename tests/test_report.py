@@ -23,7 +23,7 @@ from slipcircle import Motion, Scene, Status, ensemble, load, solve
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.common.records import record as record_of
-from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.provenance import comments, inputs

@@ -11,12 +11,11 @@ from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.outputs.trace import csv
-
-HELP = "solve scenes and print their motion side by side"
 
 
 def options(parser: argparse.ArgumentParser) -> None:

@@ -3,15 +3,14 @@
 import argparse
 from functools import partial
 
-from slipcircle.base.progress import track
+from slipcircle.base.progress import say, track
 from slipcircle.workbench.commands.common import add_files
 from slipcircle.workbench.files.scenefile import critical_of_file, with_circle
 from slipcircle.workbench.outputs import pictures, tables
-from slipcircle.workbench.outputs.tables import Answer, Files, Part, say
+from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
-HELP = "the critical circle of a slope, and its factors of safety by three methods"
 SLOPE = "a scene that ships, by name, or the path of a TOML file with [ground] and soil"
 
 

@@ -1,6 +1,6 @@
 """Factors of safety and warnings of a scene or a motion, if it has a slope."""
 
-from slipcircle.core import Motion, Scene, room
+from slipcircle.core import Motion, Scene, lazy_import
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.stability.critical import Critical, SlopeScene
 
@@ -21,4 +21,4 @@ def warnings_of(motion: Motion) -> tuple[str, ...]:
     stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []
     of_file = scene.remarks if isinstance(scene, SlopeScene) else ()
-    return (*of_file, *of_circle, *room("warnings").collect_warnings(motion, written))
+    return (*of_file, *of_circle, *lazy_import("warnings").collect_warnings(motion, written))

@@ -274,12 +274,6 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 # --- the screen ------------------------------------------------------------------------------------------------------
 
 
-def say(message: str, before: str = "") -> None:
-    """Print a message on stderr, if it is open; each line begins with the name of the program."""
-    for text in message.splitlines() if sys.stderr is not None else ():
-        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr)
-
-
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
     """Print a table on stdout, in a terminal with the width of the terminal, at most `WIDEST`, and a coloured head.
 
