@@ -4,7 +4,7 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
@@ -105,36 +105,37 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
     source = find(name)
     file = str(source)
     content = _content(source, file)
-    circle = {"centre_m": found.centre, "radius_m": found.radius, "between_m": found.between, "start": found.start}
-    tables: dict[str, Any] = {"circle": json.loads(json.dumps(circle))}
-    tables |= {} if any(key in content for key in _MOVING) else {"rotation": {}, "centripetal": {}}
-    texts = {}
-    for table, values in tables.items():
-        lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
-        texts[table] = "".join([f"[{table}]\n", *lines])
-    text, count = _CIRCLE.subn(lambda _: texts["circle"], source.read_text("utf-8-sig"), 1)
-    text = "\n".join([text, *([] if count else [texts["circle"]]), *(texts[n] for n in tables if n != "circle")])
-    expected = content | tables
+    circle = {
+        "centre_m": [*found.centre],
+        "radius_m": found.radius,
+        "between_m": [*found.between],
+        "start": found.start,
+    }
+    added = () if any(key in content for key in _MOVING) else _MOVING[:2]
+    tables |= {name: {} for name in added}
+    text = _with_tables(source.read_text("utf-8-sig"), tables)
     try:
-        is_replaced = tomllib.loads(text) == expected
+        is_replaced = tomllib.loads(text) == content | tables
     except tomllib.TOMLDecodeError:
         is_replaced = False
     if not is_replaced:
         raise ValueError(f"{file}: circle: cannot be replaced in the text; make it a table of its own, [circle]")
-    _parts(expected, file)
+    _parts(content | tables, file)
     here = Path(file).parent
-    if here.resolve() != Path(path).parent.resolve():
-        near = [t for t in _texts(content) if os.path.isfile(here / t.partition("#")[0])]
-        if near:
-            raise ValueError(f"{path}: is in another folder than {file}, which refers to {near[0]}; write it beside it")
+    near = [file for file in re.findall(r"""["']([^"'#\n]+)""", text) if os.path.isfile(here / file)]
+    if near and here.resolve() != Path(path).parent.resolve():
+        raise ValueError(f"{path}: is in another folder than {file}, which refers to {near[0]}; write it beside it")
     return text
 
 
-def _texts(value: Any) -> Iterator[str]:
-    """Yield the texts among values in tables and lists."""
-    inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
-    for one in inside:
-        yield from [one] if isinstance(one, str) else _texts(one)
+def _with_tables(text: str, tables: Mapping[str, Mapping[str, Any]]) -> str:
+    """Return the text of a file with tables in the place of its circle, which is the first of them, and at the end."""
+    texts = []
+    for name, values in tables.items():
+        lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
+        texts.append("".join([f"[{name}]\n", *lines]))
+    replaced, count = _CIRCLE.subn(lambda _: texts[0], text, 1)
+    return "\n".join([replaced, *texts[count:]])
 
 
 _ADVICE = (
