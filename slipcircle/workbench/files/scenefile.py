@@ -105,14 +105,9 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
     source = find(name)
     file = str(source)
     content = _content(source, file)
-    circle = {
-        "centre_m": [*found.centre],
-        "radius_m": found.radius,
-        "between_m": [*found.between],
-        "start": found.start,
-    }
+    circle = {"centre_m": [*found.centre], "radius_m": found.radius, "between_m": [*found.between]}
     added = () if any(key in content for key in _MOVING) else _MOVING[:2]
-    tables |= {name: {} for name in added}
+    tables = {"circle": circle | {"start": found.start}} | {name: {} for name in added}
     text = _with_tables(source.read_text("utf-8-sig"), tables)
     try:
         is_replaced = tomllib.loads(text) == content | tables
@@ -122,7 +117,7 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
         raise ValueError(f"{file}: circle: cannot be replaced in the text; make it a table of its own, [circle]")
     _parts(content | tables, file)
     here = Path(file).parent
-    near = [file for file in re.findall(r"""["']([^"'#\n]+)""", text) if os.path.isfile(here / file)]
+    near = [text for text in re.findall(r"""["']([^"'#\n]+)""", text) if os.path.isfile(here / text)]
     if near and here.resolve() != Path(path).parent.resolve():
         raise ValueError(f"{path}: is in another folder than {file}, which refers to {near[0]}; write it beside it")
     return text
