@@ -96,16 +96,30 @@ class Forces:
 
     def factor_of_safety(self, states: States) -> Floats:
         """Return the ratio of resistance to drive for a mass at rest in the given states, infinite without a drive."""
+        (driving, resisting, normal), friction = self._at_rest(states)
+        strength = resisting + np.maximum(friction * normal, 0.0)
+        is_driven = driving > 0.0
+        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+
+    def _at_rest(self, states: States) -> tuple[Balance, Floats]:
+        """Return the balance in the direction of the drive and the friction of a mass at rest in some states."""
         program = self._with_outputs.program
         at_rest = states._replace(omega=np.zeros(states.lane.size))
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
         pull = cells[program.roles["cell_driving"]]
         cells, _ = begin(self._with_outputs, at_rest, np.where(pull < 0.0, -1.0, 1.0))
-        driving, resisting, normal = Balance.of(program, cells)
-        friction = cells[program.roles["cell_mu"]] * normal
-        strength = resisting + np.maximum(friction, 0.0)
-        is_driven = driving > 0.0
-        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+        balance = Balance.of(program, cells)
+        friction = cells[program.roles["cell_mu"]]
+        return balance, friction
+
+    def strengths(self, states: States) -> tuple[Floats, Floats]:
+        """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
+        (driving, resisting, _), _ = self._at_rest(states)
+        moving = self.outputs(states)
+        friction = moving["mu"] * moving["normal"]
+        friction = np.maximum(friction, 0.0)
+        mobilised = resisting + friction * self._strength(states.lane)
+        return mobilised, driving
 
     def holding_friction(self, states: States) -> Floats:
         """Return the friction coefficient required for equilibrium in the given states, NaN without contact.

@@ -37,6 +37,13 @@ class Stresses(NamedTuple):
     effective: Any
 
 
+class Strengths(NamedTuple):
+    """Mean shear strength along the slip surface that is mobilised, and that required for equilibrium, Pa."""
+
+    mobilised: Any
+    required: Any
+
+
 class FurtherFactors(NamedTuple):
     """Factors of safety with residual strength on the original geometry, and at rest after the slide.
 
@@ -227,6 +234,16 @@ class History:
         """Return the friction coefficient required for equilibrium at times. See `Motion.holding_friction_at`."""
         time = self._checked(times)
         return self._by_state(time, self.forces.holding_friction(self._states(time)))
+
+    def strength_at(self, times: ArrayLike) -> Strengths:
+        """Return the strengths of `Motion.strength_at`."""
+        time = self._checked(times)
+        unit = before(stress_unit(self.plan.scene.arc), time.ndim)
+        states = self._states(time)
+        mobilised, required = self.forces.strengths(states)
+        return Strengths(
+            mobilised=unit * self._by_state(time, mobilised), required=unit * self._by_state(time, required)
+        )
 
     def path_at(self, times: ArrayLike) -> Any:
         """Return the length of the path at times, m. See `Motion.path_at`."""

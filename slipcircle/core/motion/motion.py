@@ -260,6 +260,14 @@ class Motion(Forms, Generic[Numbers]):
         """
         return self._history.holding_friction_at(times)
 
+    def strength_at(self, times: ArrayLike) -> Any:
+        """Return the mobilised shear strength and that required for equilibrium, Pa; times as for `at`.
+
+        The fields ``mobilised`` and ``required`` are means over the slip surface and contain the strength factor. With
+        the required strength the mass, brought to rest where it is, would just stay.
+        """
+        return self._history.strength_at(times)
+
     def path_at(self, times: ArrayLike) -> Any:
         """Return the length of the path from the start, back and forth, in m, at times as in `at`."""
         return self._history.path_at(times)

@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> Answer:
     ]
     lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
     made: Files = {
-        "plot": partial(pictures.picture, "search", circles[0]),
+        "plot": partial(pictures.picture, "search", (names[0], circles[0])),
         "write": lambda path: with_circle(options.scenes[0], circles[0], path).encode(),
     }
     return Answer(lambda: records, [table], lines, made)

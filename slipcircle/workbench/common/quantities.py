@@ -316,6 +316,8 @@ HISTORY: Mapping[str, Quantity] = {
         Quantity("effective_stress", "Pa", "mean effective stress", "effective_stress_at"),
         Quantity("friction", "", "friction coefficient", "friction_at"),
         Quantity("holding_friction", "", "friction coefficient required for equilibrium", "holding_friction_at"),
+        Quantity("strength", "Pa", "mobilised strength", "strength_at.mobilised"),
+        Quantity("required_strength", "Pa", "strength required for equilibrium", "strength_at.required"),
         Quantity("kinetic_energy", "J", "kinetic energy", "energy_at.kinetic_end"),
         Quantity("work_of_gravity_and_shaking", "J", "work of gravity and shaking", "energy_at.work"),
         Quantity("dissipation", "J", "dissipation", "energy_at.dissipation"),

@@ -1,7 +1,7 @@
 """Pictures and HTML of results: methods of `Motion` and `Study` call these functions by name."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from slipcircle.core import Motion
@@ -18,22 +18,22 @@ from slipcircle.workbench.studies.suitestudy import SuiteStudy
 __all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
-_DRAWN: Mapping[type, tuple[str, Mapping[str, Any]]] = {  # by result: its overview among the pictures, and its panels
-    Critical: ("search", {}),
-    Motion: ("motions", plots.PANELS),
-    Study: ("study", studyplots.PANELS),
-    SuiteStudy: ("suite", suiteplots.PANELS),
+# By result: its overview among the pictures, what that is drawn of, and its panels.
+_DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
+    Critical: ("search", lambda found: ("", found), {}),
+    Motion: ("motions", lambda motion: [motion], plots.PANELS),
+    Study: ("study", lambda study: study, studyplots.PANELS),
+    SuiteStudy: ("suite", lambda study: study, suiteplots.PANELS),
 }
 
 
 def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
     """Draw one panel of a result on an axis, or all panels on a new figure or into a file; return the axes if any."""
-    overview, panels = _DRAWN[type(result)]
+    overview, drawn, panels = _DRAWN[type(result)]
     _one_lane(result)
     name = os.fspath(what)
     if name in panels:
         return panels[name](result, ax=ax)
-    drawn = [result] if isinstance(result, Motion) else result
     ends = [f".{kind}" for kind in (*pictures.KINDS, *["gif"] * isinstance(result, Motion))]
     is_path = name.lower().endswith((*ends,))
     if name != "overview" and not is_path:
@@ -42,8 +42,8 @@ def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
     if ax is not None:
         raise ValueError("plot: the overview has several panels: leave out ax, or name one of its pictures")
     if is_path:
-        return files.write(name, pictures.picture(overview, drawn, name))
-    drawing = pictures.drawing(overview, drawn)
+        return files.write(name, pictures.picture(overview, drawn(result), name))
+    drawing = pictures.drawing(overview, drawn(result))
     return drawing.draw(new_figure(drawing.size)).axes[0]
 
 

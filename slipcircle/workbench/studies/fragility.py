@@ -21,6 +21,13 @@ _SAME = 1e-9  # relative difference of equal peak accelerations, which scaling r
 _UNKNOWN = np.full((2, 2), np.nan)
 
 
+def interval_note(records: int) -> str:
+    """Return whether fragility curves from so many records have intervals, in words."""
+    if records >= _FEWEST_OF_INTERVAL:
+        return "95 % intervals of records as independent draws"
+    return f"no intervals: {records} records, fewer than {_FEWEST_OF_INTERVAL}"
+
+
 class FragilityCurve(NamedTuple):
     """The probability Phi(ln(PGA/median)/dispersion) that the displacement exceeds a threshold.
 
