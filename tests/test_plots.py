@@ -21,11 +21,12 @@ from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
-from slipcircle.workbench.outputs.tables import cell_text, motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import cell_text, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
+from tests.support.outputs import printed
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion
 from tests.support.rays import from_method
 
@@ -300,8 +301,8 @@ def test_the_section_names_times_and_ways_and_that_the_circle_goes_on() -> None:
     assert "at rest after 6.477 s and 10.41 m" in words
     hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(getattr(m.plan.scene.arc, "ground")))  # noqa: B009
     assert f"toe {hangs:.4g} m above the ground" in words
-    assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the run-out"]
-    assert "toe at the run-out" not in motion_column(motion("vaiont"))
+    assert f"{hangs:.4g} m above the ground" in printed(m)["toe at the run-out"]
+    assert "toe at the run-out" not in printed(motion("vaiont"))
     assert "still moving after 30 s and 1020 m" in legend(plots.section(motion("vaiont-frozen"), drawn((9.0, 6.0))))
 
 

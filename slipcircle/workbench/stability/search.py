@@ -50,10 +50,9 @@ def critical(
 
     Notes
     -----
-    Each circle connects two points of the ground and is evaluated for the mass that it cuts off between them. Ground
-    vertices are always among these points (evenly chosen ones if there are more than 48), and circles deepen up to the
-    one that is vertical at an end or touches the base. The best valleys of this coarse family are refined to 1e-4 of
-    its spacing. Deterministic.
+    Each circle connects two points of the ground and is evaluated for the mass between them. Ground vertices are always
+    among these points (evenly chosen ones if there are more than 48), and circles deepen up to the one that is vertical
+    at an end or touches the base. The best valleys of this coarse family are refined to 1e-4 of its spacing.
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
