@@ -27,7 +27,7 @@ from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BIN_ERROR
 from slipcircle.workbench.studies.study import Study
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = load("vaiont")

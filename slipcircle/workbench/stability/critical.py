@@ -131,9 +131,8 @@ class Critical(Pictured):
         common: dict[str, Any] = {name: getattr(slope, name) for name in names}
         common |= {"centre": self.centre, "radius": self.radius, "between": self.between}
         if slope.layers or slope.surcharge or slope.crack:
-            soil = slope.unit_weight, slope.cohesion, slope.friction, slope.pore_ratio
             loads: dict[str, Any] = {"surcharge": slope.surcharge, "crack": slope.crack}
-            return LayeredSection(**common, **loads, layers=slope.layers or one_layer(*soil))
+            return LayeredSection(**common, **loads, layers=slope.layers or one_layer(vars(slope)))
         return Section(**common, unit_weight=float(slope.unit_weight or 0.0))
 
     def scene(self, effects: Mapping[str, Any] | Iterable[str] = (), **given: Any) -> SlopeScene[Any]:
@@ -161,8 +160,10 @@ class Critical(Pictured):
             water = {"pressure": slope.pressure} if slope.pressure else {}
         else:
             fields["friction"] = slope.friction
-            cohesion = slope.cohesion if isinstance(slope.cohesion, Mapping) else {"cohesion": slope.cohesion}
-            named = {"cohesion": cohesion, **named} if slope.cohesion else named
+            cohesion = dict(slope.cohesion) if isinstance(slope.cohesion, Mapping) else {"cohesion": slope.cohesion}
+            growth = {"gradient": slope.cohesion_gradient, "datum": slope.datum}
+            cohesion |= {name: value for name, value in growth.items() if value is not None and slope.cohesion_gradient}
+            named = {"cohesion": cohesion, **named} if any(cohesion.values()) else named
             pore_pressure = {"ratio": slope.pore_ratio, "pressure": slope.pressure}
             water = {name: value for name, value in pore_pressure.items() if value}
         named = {"pore_pressure": water, **named} if water else named
