@@ -16,8 +16,9 @@ from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import slope_of
+from slipcircle.workbench.outputs.guide import COMPARED
 from slipcircle.workbench.stability.critical import Critical
-from slipcircle.workbench.stability.stability import COMPARED, METHODS
+from slipcircle.workbench.stability.stability import METHODS
 from tests.support.motions import from_method
 from tests.support.outputs import columns
 

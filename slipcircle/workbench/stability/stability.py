@@ -47,22 +47,6 @@ def least_of(method: str) -> str:
     return "least yield coefficient" if method == YIELD else f"least factor by {method}"
 
 
-COMPARED = """\
-The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
-at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
-they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
-paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
-motion starts from the factor by the method of the search, or by start in [circle]: strength is multiplied by \
-one number, which is constant during the motion; a Scene that is not read from a file has 1. Below a water level the \
-paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \
-Bishop's, or give a base. An [arc] has the paper's factor only, as its ground is not known. A pressure in kPa is \
-uniform along the arc.
-
-Near the top of steep slopes, and under high water pressure, the effective normal stress of slices is negative by \
-Bishop's and by the ordinary method, and friction acts against stability. The share of such arc is printed, with a \
-warning from 20 % on. Compared with Taylor's friction circles on vertical cuts with friction, Bishop's least factor is \
-accurate to 1 % for a share below 14 %, and 2 % too low at 25 %, 5 % at 34 % and 9 % at 48 %; with those stresses set \
-to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
 Circles = tuple[Floats, Floats, Floats, Floats]  # centres, radii, left and right ends of arcs
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 _Layers = Sequence[tuple[Soil, Any]]  # each with its top
@@ -77,9 +61,9 @@ class Slope:
     ground : array_like
         Points of the surface from left to right, (V, 2), x and y in m; equal x is a vertical scarp.
     cohesion : float, mapping or callable
-        c', Pa; or a law of slip as for a `Soil`, from which factors of safety take the value at the start.
+        c', Pa, or a law of slip as for a `Soil`, whose value at the start is used in factors of safety.
     friction : float, mapping or callable
-        Friction coefficient, tan(phi'); or a law as for a `Scene`, from which they take the value at the start, too.
+        Friction coefficient, tan(phi'), or a law as for a `Scene`, whose value at the start is used, too.
     unit_weight : float
         gamma, N/m^3.
     level : array_like, optional
@@ -151,8 +135,7 @@ class Slope:
 
     def _field_mistakes(self) -> list[str]:
         """A sentence for each field that is missing, out of range, or excluded by another."""
-        fields = {name: value for name, value in vars(self).items() if name not in _LAYERED}
-        mistakes = []
+        fields, mistakes = {name: value for name, value in vars(self).items() if name not in _LAYERED}, list[str]()
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
             for name in _OF_ONE_SOIL:
@@ -188,15 +171,12 @@ class Slope:
 
     def _joint_mistakes(self) -> list[str]:
         """A sentence for each mistake of fields that are valid by themselves."""
-        mistakes = []
-        ground = np.asarray(self.ground)
-        mistakes += complaint([water_fault(*self._water)], ())
-        has_strength = any(self._strength.values()) or self.cohesion_gradient
-        if not self.layers and not has_strength:
+        mistakes = complaint([water_fault(*self._water)], ())
+        if not self.layers and not any((*self._strength.values(), self.cohesion_gradient)):
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
             mistakes.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
-        if self.base is not None and self.base >= float(ground[:, 1].max()):
+        if self.base is not None and self.base >= float(np.asarray(self.ground)[:, 1].max()):
             mistakes.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
         return mistakes
 
@@ -218,8 +198,7 @@ class Slope:
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        names = ("water_unit_weight", "pressure", "k_h", "crack", "crack_water", "k_h_on_surcharge")
-        numbers = {name: getattr(self, name) for name in names}
+        numbers = {name: getattr(self, name) for name in ("water_unit_weight", "pressure", "k_h", *_LAYERED[2:])}
         return _slope_arrays(_of_one_slope, self, self.soils, self.surcharge, numbers)
 
     @property
