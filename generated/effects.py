@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 50cae483f3aaa131736e228cf6a6943fe58f1670b83ec5e4185bff15d3ea6e2d
-"""Effects and friction laws that a scene may ask for."""
+# sha256 of the text below: 957aab1051b26a1e60e8113e892bdbd69d090c802a0b528c13d3c8796ce09708
+"""Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """Parameter of an effect or a law: SI unit, open bounds, key in scene files, and symbol in the balance."""
 
     name: str
     unit: str
@@ -29,7 +29,7 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """A friction law: source, parameters, what it depends on, help."""
+    """Friction law: source, parameters, variables on which it depends, and help."""
 
     name: str
     source: str
@@ -40,7 +40,7 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: source, parameters, what it depends on, help, whether the mass turns.
+    """Term of the equation of motion: source, parameters, variables on which it depends, help, and rotation.
 
     At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
     """
