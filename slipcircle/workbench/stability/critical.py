@@ -103,19 +103,21 @@ class Critical(Pictured):
         return replace(self, centres=self.centres[:0], values=self.values[:0])
 
     def record(self) -> dict[str, Any]:
-        """For JSON, in SI units."""
-        without = self.factors_of_safety_without_k_h
-        ponds = self.slope.free_water.of_one
-        return {
+        """Return the circle for JSON, in SI units."""
+        further: dict[str, Any] = {}
+        if self.factors_of_safety_without_k_h:
+            further["factors_of_safety_without_k_h"] = self.factors_of_safety_without_k_h
+        if self.method == YIELD:
+            further["yield_coefficient"] = self.yield_coefficient
+        if ponds := self.slope.free_water.of_one:
+            further["free_water"] = ponds
+        return further | {
             "method": self.method,
             "facing": self.facing,
             "factor_of_safety": self.factor_of_safety,
             "factor_of_safety_method": self.start,
             "factors_of_safety": self.factors_of_safety,
-            **({"factors_of_safety_without_k_h": without} if without else {}),
-            **({"yield_coefficient": self.yield_coefficient} if self.method == YIELD else {}),
             "circle": {"centre": list(self.centre), "radius": self.radius},
-            **({"free_water": ponds} if ponds else {}),
             "entry": list(self.entry),
             "exit": list(self.exit),
             "tried": self.tried,
@@ -151,23 +153,33 @@ class Critical(Pictured):
             For water in a tension crack, which a motion does not have, a circle without a result by the starting
             method, and mistakes in the fields.
         """
+        if self.slope.crack_water:
+            raise InputError("scene", [f"{{crack_water}} = {self.slope.crack_water!r}: {_CRACK_EMPTIES}"])
+        fields = {"start": self.start, "stability": self.without_map(), **given}
+        if not isinstance(self.section, LayeredSection):
+            fields["friction"] = self.slope.friction
+        named = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
+        every_effect = self._own_effects() | dict(named)
+        return SlopeScene(self.section, effects=every_effect, **fields)
+
+    def _own_effects(self) -> dict[str, Any]:
+        """Return the pore pressure of the slope as an effect, and the cohesion of a single soil."""
         slope = self.slope
-        if slope.crack_water:
-            raise InputError("scene", [f"{{crack_water}} = {slope.crack_water!r}: {_CRACK_EMPTIES}"])
-        named: Mapping[str, Any] = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
-        fields: dict[str, Any] = {"start": self.start, "stability": self.without_map()} | given
-        if isinstance(self.section, LayeredSection):
-            water = {"pressure": slope.pressure} if slope.pressure else {}
-        else:
-            fields["friction"] = slope.friction
-            cohesion = dict(slope.cohesion) if isinstance(slope.cohesion, Mapping) else {"cohesion": slope.cohesion}
-            growth = {"gradient": slope.cohesion_gradient, "datum": slope.datum}
-            cohesion |= {name: value for name, value in growth.items() if value is not None and slope.cohesion_gradient}
-            named = {"cohesion": cohesion, **named} if any(cohesion.values()) else named
-            pore_pressure = {"ratio": slope.pore_ratio, "pressure": slope.pressure}
-            water = {name: value for name, value in pore_pressure.items() if value}
-        named = {"pore_pressure": water, **named} if water else named
-        return SlopeScene(self.section, effects=named, **fields)
+        effects = dict[str, Any]()
+        water = {"pressure": slope.pressure}
+        if not isinstance(self.section, LayeredSection):
+            water["ratio"] = slope.pore_ratio
+            cohesion = slope.cohesion
+            strength = dict(cohesion) if isinstance(cohesion, Mapping) else {"cohesion": cohesion}
+            if slope.cohesion_gradient:
+                strength["gradient"] = slope.cohesion_gradient
+            if slope.datum is not None:
+                strength["datum"] = slope.datum
+            if cohesion or slope.cohesion_gradient:
+                effects["cohesion"] = strength
+        if any(water.values()):
+            effects["pore_pressure"] = {name: value for name, value in water.items() if value}
+        return effects
 
 
 @dataclass(frozen=True)
@@ -243,9 +255,12 @@ class SlopeScene(Scene[Numbers]):
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
-    """The factors of a circle that is given: of a section of this slope."""
-    ends = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
-    found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), *ends)
+    """Return the given circle of a section of a slope with its factors of safety."""
+    ends = sorted([tuple(section.entry), tuple(section.exit)])
+    left, right = np.array(ends)[:, None]
+    centre = np.array([section.centre])
+    radius = np.array([section.radius])
+    found = circle_of(slope, centre, radius, left, right)
     return replace(found, refused=int(None in found.factors_of_safety.values()))
 
 
