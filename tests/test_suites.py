@@ -418,7 +418,7 @@ def test_a_report_of_a_suite_shows_its_slope_and_numbers(
     stability = stability_of(still)
     assert stability is not None
     for method, name in (("paper", "the paper's method"), ("bishop", "Bishop's method")):
-        assert cells[f"factor of safety by {name}"] == [f"{stability.factor_of_safety[method]:.4g}"]
+        assert cells[f"factor of safety by {name}"] == [f"{stability.factors_of_safety[method]:.4g}"]
     assert cells["radius"] == [f"{stability.radius:.4g} m"]
     assert [float(x) for x in cells["centre"][0].removesuffix(" m").split(",")] == pytest.approx(
         list(stability.centre), abs=0.01
