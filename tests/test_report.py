@@ -98,7 +98,6 @@ def test_every_number_of_a_study_is_an_estimate_of_it(method: str) -> None:
     assert expected <= printed
     facts = {"samples": f"512, {method}", "seed": "5", "samples of a block": str(study.size),
              "requested relative error of each solution": "1e-09",
-             "relative error of quantiles from bins": "none: samples were kept",
              "friction.angle_deg": "scipy.stats.norm(10.0, 1.0)",
              "arc.radius_m": "scipy.stats.uniform(1400.0, 100.0)"}  # fmt: skip
     facts["samples by how they ended"] = ", ".join(f"{n} {Status(k).words}" for k, n in enumerate(study.counts) if n)

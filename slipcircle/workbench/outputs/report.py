@@ -41,7 +41,7 @@ from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.searched import SEARCHED
-from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR
+from slipcircle.workbench.studies.statistics import BEYOND
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
@@ -358,8 +358,6 @@ def _quantile_notes(study: Study) -> Iterator[str]:
         yield NO_INTERVAL
     if study.without_result:
         yield f"{BEYOND}: among the {study.without_result} samples that move without a result, so beyond any value"
-    if not study.samples:
-        yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
 def study_report(study: Study, file: bytes, command: str) -> str:
@@ -395,6 +393,5 @@ def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
         ["samples of a block", str(study.size)],
         ["samples by how they ended", ", ".join(ends)],
         ["requested relative error of each solution", _number(design.accuracy)],
-        ["relative error of quantiles from bins", "none: samples were kept" if study.samples else _number(BIN_ERROR)],
     ]
     yield Part([], method, "Method and accuracy")
