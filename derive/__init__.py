@@ -6,6 +6,7 @@ above it:
 
 ===============  ======================================================================================================
 ``progress``     how much of a long task is done
+``stages``       records of stages: what is unchanged does not run again
 ``check``        the error bound of each kernel, proved from its certificate alone
 ``declare``      the quantities to derive and the effects that a scene may contain, as data
 ``algebra``      definition -> closed form -> form without cancellation; balance laws -> motion; each step proved

@@ -16,6 +16,8 @@ rings
     Gauss' rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
 """
 
+from collections.abc import Sequence
+
 import sympy as sp
 from sympy import (
     Add,
@@ -45,7 +47,7 @@ from sympy import (
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Remainder, unfold
-from derive.declare.quantities import MOMENTS
+from derive.declare.quantities import Moment
 from derive.declare.symbols import alpha, r, theta
 
 REACH = Rational(1, 4)
@@ -263,9 +265,9 @@ def head() -> Expr:
     return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 
-def prove() -> list[str]:
-    """Prove the basis of the forms above; the claims."""
-    claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
+def prove(*moments: Moment) -> list[str]:
+    """Prove the basis of the forms above, and the weights of moments with a name in it; return the claims."""
+    claims = _of_edges() | _of_moments(moments) | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
     return [*claims]
@@ -286,10 +288,10 @@ def _of_edges() -> dict[str, Expr]:
     }
 
 
-def _of_moments() -> dict[str, Expr]:
-    """The declared moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
+def _of_moments(moments: Sequence[Moment]) -> dict[str, Expr]:
+    """The moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
     claims = {}
-    for moment in MOMENTS:
+    for moment in moments:
         weight = moment.weight
         if moment.name in MEANS:
             name, sign = MEANS[moment.name]

@@ -249,24 +249,26 @@ def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequ
 
 
 def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> list[str]:
-    """Prove that programs of effects and laws are (3.11), in both directions of travel and in phases of each kind.
+    """Prove that programs of effects and laws are (3.11); return the claims."""
+    return [claim for case in cases(effects, laws) for claim in prove_case(*case)]
+
+
+def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> list[str]:
+    """Prove that the program of these effects and laws is (3.11), in both directions of travel and in all phases.
 
     The drive at the start is computed from the limit friction (3.21), later from the terms of the balance. All
     parameters that may change along the motion do.
     """
-    parts = lookup(effects, laws)
     claims = []
-    for some, of_friction in cases(effects, laws):
-        declared = [p for effect in some for p in effect.parameters if p.symbol]
-        moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
-        names = tuple(effect.name for effect in some)
-        recipe = Recipe(names, tuple(law.name for law in of_friction), moving)
-        program = build(recipe, parts)
-        for direction, phase in product((1, -1), PHASES):
-            claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
-            known = {**PHASES[phase], "DIRECTION": Integer(direction)}
-            equation = motion(some, of_friction, recipe.moving, known)
-            for name, rate in rates(program, known).items():
-                for difference in outcomes(rate - equation[name]):
-                    prove_rational(unfold(difference), f"{claims[-1]}: d{name}/dt")
+    declared = [p for effect in effects for p in effect.parameters if p.symbol]
+    moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
+    recipe = Recipe(tuple(effect.name for effect in effects), tuple(law.name for law in laws), moving)
+    program = build(recipe, lookup(effects, laws))
+    for direction, phase in product((1, -1), PHASES):
+        claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
+        known = {**PHASES[phase], "DIRECTION": Integer(direction)}
+        equation = motion(effects, laws, recipe.moving, known)
+        for name, rate in rates(program, known).items():
+            for difference in outcomes(rate - equation[name]):
+                prove_rational(unfold(difference), f"{claims[-1]}: d{name}/dt")
     return claims

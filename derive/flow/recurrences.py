@@ -120,7 +120,7 @@ RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results)
 
 
 def prove(order: int = 6) -> list[str]:
-    """Prove each operation's coefficients equal to those of SymPy's series of its definition; returns the claims."""
+    """Prove each operation's coefficients equal to those of SymPy's series of its definition; return the claims."""
     claims = []
     for o in OPERATIONS.values():
         highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
