@@ -13,7 +13,8 @@ import slipcircle
 from slipcircle.core import Scene
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.files.scenefile import critical_of_file, find
+from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope

@@ -68,7 +68,7 @@ def test_html_is_a_table_and_no_more(study: Study) -> None:
         assert not list(root.iter("script"))
         assert len(list(root.iter("tr"))) > 3
     cells = {r[0].text: r[1].text for r in ElementTree.fromstring(f"<d>{hostile._repr_html_()}</d>").iter("tr")}
-    assert cells["run-out along the arc"] == "677.3 m"
+    assert cells["run-out along the arc"] == "677.3 m, outside the observed 300 to 450 m"
 
 
 def test_every_public_name_exists() -> None:

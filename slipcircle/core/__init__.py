@@ -1,12 +1,12 @@
-"""The core: a mass that slides along a circular arc, from its scene to its motion.
+"""Core: motion of a mass that slides along a circular arc, from its scene to the result.
 
     Scene -> Plan -> Problem -> Motion
 
-The names listed here are public: all that the workbench, or any program built on the core, needs. What only some scenes
-need stands in rooms beside it, which `slipcircle.core.doors` lists.
+The names listed here are public and sufficient for the workbench and other programs built on the core. Modules that
+only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
@@ -40,11 +40,11 @@ __all__ = [
     "law_mistakes",
     "law_names",
     "law_parts",
+    "lazy_import",
     "may_have_rate",
     "numpy_only",
     "plan",
     "problem_of",
     "program_integers",
-    "room",
     "solve",
 ]

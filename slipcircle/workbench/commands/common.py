@@ -7,7 +7,7 @@ from typing import TypeVar
 from slipcircle.base.checks import InputError
 from slipcircle.core import Scene
 from slipcircle.workbench.common import files
-from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures
 
 T = TypeVar("T")

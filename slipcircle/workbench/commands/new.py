@@ -7,10 +7,8 @@ from pathlib import Path
 
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.workbench.common import files
-from slipcircle.workbench.files.scenefile import find, shipped
+from slipcircle.workbench.files.shipped import find, shipped
 from slipcircle.workbench.outputs.tables import Answer
-
-HELP = "write a commented scene file to start from"
 
 
 def options(parser: argparse.ArgumentParser) -> None:

@@ -3,15 +3,14 @@
 import argparse
 from functools import partial
 
-from slipcircle.base.progress import track
+from slipcircle.base.progress import say, track
 from slipcircle.workbench.commands.common import add_files
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs import pictures, tables
-from slipcircle.workbench.outputs.tables import Answer, Part, say
+from slipcircle.workbench.outputs.tables import Answer, Part
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
-HELP = "the critical circle of a slope, and its factors of safety by three methods"
 SLOPE = "a scene that ships, by name, or the path of a TOML file with [ground] and soil"
 
 
@@ -41,5 +40,5 @@ def run(options: argparse.Namespace) -> Answer:
         for name, circle, lines in zip(names, circles, warnings, strict=True)
     ]
     lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
-    drawn = {"plot": partial(pictures.picture, "search", circles[0])}
+    drawn = {"plot": partial(pictures.picture, "search", (names[0], circles[0]))}
     return Answer(lambda: records, [table], lines, drawn)

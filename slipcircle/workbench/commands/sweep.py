@@ -19,7 +19,8 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures, studyplots
 from slipcircle.workbench.outputs.report import parts, study_report
 from slipcircle.workbench.outputs.suitereport import suite_report
@@ -31,7 +32,6 @@ from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
-HELP = "a scene on a grid of values, for samples of its uncertain numbers, or under earthquake records"
 _MOST_ROWS = 60  # of a grid, on the screen
 _GRID_QUANTILES = (0.05, 0.5, 0.95)
 

@@ -12,7 +12,8 @@ from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, summary, words
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, words
+from slipcircle.workbench.common.summary import summary
 
 
 def html(motion: Motion) -> str:

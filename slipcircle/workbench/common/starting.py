@@ -62,18 +62,10 @@ def _start(motion: Motion | None, scene: SlopeScene) -> Start:
     return Start(scene.start, float(scene.strength_factor), value, motion)
 
 
-def start_rows(motion: Motion) -> dict[str, str]:
-    """Return the strength factor and the run-out from both methods, by label; empty where they are equal."""
-    both = starts(motion)
-    if both is None:
-        return {}
-    return {"strength factor": shown(both[0].strength_factor), "run-out by method": start_words(motion, both)}
-
-
-def start_words(motion: Motion, both: tuple[Start, Start] | None) -> str:
-    """Return the run-out from the factor of each method, in words."""
+def start_words(motion: Motion, of_methods: tuple[Start, ...]) -> str:
+    """Return the run-out from the factor of each of these methods, in words."""
     symbol = "k_y" if "shaking" in motion.plan.scene.called else "F"
-    return "; ".join(_words(symbol, both or ()))
+    return "; ".join(_words(symbol, of_methods))
 
 
 def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:

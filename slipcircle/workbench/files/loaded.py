@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError
 from slipcircle.base.kinds import Numbers, cached_property
-from slipcircle.core import AS_ENTERED, Motion, Scene, room
+from slipcircle.core import AS_ENTERED, Motion, Scene, lazy_import
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.numbers import by_name
@@ -136,4 +136,4 @@ def warnings_of(motion: Motion) -> tuple[str, ...]:
     stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []
     of_file = scene.remarks if isinstance(scene, SlopeScene) else ()
-    return (*of_file, *of_circle, *room("warnings").collect_warnings(motion, written))
+    return (*of_file, *of_circle, *lazy_import("warnings").collect_warnings(motion, written))

@@ -1,11 +1,8 @@
-"""Scenes read from TOML files, every mistake listed at once, and the scenes that ship."""
+"""Scenes read from TOML files, every mistake listed at once."""
 
-import os
 import tomllib
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
-from importlib import resources
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -22,6 +19,7 @@ from slipcircle.workbench.files.layout import Layout, layout_of
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
 from slipcircle.workbench.records.forcing import with_records
@@ -29,12 +27,6 @@ from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import soil
 
 _MOST_BYTES, _DEEPEST = 10**7, 64
-_FOLDER = resources.files("slipcircle") / "scenes"
-
-
-def shipped() -> tuple[str, ...]:
-    """Names of the scenes that ship."""
-    return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
@@ -63,25 +55,6 @@ def load(name: str | PathLike[str]) -> Scene[float]:
         return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
     except InputError as error:
         raise ValueError(error.worded(keys, file)) from error
-
-
-def find(name: str | PathLike[str]) -> Any:
-    """The file of a scene that ships, by name, or of another scene, by path."""
-    if not isinstance(name, str | PathLike):
-        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
-    if name in (names := shipped()):
-        return _FOLDER / f"{name}.toml"
-    path = Path(name)
-    for candidate in (path, Path(f"{name}.toml")):
-        if os.path.exists(candidate) and not os.path.isdir(candidate):  # without an error for invalid file names
-            return candidate
-    if str(name) and os.path.isdir(path):
-        raise ValueError(f"{path}: is a folder; give a scene's file")
-    near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
-    is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
-    known = f"scene {str(name)!r} is unknown; known are {', '.join(names)}"
-    said = f"{path}: there is no such file" if is_path else known
-    raise ValueError(said + "".join(f"; did you mean {n}?" for n in near))
 
 
 def critical_of_file(

@@ -105,7 +105,7 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
         "study": studyplots.overview,
         "sensitivity": tornado.panels,
         "backanalysis": studyplots.explained,
-        "search": alone(searchplot.critical_circle, 7.0),
+        "search": lambda named: searchplot.overview(*named),
         "ladder": lambda rungs: alone(plots.ladder, 1.2 + 0.4 * len(rungs))(rungs),
         "cost": alone(frontier, 5.0),
     }

@@ -16,21 +16,14 @@ from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, json_text, prefixed, words
 from slipcircle.workbench.common.records import record
+from slipcircle.workbench.common.summary import summary
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import (
-    Part,
-    beside,
-    cell_text,
-    interval,
-    motion_column,
-    motion_words,
-    stretches_part,
-)
+from slipcircle.workbench.outputs.tables import Part, beside, cell_text, interval, motion_groups, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -171,7 +164,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
     """Results of several motions side by side, with links to their chapters."""
     links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-    return _scrolling(beside([*map(motion_column, motions)]), ["", *links])
+    return _scrolling(beside([*map(summary, motions)]), ["", *links])
 
 
 def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
@@ -183,7 +176,8 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
-    yield Part([], [*motion_column(motion).items()], "Results", "; ".join(motion_words(motion)))
+    for title, rows in motion_groups(motion).items():
+        yield Part([], [*rows.items()], title or "Results")
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
