@@ -16,7 +16,7 @@ import generated
 from derive.__main__ import derive_all, main
 from derive.generate import write
 from derive.stages import Stages
-from generated import _compiled, kernels, printed, slopes, stable
+from generated import _compiled, kernels, printed, slopes
 from tests.support.kernels import FITTED
 
 Function = Callable[..., Any]
@@ -54,7 +54,7 @@ def check_examples(module: Any) -> None:
     assert (done.failed, done.attempted) == (0, 2 * len(module.__all__))
 
 
-@pytest.mark.parametrize("module", [printed, stable, slopes])
+@pytest.mark.parametrize("module", [printed, slopes])
 def test_examples_of_bare_formulas(module: Any) -> None:
     check_examples(module)
 

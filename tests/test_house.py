@@ -137,12 +137,24 @@ ROOMS = ("given", "history", "tables", "ground", "layers", "stiff", "derivatives
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
 LAYERS = {
     "derive": (
-        *("__init__", "progress", "check", "theorem", "declare", "algebra", "code", "approximate", "flow", "generate"),
+        *(
+            "__init__",
+            "progress",
+            "stages",
+            "check",
+            "theorem",
+            "declare",
+            "algebra",
+            "code",
+            "approximate",
+            "flow",
+            "generate",
+        ),
         *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
         *("definitions", "effects", "flow", "layout", "program", "series", "walk", "tiers", "_evaluate", "_compiled"),
-        *("kernels", "printed", "slopes", "stable", "__init__"),
+        *("kernels", "printed", "slopes", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
 }
@@ -317,7 +329,7 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 # aims are 10.5 for the core and 12 for the rest.
 WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
-    "derive": 11.2,  # since the linker, 12.0, came from the core, which was 10.3
+    "derive": 11.1,  # since the linker, 12.0, came from the core, which was 10.3
     "slipcircle/base": 10.1,
     "slipcircle/core": 9.6,
     **{f"slipcircle/{room}": 10.9 for room in ROOMS},

@@ -47,7 +47,7 @@ from sympy import (
 
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Remainder, unfold
+from derive.algebra.remainders import SineRest, unfold
 from derive.declare.quantities import Moment
 from derive.declare.symbols import alpha, r, theta
 
@@ -263,7 +263,7 @@ def head() -> Expr:
     Each term is small where the angle or the height is small, so that neither thin masses nor steep lines cancel.
     """
     bent = 2 * sin(ANGLE / 2) ** 2
-    defect = -(ANGLE**3) * Remainder(sin, 3, ANGLE)
+    defect = -(ANGLE**3) * SineRest(ANGLE)
     return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 

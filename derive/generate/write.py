@@ -86,30 +86,16 @@ def _kernel_texts(proved: list[Record]) -> dict[str, str]:
         "py.typed": "",
         "shapes.json": shapes.text(),
     }
-    return _written(texts | _formulas(closed) | certificates.files(proved))
+    printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
+    comparison = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
+    texts["printed.py"] = emit.raw_module(comparison, printed, "generated.printed")
+    return _written(texts | certificates.files(proved))
 
 
 def _written(texts: Mapping[str, str]) -> dict[str, str]:
     """Return texts with wrapped lines and headers."""
     wrapped = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in wrapped.items()}
-
-
-def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
-    """Return the modules whose functions are programs with a docstring."""
-    printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
-    return {
-        "printed.py": emit.raw_module(
-            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
-            printed,
-            "generated.printed",
-        ),
-        "stable.py": emit.raw_module(
-            "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
-            functions.stable_programs(closed),
-            "generated.stable",
-        ),
-    }
 
 
 def header(name: str, text: str) -> str:
