@@ -44,8 +44,12 @@ def digest_of(text: str) -> str:
 
 
 def _module(name: str) -> Path | None:
+    """Return the file of a module of `derive`."""
     path = ROOT.joinpath(*name.split("."))
-    return next((x for x in (path.with_suffix(".py"), path / "__init__.py") if x.is_file()), None)
+    for file in (path.with_suffix(".py"), path / "__init__.py"):
+        if name.startswith("derive") and file.is_file():
+            return file
+    return None
 
 
 @cache
@@ -55,30 +59,34 @@ def _parsed(path: Path) -> ast.Module:
 
 @cache
 def _needs(path: Path) -> frozenset[Path]:
-    """Return the files that a module of `derive` imports or may read."""
+    """Return the files that a module imports from `derive` or may read."""
     names = {".".join(path.relative_to(ROOT).parent.parts)}
     for node in ast.walk(_parsed(path)):
         if isinstance(node, ast.Import):
-            names |= {x.name for x in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            names |= {node.module, *(f"{node.module}.{x.name}" for x in node.names)}
-    found = {_module(name) for name in names if name.startswith("derive")}
-    if path.name != Path(__file__).name and any(reader in path.read_text("utf-8") for reader in READERS):
-        found |= {x for x in path.parent.rglob("*") if x.is_file() and "__pycache__" not in x.parts}
-    return frozenset(x for x in found if x)
+            names.update(x.name for x in node.names)
+        if isinstance(node, ast.ImportFrom):
+            package = str(node.module)
+            names.add(package)
+            names.update(f"{package}.{x.name}" for x in node.names)
+    needed = {_module(name) for name in names} - {None}
+    text = path.read_text("utf-8")
+    if path.name != Path(__file__).name and any(reader in text for reader in READERS):
+        needed.update(path.parent.rglob("*.*"))
+    return frozenset(x for x in needed if x and "__pycache__" not in x.parts)
 
 
 @cache
 def sources(module: str) -> frozenset[Path]:
     """Return the files on which a module of `derive` depends."""
-    (start,) = {_module(module)}
     reached: set[Path] = set()
-    waiting = {start} if start else set()
+    waiting = {_module(module)}
     while waiting:
         path = waiting.pop()
+        if path is None or path in reached:
+            continue
         reached.add(path)
         if path.suffix == ".py":
-            waiting |= _needs(path) - reached
+            waiting |= _needs(path)
     return frozenset(reached)
 
 
@@ -90,18 +98,20 @@ def _text(path: Path, without_declarations: bool) -> str:
         return text
     lines = text.splitlines()
     for node in reversed(_parsed(path).body):
-        if isinstance(node, ast.Assign) and {ast.unparse(x) for x in node.targets} <= DECLARED:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) in DECLARED:
             del lines[node.lineno - 1 : node.end_lineno]
     return "\n".join(lines)
 
 
 def _described(argument: Any) -> Any:
     """Return a declaration as plain data; symbols have their assumptions."""
-    if is_dataclass(argument):
-        return [type(argument).__name__, *(_described(getattr(argument, f.name)) for f in fields(argument))]
+    if isinstance(argument, str | dict):
+        return argument
     if isinstance(argument, tuple | list):
         return [_described(x) for x in argument]
-    return argument if isinstance(argument, str | dict) else import_module("sympy").srepr(argument)
+    if is_dataclass(argument):
+        return [_described(getattr(argument, f.name)) for f in fields(argument)]
+    return import_module("sympy").srepr(argument)
 
 
 @cache
@@ -112,8 +122,17 @@ def _own() -> str:
 def inputs(module: str, name: str, arguments: Iterable[object] = ()) -> str:
     """Return the digest of everything on which the outcome of a function depends."""
     described = _described(list(arguments))
-    texts = [(str(x.relative_to(ROOT)), _text(x, bool(described))) for x in sorted(sources(module))]
+    has_declarations = bool(described)
+    texts = {}
+    for path in sorted(sources(module)):
+        place = str(path.relative_to(ROOT))
+        texts[place] = _text(path, has_declarations)
     return digest_of(json.dumps([_own(), name, described, texts]))
+
+
+def report(title: str, stage: str, time_taken: str, outcome: str) -> None:
+    """Print the line of a stage."""
+    say(f"{title:<32} {stage:<11} {time_taken:<8}  {outcome}")
 
 
 class Stages:
@@ -130,25 +149,28 @@ class Stages:
         """Return the outcome of ``module:function`` for these arguments, recorded or computed, and print a line."""
         module, name = work.split(":")
         key = f"{title}, {stage}"
-        digest = inputs(module, name, arguments)
-        outcome, seconds = None, "recorded"
-        if (known := self.known.get(key)) and known["inputs"] == digest:
+        record = {"inputs": inputs(module, name, arguments)}
+        start = time.perf_counter()
+        known = self.known.get(key, {})
+        is_recorded = known.get("inputs") == record["inputs"]
+        if is_recorded:
             outcome = known["outcome"]
         else:
-            start = time.perf_counter()
-            outcome = getattr(import_module(module), name)(*arguments)
-            seconds = f"{time.perf_counter() - start:6.2f} s"
-        self.records[key] = {"inputs": digest, "outcome": outcome}
+            function = getattr(import_module(module), name)
+            outcome = function(*arguments)
+        self.records[key] = record | {"outcome": outcome}
         if shown:
+            seconds = time.perf_counter() - start
             counted = f"{len(outcome)} claims proved" if isinstance(outcome, list) else outcome
-            say(f"{title:<32} {stage:<11} {seconds:<8}  {shown.format(counted)}")
+            report(title, stage, "recorded" if is_recorded else f"{seconds:6.2f} s", shown.format(counted))
         return outcome
 
     def line(self, title: str, stage: str, work: Callable[[], T], shown: str) -> T:
         """Run a stage that has records of its own or none, and print its time and outcome."""
         start = time.perf_counter()
         outcome = work()
-        say(f"{title:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {shown.format(outcome)}")
+        seconds = time.perf_counter() - start
+        report(title, stage, f"{seconds:6.2f} s", shown.format(outcome))
         return outcome
 
     def files(self, title: str, work: str, present: dict[str, str]) -> dict[str, str]:
@@ -156,19 +178,21 @@ class Stages:
         module, name = work.split(":")
         key = f"{title}, files"
         digest = inputs(module, name)
-        known = self.known.get(key, {"inputs": None})
-        if known["inputs"] == digest and all(
-            digest_of(present.get(x, "")) == of_file for x, of_file in known["outcome"].items()
-        ):
-            self.records |= {part: self.known[part] for part in known["parts"]}
-            self.records[key] = known
-            say(f"{title:<32} {'files':<11} recorded  {len(known['outcome'])} as they are")
-            return {x: present[x] for x in known["outcome"]}
-        before = self.records.keys() | ()
-        texts: dict[str, str] = getattr(import_module(module), name)(self)
-        outcome = {x: digest_of(text) for x, text in texts.items()}
-        parts = sorted(self.records.keys() - before)
-        self.records[key] = {"inputs": digest, "outcome": outcome, "parts": parts}
+        known = self.known.get(key, {})
+        if known.get("inputs") == digest:
+            recorded: dict[str, str] = known["outcome"]
+            texts = {x: present.get(x, "") for x in recorded}
+            if recorded == {x: digest_of(text) for x, text in texts.items()}:
+                self.records |= {part: self.known[part] for part in known["parts"]}
+                self.records[key] = known
+                report(title, "files", "recorded", f"{len(texts)} as they are")
+                return texts
+        before = set(self.records)
+        function = getattr(import_module(module), name)
+        texts = function(self)
+        parts = sorted(set(self.records) - before)
+        digests = {x: digest_of(text) for x, text in texts.items()}
+        self.records[key] = {"inputs": digest, "outcome": digests, "parts": parts}
         return texts
 
     def save(self, keep: bool = False) -> None:

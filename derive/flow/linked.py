@@ -91,7 +91,8 @@ def cells_of(program: Program, known: Cells) -> list[Any]:
     for name, value in program.constants.items():
         cells[program.places[name]] = Rational(value)
     for kind, result, *operands in program.scalar:
-        cells[result] = on_numbers(kind, *(cells[k] for k in operands))
+        numbers = (cells[k] for k in operands)
+        cells[result] = on_numbers(kind, *numbers)
     return cells
 
 
@@ -104,7 +105,8 @@ def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
         if kind == "lin":
             result, constant, terms = places
             products = [cells[cell] * values[register] for cell, register in terms]
-            values[result] = Add(cells[constant] if constant >= 0 else ZERO, *products)
+            first = cells[constant] if constant >= 0 else ZERO
+            values[result] = Add(first, *products)
         elif kind == "ramp":
             result, table = places
             values[result] = since(program.tables[table].name)
@@ -137,7 +139,8 @@ def on_numbers(kind: str, *operands: Any) -> Any:
             return Select(*condition.args, x, y)
         case _:
             operation = CELLS[kind]
-            return (operation.symbol or operation.meaning)(*operands)
+            meaning = operation.symbol or operation.meaning
+            return meaning(*operands)
 
 
 def outcomes(e: Expr) -> Iterator[Expr]:
@@ -156,9 +159,11 @@ def outcomes(e: Expr) -> Iterator[Expr]:
 
 def piece(table: str, degree: int, argument: Expr) -> Expr:
     """Return the polynomial of a table's piece."""
-    powers = range(1, degree + 1)
-    terms = [positive(f"{table}.Q{k}") * argument**k for k in powers]
-    return Add(positive(f"{table}.VALUE"), *terms)
+    terms = [positive(f"{table}.VALUE")]
+    for k in range(1, degree + 1):
+        coefficient = positive(f"{table}.Q{k}")
+        terms.append(coefficient * argument**k)
+    return Add(*terms)
 
 
 def friction(law: Law, slip: Expr) -> Expr:
@@ -193,7 +198,9 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
 def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -> dict[Symbol, Expr]:
     """Return the values of all symbols of declared terms at a moment, friction and normal stress excepted."""
     turns = any(effect.turns for effect in effects)
-    phi = known["ROTATION"] + known["DIRECTION"] * now("x") if turns else ZERO
+    phi = ZERO
+    if turns:
+        phi = known["ROTATION"] + known["DIRECTION"] * now("x")
     values = parameters(effects, moving)
     at_start = {q: positive(str(q)) for q in BY_PSI}
     for q, slope in BY_PSI.items():
@@ -214,7 +221,8 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
     polar = POLAR if len(others) < len(effects) else ZERO
 
     def total(quantity: str) -> Expr:
-        return Add(*(effect.terms[quantity] for effect in others)).xreplace(values)
+        terms = (effect.terms[quantity] for effect in others)
+        return Add(*terms).xreplace(values)
 
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
     mu = Mul(*(friction(law, values[SLIP]) for law in laws)) + total("mu")
@@ -227,11 +235,13 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         dynamics.omega_star: values[OMEGA],
     }
     normal = load + polar * values[OMEGA_2]
-    rates = {"x": values[OMEGA], "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
+    balance = dynamics.balance()["3.11"]
+    rates = {"x": values[OMEGA], "omega": balance.xreplace(terms), "normal": normal}
     stress = normal / LAMBDA
     for effect in effects:
         growth = effect.growth.subs(MU * EFFECTIVE, mobilised * stress)
-        rates |= {str(x): growth.xreplace({**values, MU: mu, EFFECTIVE: stress}) * values[OMEGA] for x in effect.states}
+        by_rotation = growth.xreplace({**values, MU: mu, EFFECTIVE: stress})
+        rates |= {str(x): by_rotation * values[OMEGA] for x in effect.states}
     return rates
 
 

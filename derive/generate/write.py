@@ -22,8 +22,7 @@ from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
-from derive.progress import say
-from derive.stages import RECORDS, Stages, digest_of
+from derive.stages import RECORDS, Stages, digest_of, report
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -54,7 +53,7 @@ def kernel_files(stages: Stages) -> dict[str, str]:
         if record := stages.records.get(f"{moment.name}, integrate"):
             integrate.restore(moment, record["outcome"])
     compared = [shapes.agree(kernel) for kernel in shapes.kernels()]
-    say(f"{'kernels':<32} {'definition':<11} {'':<8}  {sum(compared)} comparisons with the checker's")
+    report("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
     stages.line("kernels", "search", search.complete, "new shapes: {}")
     proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read()), "")
 
