@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8a07d1ed32978c2d3e018fbadf18ec08eb67b3b63d89970b6a02f5478be4c0cd
+# sha256 of the text below: d7d96c5a331d5ee588e9dde0924bef5207f582f38a8aeb77680de821253493c5
 """The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
@@ -199,15 +199,25 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=('cohesion',),
         optional=(),
         scalar=(
-            ('mul', 'cohesion.resisting', 'cohesion', 'resistance_factor'),
-            ('abs', 'cohesion.resisting_size', 'cohesion.resisting'),
+            ('mul', 'cohesion.t3', 'cohesion', 'resistance_factor'),
+            ('mul', 'cohesion.t4', 'growing_cohesion', 'resistance_factor'),
+            ('add', 'cohesion.resisting', 'cohesion.t3', 'cohesion.t4'),
+            ('abs', 'cohesion.t6', 'cohesion.t3'),
+            ('abs', 'cohesion.t7', 'cohesion.t4'),
+            ('add', 'cohesion.resisting_size', 'cohesion.t6', 'cohesion.t7'),
         ),
-        series=(),
+        series=(
+            ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
+            ('lin', 'dgrowing_cohesion', '', (('growing_cohesion.Q1', 'x'), ('growing_cohesion.Q2', 'x^2'),
+                ('growing_cohesion.Q3', 'x^3'), ('growing_cohesion.Q4', 'x^4'), ('growing_cohesion.Q5', 'x^5'),
+                ('growing_cohesion.Q6', 'x^6'), ('growing_cohesion.Q7', 'x^7'))),
+        ),
         adds={
-            'resisting': ('cohesion.resisting', 'cohesion.resisting_size', ()),
+            'resisting': ('cohesion.resisting', 'cohesion.resisting_size', (('resistance_factor',
+                'dgrowing_cohesion'),)),
         },
         states=(),
-        tables=(),
+        tables=(('growing_cohesion', 'rotation', 'x', 7),),
     ),
     'drag': Fragment(
         inputs=('drag',),
@@ -664,22 +674,32 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=(),
         optional=(),
         scalar=(
-            ('mul', 'softening_cohesion.resisting', 'cohesion_law_0', 'soft_share'),
-            ('abs', 'softening_cohesion.resisting_size', 'softening_cohesion.resisting'),
+            ('mul', 'softening_cohesion.t3', 'cohesion_law_0', 'soft_depth'),
+            ('mul', 'softening_cohesion.t4', 'cohesion_law_0', 'soft_share'),
+            ('add', 'softening_cohesion.resisting', 'softening_cohesion.t3', 'softening_cohesion.t4'),
+            ('abs', 'softening_cohesion.t6', 'softening_cohesion.t3'),
+            ('abs', 'softening_cohesion.t7', 'softening_cohesion.t4'),
+            ('add', 'softening_cohesion.resisting_size', 'softening_cohesion.t6', 'softening_cohesion.t7'),
+            ('add', 'softening_cohesion.2', 'soft_depth', 'soft_share'),
         ),
         series=(
             ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
             ('lin', 'dsoft_share', '', (('soft_share.Q1', 'x'), ('soft_share.Q2', 'x^2'), ('soft_share.Q3', 'x^3'),
                 ('soft_share.Q4', 'x^4'), ('soft_share.Q5', 'x^5'), ('soft_share.Q6', 'x^6'), ('soft_share.Q7',
                 'x^7'))),
+            ('lin', 'dsoft_depth', '', (('soft_depth.Q1', 'x'), ('soft_depth.Q2', 'x^2'), ('soft_depth.Q3', 'x^3'),
+                ('soft_depth.Q4', 'x^4'), ('soft_depth.Q5', 'x^5'), ('soft_depth.Q6', 'x^6'), ('soft_depth.Q7',
+                'x^7'))),
+            ('mul', 'dcohesion_law*dsoft_depth', 'dcohesion_law', 'dsoft_depth'),
             ('mul', 'dcohesion_law*dsoft_share', 'dcohesion_law', 'dsoft_share'),
         ),
         adds={
-            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('soft_share',
-                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoft_share'), ('cohesion_law_0', 'dsoft_share'))),
+            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('softening_cohesion.2',
+                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoft_depth'), ('=1.0', 'dcohesion_law*dsoft_share'),
+                ('cohesion_law_0', 'dsoft_depth'), ('cohesion_law_0', 'dsoft_share'))),
         },
         states=(),
-        tables=(('soft_share', 'rotation', 'x', 7),),
+        tables=(('soft_share', 'rotation', 'x', 7), ('soft_depth', 'rotation', 'x', 7)),
     ),
     'constant': Fragment(
         inputs=('constant.coefficient',),
@@ -1040,7 +1060,8 @@ TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'centripetal': (('sigma', 'A omega^2', 'A \\omega^{2}'),),
     'pore_pressure': (('M', '-Theta standing_water', '- \\Theta standing_{water}'), ('u', 'pore_pressure', 'p'), ('u',
         'water', 'w'), ('u', 'J_r pore_ratio/lambda', '\\frac{J_{r} r_u}{\\lambda}')),
-    'cohesion': (('T', 'cohesion lambda', 'c \\lambda'),),
+    'cohesion': (('T', 'cohesion lambda', 'c \\lambda'), ('T', 'growing_cohesion lambda',
+        'growing_{cohesion} \\lambda')),
     'drag': (('T', 'Theta drag omega^2', '\\Theta d \\omega^{2}'),),
     'viscosity': (('T', 'Theta omega viscosity', '\\Theta \\omega e'),),
     'shaking': (('M', '-J_theta k_v', '- J_\\theta k_{v}'), ('M', "J_theta' k_h", "J_\\theta' k_{h}"), ('sigma',
@@ -1096,7 +1117,8 @@ SOIL_TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'centripetal': (('sigma_i', 'A_i omega^2', 'A_{i} \\omega^{2}'),),
     'pore_pressure': (('M', '-Theta standing_water', '- \\Theta standing_{water}'), ('u_i', 'pore_pressure', 'p'),
         ('u_i', 'water', 'w'), ('u_i', 'J_ri pore_ratio/(l_i lambda)', '\\frac{J_{r,i} r_u}{l_{i} \\lambda}')),
-    'cohesion': (('T', 'cohesion l_i lambda', 'c l_{i} \\lambda'),),
+    'cohesion': (('T', 'cohesion l_i lambda', 'c l_{i} \\lambda'), ('T', 'growing_cohesion l_i lambda',
+        'growing_{cohesion} l_{i} \\lambda')),
     'drag': (('T', 'Theta drag omega^2', '\\Theta d \\omega^{2}'),),
     'viscosity': (('T', 'Theta omega viscosity', '\\Theta \\omega e'),),
     'shaking': (('M', '-J_theta k_v', '- J_\\theta k_{v}'), ('M', "J_theta' k_h", "J_\\theta' k_{h}"), ('sigma_i',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 073f221651829033cd5676e666fbdcb487b4763ab09a87b840fc42b25827a1ad
+# sha256 of the text below: 9ed958707ee95d9369d9b7fbe8e9dbc81ca8996cfc49ac078e68123165f9eae1
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "57f59ee65247a22fd866db4fea54e3a0a22f5cc7b9c3f2af502e769337f2b891"  # of the compiled integrator's source
+DIGEST = "4693bfdcd4873477c728a9bbed2d6da40d0ce14ea34506bbb4c912ee2fef6d4d"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

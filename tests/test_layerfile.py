@@ -19,7 +19,7 @@ from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.stability.search import at_circle
 from slipcircle.workbench.stability.stability import Slope
 from slipcircle.workbench.studies.ensemble import grid
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 Write = Callable[..., str]
 
@@ -229,7 +229,6 @@ def test_every_mistake_between_tables_is_listed(write: Write) -> None:
         "soils.peat: is the soil of no layer",
         "layers.1.top_m: must be left out",
         "layers.2.top_m: is missing",
-        "soils.clay.datum_m: is missing",
         "surcharge.1.to_m = 2: must lie to the right of from_m = 3",
     ):
         assert mistake in str(error.value)

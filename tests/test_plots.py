@@ -26,9 +26,9 @@ from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
+from tests.support.motions import from_method
 from tests.support.outputs import printed
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion
-from tests.support.rays import from_method
 
 matplotlib.use("agg")
 

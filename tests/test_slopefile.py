@@ -18,8 +18,8 @@ from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.variation import slope_of
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import COMPARED, METHODS
+from tests.support.motions import from_method
 from tests.support.outputs import columns
-from tests.support.rays import from_method
 
 ACADS = """\
 note = "Giam and Donald 1989"

@@ -15,7 +15,8 @@ from slipcircle import Arc, Scene, Status, load, solve
 from slipcircle.derivatives import parameters, with_parameter_arrays, with_parameters
 from slipcircle.workbench.files.loaded import SlopeScene
 from tests.campaigns import combined
-from tests.support.rays import from_method, random_slopes
+from tests.support.along_the_arc import of_scene
+from tests.support.motions import from_method
 
 # Lodalen 1954 (Sevaldson 1956): 17 m high, 1:2, c' = 10 kPa, phi' = 27 degrees.
 LODALEN = """[ground]
@@ -32,12 +33,6 @@ level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
 [rotation]
 [centripetal]
 """
-
-
-def test_starts_with_softening_cohesion_and_standing_water(tmp_path: Path) -> None:
-    """A sample of the campaign."""
-    found = list(combined.differences(3, 6, tmp_path))
-    assert max(found) < 1e-10
 
 
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
@@ -68,23 +63,21 @@ def close(one: Any, other: Any) -> None:
 
 
 @pytest.mark.parametrize("seed", [5, 6])
-def test_motions_start_from_bishops_factor_as_plain_integration_does(seed: int, file: Any) -> None:
-    """The strength factor, run-out, duration and peak velocity of random slopes, dry, wet or shaken."""
-    for slope in islice(random_slopes(seed), 3):
-        scene = load(file(slope.file))
-        assert scene.strength_factor == pytest.approx(slope.strength_factor, rel=1e-13)
-        motion = solve(scene)
-        assert motion.status in (Status.RESTS, Status.STAYS)
-        assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
-        if not slope.shaken:
-            assert motion.factor_of_safety == pytest.approx(slope.bishop(), rel=1e-13)
-        found = motion.run_out, motion.duration, motion.peak.velocity
-        assert found == pytest.approx(slope.motion(slope.strength_factor), rel=1e-8)
+def test_motions_start_from_the_factor_of_a_method_as_plain_integration_does(seed: int, tmp_path: Path) -> None:
+    """``python -m tests.campaigns.combined 200`` compares more motions; also yield coefficients and further factors."""
+    for drawn, motion in islice(combined.motions(seed, tmp_path), 2):
+        assert combined.difference(drawn, motion) < combined.BOUND
+        slope = of_scene(motion.plan.scene)
+        assert slope.factor(drawn.start, motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
+        if not drawn.shaken:
+            assert motion.factor_of_safety == pytest.approx(slope.factor(drawn.start), rel=1e-12)
         further = motion.further_factors
-        assert further.residual == pytest.approx(replace(slope, peak=slope.residual).bishop(), rel=1e-12)
-        if motion.arrested and further.at_rest_method:
-            turned = slope.turned(motion.end.rotation)
-            assert (further.at_rest, further.at_rest_method) == (pytest.approx(turned.bishop(), rel=1e-9), "bishop")
+        if further.at_rest_method:
+            at_rest = slope.turned(motion.end.rotation).factor(drawn.start)
+            assert (further.at_rest, further.at_rest_method) == (pytest.approx(at_rest, rel=1e-9), drawn.start)
+        softened = of_scene(motion.plan.scene)
+        softened.slip = np.inf
+        assert further.residual == pytest.approx(softened.factor(drawn.start), rel=1e-12)
 
 
 def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, said: Any) -> None:
@@ -95,7 +88,9 @@ def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, sa
     by_paper = from_method(scene, "paper")
     assert by_paper.strength_factor == 1.0
     assert solve(by_paper).run_out == pytest.approx(3.98, abs=0.01)
-    assert "0.51 m from Bishop's F = 0.979; 3.98 m from the paper's F =" in " ".join(said("run", path).split())
+    printed = " ".join(said("run", path).split())
+    assert "factor of safety by Bishop's method 0.979" in printed
+    assert "alternative start 3.98 m from the paper's F = 0.841" in printed
     assert (
         solve(load(file(LODALEN.replace('"bishop"', '"bishop"\nstart = "paper"')))).run_out == solve(by_paper).run_out
     )

@@ -66,7 +66,9 @@ class SlopeScene(Scene[Numbers]):
             return cls(arc, effects=effects, **fields)
         water = {"ratio": slope.pore_ratio, "pressure": slope.pressure}
         given = {name: value for name, value in water.items() if value}
-        own = {"cohesion": {"cohesion": slope.cohesion}} if slope.cohesion else {}
+        growth = {"gradient": slope.cohesion_gradient, "datum": slope.datum}
+        cohesion = {"cohesion": slope.cohesion} | {name: value for name, value in growth.items() if value}
+        own = {"cohesion": cohesion} if any(cohesion.values()) else {}
         own |= {"pore_pressure": given} if given else {}
         arc = Section(**common, unit_weight=float(slope.unit_weight or 0.0))
         law = slope.friction if friction is None else friction

@@ -286,7 +286,7 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
 def _is_cohesionless(slope: Slope) -> bool:
     """Whether no soil of the slope has cohesion at any depth."""
     if not slope.layers:
-        return slope.cohesion == 0.0
+        return not (slope.cohesion or slope.cohesion_gradient)
     return not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.layers)
 
 

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, datum_of, friction_at_rest, layer_mistakes
+from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -107,6 +107,10 @@ class Slope:
         Depth of a tension crack at the upper end of an arc, and height of the water in it, m.
     k_h_on_surcharge : bool
         Whether k_h acts on the surcharges, at the ground.
+    cohesion_gradient : float
+        Growth of the cohesion per metre of depth, Pa/m.
+    datum : float, optional
+        y below which the cohesion grows, m, by default the ground.
 
     Raises
     ------
@@ -131,6 +135,8 @@ class Slope:
     crack: float = 0.0
     crack_water: float = 0.0
     k_h_on_surcharge: bool = False
+    cohesion_gradient: float = 0.0
+    datum: float | None = None
 
     def __post_init__(self) -> None:
         mistakes = self._field_mistakes()
@@ -148,7 +154,7 @@ class Slope:
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
             for name in _OF_ONE_SOIL:
-                if getattr(self, name):
+                if getattr(self, name) not in (0.0, None):
                     mistakes.append(f"{name}: is given by the soils of the layers; leave it out")
             mistakes += layer_mistakes(self.layers, self.surcharge)
         elif self.unit_weight is None:
@@ -165,7 +171,7 @@ class Slope:
         mistakes = []
         ground = np.asarray(self.ground)
         mistakes += complaint([water_fault(*self._water)], ())
-        if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
+        if not self.layers and not (self.cohesion or self.friction or self.cohesion_gradient):
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
             mistakes.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
@@ -196,12 +202,12 @@ class Slope:
         layers = self.layers
         if not layers:
             assert self.unit_weight is not None
-            layers = _one_layer(self.unit_weight, self.cohesion, self.friction, self.pore_ratio)
+            layers = _one_layer(vars(self))
         return _slope_arrays(_of_one_slope, self, layers, self.surcharge, numbers)
 
 
 _LAYERED = ("layers", "surcharge", "crack", "crack_water", "k_h_on_surcharge")
-_OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio")
+_OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio", "cohesion_gradient", "datum")
 
 
 def require_drive(section: Section) -> None:
@@ -289,7 +295,7 @@ def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _B
     numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
-    layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
+    layers = _one_layer({"unit_weight": section.unit_weight, **strength})
     numbers |= {"pressure": by_lane(strength["pressure"])}
     return _slope_arrays(by_lane, section, layers, (), numbers)
 
@@ -306,10 +312,16 @@ def _slope_arrays(
     lines = by_lane(slope.ground, 2)
     level = None if slope.level is None else by_lane(slope.level, 2)
     water = free_water(lines, level, slope.confined, slope.ponds)
+    tops = [lines, *(_top_line(top, lines, by_lane) for _, top in layers[1:])]
     return SlopeArrays(
         ground=lines,
         soils=_soil_arrays(layers, by_lane, slipped),
-        tops=tuple(_top_line(top, lines, by_lane) for _, top in layers[1:]),
+        tops=tuple(tops[1:]),
+        datums={
+            k: top if soil.datum is None else _top_line(soil.datum, lines, by_lane)
+            for k, (top, (soil, _)) in enumerate(zip(tops, layers, strict=True))
+            if np.any(soil.cohesion_gradient)
+        },
         level=level,
         ponds=water if len(water.first) else None,
         surcharge=tuple((x1, x2, by_lane(q1), by_lane(q2)) for x1, x2, q1, q2 in surcharge),
@@ -325,9 +337,9 @@ def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
     return np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
 
 
-def _one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) -> _Layers:
-    """Homogeneous ground as its only layer."""
-    return [(Soil(unit_weight, cohesion, friction, pore_ratio=pore_ratio), None)]
+def _one_layer(numbers: Mapping[str, Any]) -> _Layers:
+    """Return homogeneous ground as its only layer."""
+    return [(Soil(**{name: numbers[name] for name in _OF_ONE_SOIL if name in numbers}), None)]
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
@@ -335,21 +347,13 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
-        datum = datum_of(soil, layers)
-        cohesion = cohesion_at_rest(soil.cohesion, slipped)
-        growth = soil.cohesion_gradient
-        if slipped and np.any(growth):
-            peak = np.where(soil.peak_cohesion, soil.peak_cohesion, 1.0)
-            rest = np.where(soil.peak_cohesion, cohesion, 1.0)
-            growth = growth * rest / peak
         of_layer = SoilArrays(
-            cohesion=by_lane(cohesion),
+            cohesion=by_lane(cohesion_at_rest(soil.cohesion, slipped)),
             friction=by_lane(friction_at_rest(soil.friction, slipped)),
             unit_weight=by_lane(soil.unit_weight),
             pore_ratio=by_lane(soil.pore_ratio),
             saturated_unit_weight=by_lane(saturated),
-            cohesion_gradient=by_lane(growth),
-            datum=by_lane(0.0 if datum is None else datum),
+            cohesion_gradient=by_lane(growth_at_rest(soil.cohesion, soil.cohesion_gradient, slipped)),
         )
         rows.append(of_layer)
     fields = zip(*rows, strict=True)
@@ -381,8 +385,10 @@ def soil(friction: Any, effects: Any, slipped: bool = False) -> dict[str, Any]:
     water = effects.get("pore_pressure", {})
     of_friction = friction_at_rest(friction, slipped)
     strength = {"friction": of_friction, "cohesion": cohesion_at_rest(cohesion, slipped)}
+    if "gradient" in cohesion:
+        strength["cohesion_gradient"] = growth_at_rest(cohesion, cohesion["gradient"], slipped)
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     pore_ratio = at_start(water.get("ratio", 0.0))
     pressure = at_start(water.get("pressure", 0.0))
-    return strength | {"pore_ratio": pore_ratio, "pressure": pressure}
+    return strength | {"datum": cohesion.get("datum"), "pore_ratio": pore_ratio, "pressure": pressure}
