@@ -49,7 +49,9 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
     def prove() -> int:
         claims = []
         for effects, laws in cases(EFFECTS, (*LAWS, CALLABLE)):
-            case = f"{' '.join(x.name for x in effects)}, {' '.join(x.name for x in laws)}"
+            of_effects = " ".join(x.name for x in effects)
+            of_laws = " ".join(x.name for x in laws)
+            case = f"{of_effects}, {of_laws}"
             claims += stages.run(case, "balance", "derive.flow.linked:prove_case", effects, laws, shown="")
         return len(claims)
 
@@ -72,7 +74,8 @@ def derive_all(stages: Stages | None = None) -> dict[str, str]:
     of_slopes = [moment for moment in MOMENTS if moment.name in MEANS | SLOPES]
     stages.run("slopes", "balance", "derive.algebra.slopes:prove", *of_slopes, shown="{}")
     texts = present()
-    return flow(stages, texts) | stages.files("kernels", "derive.generate.write:kernel_files", texts)
+    of_flow = flow(stages, texts)
+    return of_flow | stages.files("kernels", "derive.generate.write:kernel_files", texts)
 
 
 class Command(NamedTuple):

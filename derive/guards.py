@@ -95,7 +95,7 @@ def check() -> int:
         _check_effect(effect)
     for moment in moments:
         _ = moment.definition
-    return len(laws) + len(effects) + len(moments)
+    return len((*laws, *effects, *moments))
 
 
 def _claim(e: Declaration, what: str) -> str:

@@ -331,7 +331,7 @@ print(*(import_module(name).__file__ for name in sys.argv[2:]), sep="\\n")
 # aims are 10.5 for the core and 12 for the rest.
 WORKBENCH = sorted((ROOT / "slipcircle" / "workbench").glob("*/__init__.py"))
 DENSITY = {
-    "derive": 11.1,  # since the linker, 12.0, came from the core, which was 10.3
+    "derive": 11.2,  # since the linker, 12.0, came from the core, which was 10.3
     "slipcircle/base": 10.1,
     "slipcircle/core": 9.6,
     **{f"slipcircle/{room}": 10.9 for room in ROOMS},

@@ -205,7 +205,8 @@ def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -
     at_start = {q: positive(str(q)) for q in BY_PSI}
     for q, slope in BY_PSI.items():
         turned = q * cos(phi) - slope * sin(phi)
-        values[q] = expand_trig(turned.xreplace(at_start))
+        here = turned.xreplace(at_start)
+        values[q] = expand_trig(here)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + now("x")}
@@ -279,6 +280,7 @@ def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> list[str]:
         known = {**PHASES[phase], "DIRECTION": Integer(direction)}
         equation = motion(effects, laws, recipe.moving, known)
         for name, rate in rates(program, known).items():
+            claim = f"{claims[-1]}: d{name}/dt"
             for difference in outcomes(rate - equation[name]):
-                prove_rational(unfold(difference), f"{claims[-1]}: d{name}/dt")
+                prove_rational(unfold(difference), claim)
     return claims
