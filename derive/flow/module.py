@@ -1,4 +1,4 @@
-"""The text of `generated/flow.py`, fragments as data, and of `generated/program.py`, their linker."""
+"""Texts of `generated/flow.py`, fragments as data, and of `generated/program.py`, their linker."""
 
 import ast
 import inspect
@@ -19,7 +19,7 @@ LINKER = (definitions, linker, program)
 
 
 def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
-    """The module's text."""
+    """Return the text of the module."""
     blocks = {
         "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
         "PIECES": {law.name: _pieces(law) for law in laws if law.kinks},
@@ -31,7 +31,7 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
 
 
 def _pieces(law: Law) -> str:
-    """Scale, breaks and polynomials of a law as Python."""
+    """Return scale, breaks and polynomials of a law as Python."""
     breaks, polynomials = pieces(law)
     names: set[str] = set()
     rows = []
