@@ -228,7 +228,7 @@ def test_shares_of_a_grid_are_of_the_combinations_that_have_a_factor(records: An
     factors = [row["factor of safety, bishop"] for row in found["rows"]]
     known = [factor for factor in factors if factor is not None]
     assert 0 < len(known) < len(factors) - 3
-    shares = found["factor_of_safety"]["bishop"]
+    shares = found["factors_of_safety"]["bishop"]
     assert shares["below_1"] == sum(factor < 1.0 for factor in known) / len(known)
     assert shares["quantile_0.5"] == sorted(known)[math.ceil(len(known) / 2) - 1]
 
@@ -432,7 +432,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
     assert head == f'friction.angle_deg,arc.radius_m,{outcomes},"factor of safety, paper",status,reason'
     assert len(rows) == 82
     # The paper's factor is proportional to the friction; each of three combinations counts alike.
-    factors = records("sweep vaiont --grid friction.angle_deg=8,12,20")[0]["factor_of_safety"]["paper"]
+    factors = records("sweep vaiont --grid friction.angle_deg=8,12,20")[0]["factors_of_safety"]["paper"]
     low, middle, high = np.tan(np.radians([8, 12, 20])) / solve(VAIONT).limit_friction
     assert (factors["quantile_0.5"], factors["quantile_0.95"]) == pytest.approx((middle, high), rel=1e-12)
     assert factors["below_1"] == np.mean([low < 1, middle < 1, high < 1])

@@ -139,11 +139,13 @@ def restore(moment: Moment, record: dict[str, Any]) -> None:
 
     def product(*factors: Expr) -> Expr:
         number, *others = factors
-        return sp.Mul(*factors, evaluate=not (number.is_Rational and [x.is_Add for x in others] == [True]))
+        of_a_sum = number.is_Rational and [x.is_Add for x in others] == [True]
+        return sp.Mul(*factors, evaluate=not of_a_sum)
 
     amplitude, direction = (sp.sympify(record[x], {"Mul": product}) for x in ("amplitude", "direction"))
     first, last = record["operations"]
-    _DERIVED.setdefault(moment, Derivation(moment, amplitude, direction, (first, last)))
+    restored = Derivation(moment, amplitude, direction, (first, last))
+    _DERIVED.setdefault(moment, restored)
 
 
 def derivation(moment: Moment) -> Derivation:

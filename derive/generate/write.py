@@ -50,7 +50,8 @@ def flow_files(_: Stages) -> dict[str, str]:
 def kernel_files(stages: Stages) -> dict[str, str]:
     """Return all other files by name: the kernels are approximated and certified as far as no record serves."""
     for moment in MOMENTS:
-        if record := stages.records.get(f"{moment.name}, integrate"):
+        record = stages.records.get(f"{moment.name}, integrate")
+        if record:
             integrate.restore(moment, record["outcome"])
     compared = [shapes.agree(kernel) for kernel in shapes.kernels()]
     report("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
@@ -58,7 +59,8 @@ def kernel_files(stages: Stages) -> dict[str, str]:
     proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read()), "")
 
     def certified(*arguments: Any) -> Record:
-        title = " ".join((arguments[0], *arguments[2:4]))
+        kernel, _, tier, form, _ = arguments
+        title = f"{kernel} {tier} {form}"
         record: Record = stages.run(title, "certify", "derive.check.losses:certificate", *arguments, shown="")
         return record
 

@@ -215,7 +215,7 @@ def _of_grid(study: Study) -> _Tables:
 
     def record() -> Any:
         scenes = [dict(zip(head, row, strict=True)) for row in rows]
-        shared = {"factor_of_safety": _factors_of_grid(study), "outside_range": study.outside_range}
+        shared = {"factors_of_safety": _factors_of_grid(study), "outside_range": study.outside_range}
         return {"scene": study.scene.name, "rows": scenes} | shared
 
     return _Tables(head, rows, record, [_grid_part(study, keys, statuses)])
