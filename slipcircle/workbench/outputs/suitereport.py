@@ -8,7 +8,7 @@ from slipcircle.core import plan
 from slipcircle.workbench.common.markup import Raw, terms
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.provenance import uncertain_part
-from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page
+from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page, slope_parts
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.statistics import distribution, value_text
 from slipcircle.workbench.studies.study import Study
@@ -34,6 +34,7 @@ def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Par
     """Picture, key numbers, tables, inputs and method."""
     yield figure(f"Suite of {study.scene.name}", _CAPTION, pictures.picture("suite", study, "svg"))
     yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
+    yield from slope_parts(study.scene)
     yield from tables
     yield from input_parts(plan(study.scene, study.design.accuracy), file)
     sampling = study.design
