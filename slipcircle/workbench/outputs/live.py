@@ -63,8 +63,9 @@ def style() -> str:
 
 
 def script() -> str:
-    """The programs of `fragment`; a page needs them once, at its end."""
-    return text("engine.js") + text("live.js")
+    """Return the programs of `fragment` without comments; a page needs them once, at its end."""
+    lines = [line.strip() for name in ("engine.js", "live.js") for line in text(name).splitlines()]
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def engine() -> Raw:

@@ -20,7 +20,7 @@ from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal,
 from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -54,7 +54,7 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
     for slope, circles, lanes in circles_of(scene, slipped):
         if not _is_shared(slope, circles):
             circles = each_lane(circles, lanes)
-        driven = driven_slices(slope, *circles, _PIECES)
+        driven = driven_slices(slope, *circles, PIECES)
         with np.errstate(divide="ignore", invalid="ignore"):
             results = result(driven)
         blocks.append(np.broadcast_to(results, lanes))
@@ -109,7 +109,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     soils = slope.soils._replace(friction=rest)
     ground = turned[None]
     moved = replace(slope, ground=ground, soils=soils)
-    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
+    driven = driven_slices(moved, centre, radius, left, right, PIECES)
     with np.errstate(divide="ignore", invalid="ignore"):
         return float(factor_by(method, driven)[0])
 

@@ -1,0 +1,116 @@
+"""The factor of safety from which a motion starts, for a live page: a root of sums of series.
+
+By Bishop's method F D = sum of R_k(mu_k/F), where D is the driving moment, mu_k the friction of a soil and R_k the
+integral of the strength of that soil over m_alpha. As a Chebyshev series in mu_k/F, R_k has coefficients that are
+polynomials in the strengths and in the pore pressure, which a page interpolates exactly. By the ordinary method R_k is
+constant.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from generated import slopes
+from slipcircle.base.kinds import Floats
+from slipcircle.core import Scene
+from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.stability.factors import Driven, driven_slices, factor_by
+from slipcircle.workbench.stability.stability import circles_of
+from slipcircle.workbench.stability.starting import OF_CLOSURE, PIECES
+
+_DEGREE = 32  # of a series, at most
+_ROUNDING = 1e-15  # of the greatest coefficient, which others have to exceed
+_STEPS = 100
+_ERROR = 1e-13  # of strength factors
+
+
+class Start(NamedTuple):
+    """Series of the resistance of each soil along an arc, in the mobilised friction between two bounds."""
+
+    method: str
+    soils: Any  # number of the soil of each interval of the arc
+    low: Floats
+    high: Floats
+    degree: int
+
+    @property
+    def terms(self) -> int:
+        """Number of coefficients, which are the last rows."""
+        return len(self.low) * (self.degree + 1)
+
+    def rows(self, scene: Scene) -> Floats:
+        """Return driving moment, resistance of the closure, frictions and coefficients, (rows, lanes)."""
+        driven = _driven(scene)
+        resistance = factor_by(OF_CLOSURE, driven) * driven.driving
+        friction = np.atleast_2d(driven.slices.friction).T
+        frictions = [friction[np.argmax(self.soils == soil)] for soil in range(len(self.low))]
+        series = [row for soil in range(len(self.low)) for row in self._series(driven, soil)]
+        rows = [driven.driving, resistance, *frictions, *series]
+        return np.stack([np.broadcast_to(row, math.prod(scene.shape)) for row in rows])
+
+    def _series(self, driven: Driven, soil: int) -> Floats:
+        """Return the coefficients of the resistance of a soil, (terms, lanes)."""
+        places = chebyshev.chebpts1(self.degree + 1)
+        mobilised = (self.low[soil] + self.high[soil]) / 2 + (self.high[soil] - self.low[soil]) / 2 * places
+        inside = self.soils == soil
+        values = np.stack([np.sum(self._shear(driven, x) * inside, axis=-1) for x in mobilised])
+        return np.linalg.solve(chebyshev.chebvander(places, self.degree), values)
+
+    def _shear(self, driven: Driven, mobilised: float) -> Floats:
+        """Return the integrals over the intervals of the strength over its lever, (lanes, intervals)."""
+        slices = driven.slices
+        cohesion, friction = slices.cohesion(), slices.friction
+        if self.method == "ordinary":
+            shear = cohesion + friction * slices.ordinary_normal()
+        else:
+            strength = slopes.bishop_strength(slices.cosine, slices.vertical(), 0.0, cohesion, friction)
+            shear = strength / slopes.bishop_lever(slices.sine, slices.cosine, mobilised, 1.0)
+        return np.atleast_2d((slices.weight * shear).sum(axis=0))
+
+    def factors(self, rows: Floats) -> tuple[Floats, Floats]:
+        """Return the factors of safety and the strength factors of lanes from their rows, as the page does."""
+        driving, closure = rows[:2]
+        count = len(self.low)
+        friction = rows[2 : 2 + count]
+        series = rows[2 + count :].reshape(count, self.degree + 1, -1)
+        half = (self.high - self.low)[:, None] / 2
+        factor = np.ones_like(driving)
+        for _ in range(_STEPS):
+            places = (friction / factor - self.low[:, None]) / half - 1.0
+            shares = [chebyshev.chebval(x, c, tensor=False) for x, c in zip(places, series, strict=True)]
+            factor = sum(shares) / driving
+        return factor, factor * driving / closure
+
+
+def start_of(scene: Scene, probe: Scene) -> Start | None:
+    """Return the series for the start of a scene and of a probe, an ensemble of it; None where no series gives it."""
+    if not isinstance(scene, SlopeScene) or scene.strength_factor is not scene.set_by_start:
+        return None
+    if scene.start == OF_CLOSURE or "shaking" in scene.called:
+        return None
+    slices = _driven(probe).slices
+    friction = np.atleast_2d(slices.friction)
+    if slices.sine.ndim < 3 or not np.any(friction):
+        return None
+    with np.errstate(divide="ignore", invalid="ignore"):
+        factor = factor_by(scene.start, _driven(probe))
+    if np.any(np.isnan(factor)):
+        return None
+    of_soils, soils = np.unique(friction, axis=1, return_inverse=True)
+    mobilised = of_soils / factor[:, None]
+    margin = 0.1 * mobilised.max(axis=0)
+    low, high = np.maximum(mobilised.min(axis=0) - margin, 0.0), mobilised.max(axis=0) + margin + 1e-3
+    start = Start(scene.start, soils.ravel(), low, high, 0 if scene.start == "ordinary" else _DEGREE)
+    coefficients = np.abs(start.rows(probe)[2 + len(low) :]).reshape(len(low), start.degree + 1, -1).max(axis=(0, 2))
+    (counted,) = np.nonzero(coefficients > _ROUNDING * coefficients.max())
+    start = start._replace(degree=int(counted[-1]))
+    _, strength = start.factors(start.rows(probe))
+    return start if np.allclose(strength, probe.strength_factor, rtol=_ERROR, atol=0.0) else None
+
+
+def _driven(scene: Scene) -> Driven:
+    """Return the slices of a scene."""
+    ((slope, circles, _),) = circles_of(scene, most=1 << 30)
+    return driven_slices(slope, *circles, PIECES)
