@@ -255,8 +255,26 @@ def test_surcharges_are_arrows_onto_the_ground_with_their_values() -> None:
     assert tips[[0, -1]] == pytest.approx(ground, abs=0.1)
     heights = tips[:, 1] - tail[:, 1]
     assert heights == pytest.approx(np.linspace(heights[-1] / 3, heights[-1], len(tips)), abs=0.1)
-    assert "10 to 30 kPa" in {e.text for e in root.iter("text")}
+    anchors = {e.text: e.get("text-anchor") for e in root.iter("text") if e.get("data-line")}
+    assert anchors.pop("10 to 30 kPa") == "middle"
+    assert {*anchors.values()} == {"start"}  # names at the left edge end within the page
     assert "surcharges" in "".join(tree(live.page(m)).find(".//figcaption").itertext())
+
+
+def test_free_water_is_filled_and_the_ground_of_an_arc_continues_beyond_its_toe() -> None:
+    ground = [(-24, 20), (0, 20), (40, 0), (47, 0)]
+    m = solve(Scene(Section(ground, (26.0, 34.0), 38.0, 19e3, ponds=[(36.0, 47.0, 2.0)]), 0.1, TURNING))
+    (pond,) = (e.get("d") for e in tree(live.page(m)).iter("path") if e.get("class") == "pond")
+    frame = livesection.frame_around(m, 1.0)
+    corners = np.array(re.findall(r"-?[\d.]+", pond), dtype=float).reshape(-1, 2)
+    wanted = frame.points(np.array([[36.0, 2.0], [40.0, 2.0], [47.0, 2.0], [47.0, 0.0], [40.0, 0.0], [36.0, 2.0]]))
+    assert corners == pytest.approx(wanted, abs=0.1)
+    (soil,) = (e.get("d") for e in tree(page("vaiont")).iter("path") if e.get("class") == "soil")
+    frame, toe = livesection.frame_around(motion("vaiont"), 1.0), motion("vaiont").farthest
+    arc = motion("vaiont").plan.scene.arc
+    end = frame.points(float(arc.radius) * np.array([math.cos(x := float(arc.theta_2 + toe.rotation)), math.sin(x)]))
+    corners = np.array(re.findall(r"-?[\d.]+", soil), dtype=float).reshape(-1, 2)
+    assert np.interp(end[0], *corners[:-2].T) == pytest.approx(end[1], abs=0.5)  # the mass rests on the ground
 
 
 @pytest.mark.parametrize(

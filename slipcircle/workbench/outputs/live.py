@@ -92,7 +92,8 @@ def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
 
 def framed(motion: Motion) -> Raw:
     """The page of a motion in an isolated frame of another page, such as a notebook."""
-    attributes = 'sandbox="allow-scripts allow-downloads" width="100%" height="980" style="border: 0" title="the slide"'
+    size = 'width="100%" height="1560"'  # of the whole page where charts are in pairs
+    attributes = f'sandbox="allow-scripts allow-downloads" {size} style="border: 0" title="the slide"'
     return Raw(f'<iframe {attributes} srcdoc="{escaped(page(motion))}"></iframe>')
 
 
@@ -212,7 +213,7 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
     arc = motion.plan.scene.arc
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(arc, Arc):
-        yield "The chord stands in place of the ground; coordinates are from the centre of the circle."
+        yield "The chord replaces the ground, which follows the circle beyond the toe; coordinates are from its centre."
     if len(getattr(arc, "surcharge", ())):
         yield "Arrows: surcharges, where they are at the start."
     if magnification > 1.0:

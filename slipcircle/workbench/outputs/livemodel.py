@@ -22,7 +22,7 @@ from slipcircle.stiff import may_creep
 from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name
-from slipcircle.workbench.outputs.livestart import Start, start_of
+from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of
 from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
 
 DEGREE = 16  # of an interpolant in one number, at most
@@ -101,10 +101,10 @@ def _influence(scene: Scene, slider: Slider) -> float:
 
 def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: float = math.inf) -> bool:
     """Whether the inputs are interpolated to an error, with so many coefficients at most."""
-    inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     try:
+        inputs = _Inputs(scene, sliders, plan(scene).accuracy)
         return _greatest_error(inputs, _fits(inputs, most)) < error
-    except _NoFit:
+    except NoFit:
         return False
 
 
@@ -135,10 +135,6 @@ def unsolvable(motion: Motion) -> str:
     return ""
 
 
-class _NoFit(Exception):
-    """Raised for too many coefficients, or if functions of the rotation have other pieces elsewhere in a range."""
-
-
 class _Inputs:
     """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers that the page needs."""
 
@@ -162,7 +158,7 @@ class _Inputs:
         scene = self.scene_at(shares)
         alike = self._rows(_at_start(scene, ACCURACY), shares.shape[1])
         if len(alike) != self.base.size:
-            raise _NoFit
+            raise NoFit
         alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
         return alike
 
@@ -276,7 +272,7 @@ def _fits(inputs: _Inputs, most: float = math.inf) -> list[Fit]:
     for row, degrees in of_rows.items():
         groups.setdefault(tuple(degrees.items()), []).append(row)
     if sum(len(rows) * math.prod(degree + 1 for _, degree in key) for key, rows in groups.items()) > most:
-        raise _NoFit
+        raise NoFit
     return [_fit(inputs, present, key, rows, alone) for key, rows in groups.items()]
 
 

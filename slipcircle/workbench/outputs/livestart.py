@@ -16,14 +16,18 @@ from generated import slopes
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
 from slipcircle.workbench.files.loaded import SlopeScene
-from slipcircle.workbench.stability.factors import Driven, driven_slices, factor_by
-from slipcircle.workbench.stability.stability import circles_of
-from slipcircle.workbench.stability.starting import OF_CLOSURE, PIECES
+from slipcircle.workbench.stability.factors import Driven, factor_by
+from slipcircle.workbench.stability.slices import Slices
+from slipcircle.workbench.stability.starting import OF_CLOSURE, driven_blocks
 
 _DEGREE = 32  # of a series, at most
 _ROUNDING = 1e-15  # of the greatest coefficient, which others have to exceed
 _STEPS = 100
 _ERROR = 1e-13  # of strength factors
+
+
+class NoFit(Exception):
+    """Raised for too many coefficients, and for other pieces or intervals elsewhere in the range of a slider."""
 
 
 class Start(NamedTuple):
@@ -44,7 +48,9 @@ class Start(NamedTuple):
         """Return driving moment, resistance of the closure, frictions and coefficients, (rows, lanes)."""
         driven = _driven(scene)
         resistance = factor_by(OF_CLOSURE, driven) * driven.driving
-        friction = np.atleast_2d(driven.slices.friction).T
+        friction = _by_lane(driven.slices, driven.slices.friction).T
+        if len(friction) != len(self.soils):
+            raise NoFit
         frictions = [friction[np.argmax(self.soils == soil)] for soil in range(len(self.low))]
         series = [row for soil in range(len(self.low)) for row in self._series(driven, soil)]
         rows = [driven.driving, resistance, *frictions, *series]
@@ -67,7 +73,7 @@ class Start(NamedTuple):
         else:
             strength = slopes.bishop_strength(slices.cosine, slices.vertical(), 0.0, cohesion, friction)
             shear = strength / slopes.bishop_lever(slices.sine, slices.cosine, mobilised, 1.0)
-        return np.atleast_2d((slices.weight * shear).sum(axis=0))
+        return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
     def factors(self, rows: Floats) -> tuple[Floats, Floats]:
         """Return the factors of safety and the strength factors of lanes from their rows, as the page does."""
@@ -91,9 +97,10 @@ def start_of(scene: Scene, probe: Scene) -> Start | None:
     if scene.start == OF_CLOSURE or "shaking" in scene.called:
         return None
     slices = _driven(probe).slices
-    friction = np.atleast_2d(slices.friction)
-    if slices.sine.ndim < 3 or not np.any(friction):
+    counts = np.bincount(np.append(slices.arc, _driven(scene).slices.arc + len(slices.arcs.radius)))
+    if not np.any(slices.friction) or np.ptp(counts):  # intervals that appear or vanish
         return None
+    friction = _by_lane(slices, slices.friction)
     with np.errstate(divide="ignore", invalid="ignore"):
         factor = factor_by(scene.start, _driven(probe))
     if np.any(np.isnan(factor)):
@@ -110,7 +117,12 @@ def start_of(scene: Scene, probe: Scene) -> Start | None:
     return start if np.allclose(strength, probe.strength_factor, rtol=_ERROR, atol=0.0) else None
 
 
+def _by_lane(slices: Slices, values: Any) -> Floats:
+    """Return numbers of intervals, (lanes, intervals), where lanes share an arc or have as many intervals each."""
+    return np.atleast_2d(values) if slices.sine.ndim > 2 else values.reshape(len(slices.arcs.radius), -1)
+
+
 def _driven(scene: Scene) -> Driven:
     """Return the slices of a scene."""
-    ((slope, circles, _),) = circles_of(scene, most=1 << 30)
-    return driven_slices(slope, *circles, PIECES)
+    ((driven, _),) = driven_blocks(scene, most=1 << 30)
+    return driven

@@ -7,7 +7,7 @@ divided by the paper's factor under the yield coefficient of the method.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -20,7 +20,7 @@ from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal,
 from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -51,15 +51,20 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
     if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
-    for slope, circles, lanes in circles_of(scene, slipped):
-        if not _is_shared(slope, circles):
-            circles = each_lane(circles, lanes)
-        driven = driven_slices(slope, *circles, PIECES)
+    for driven, lanes in driven_blocks(scene, slipped):
         with np.errstate(divide="ignore", invalid="ignore"):
             results = result(driven)
         blocks.append(np.broadcast_to(results, lanes))
     values = np.concatenate(blocks).reshape(scene.shape)
     return values if scene.shape else float(values)
+
+
+def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
+    """Yield the slices of the arcs of a scene and the number of lanes, block by block as of `circles_of`."""
+    for slope, circles, lanes in circles_of(scene, slipped, **most):
+        if not _is_shared(slope, circles):
+            circles = each_lane(circles, lanes)
+        yield driven_slices(slope, *circles, _PIECES), lanes
 
 
 def yield_by(scene: Any, method: str) -> Any:
@@ -109,7 +114,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     soils = slope.soils._replace(friction=rest)
     ground = turned[None]
     moved = replace(slope, ground=ground, soils=soils)
-    driven = driven_slices(moved, centre, radius, left, right, PIECES)
+    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
     with np.errstate(divide="ignore", invalid="ignore"):
         return float(factor_by(method, driven)[0])
 

@@ -97,7 +97,7 @@ function start(figure, addressed) {
     if (swingsBack) facts.push(['displacement at the end', text(found.end_displacement, 'm') + verdict('end_displacement', found.end_displacement)]);
     const left = found.moves ? departure(found) : { cut: null };
     if (left.words) facts.push(['outside the range of the method', left.words]);
-    facts.push(['factor of safety by the paper\u2019s method', String(Number(found.factor.toPrecision(4)))]);
+    facts.push(['factor of safety at the start', String(Number(found.factor.toPrecision(4)))]);
     if (found.moves) facts.push(['estimated error', found.error.toExponential(1)]);
     if (data.input_error > 1e-14) facts.push(['inputs interpolated within', data.input_error.toExponential(0)]);
     const warnings = found.moves && Number.isFinite(found.lift) ? [`contact lost from ${text(found.lift, 's')} (lift-off)`] : [];
@@ -246,9 +246,9 @@ function start(figure, addressed) {
   }
 
   function names(texts, size, height) {
-    let lowest = 0;
+    let lowest = size;
     for (const name of texts) {
-      const line = Number(name.dataset.line), below = !name.matches('.of-water, .of-surcharge');
+      const line = Number(name.dataset.line), below = !name.matches('.of-water, .of-surcharge, .of-pond');
       const room = below && line + 1.4 * size < height;
       const y = Math.max(room ? line + 1.15 * size : line - (below ? 1.8 : 0.5) * size, lowest);
       name.setAttribute('y', y);
@@ -338,7 +338,9 @@ function start(figure, addressed) {
     const hovers = hovered !== null && ['v', 's'].includes(of);
     chart.hover.setAttribute('d', hovers ? `M${x(hovered)} ${box.top}V${box.bottom}` : '');
     const value = () => `${text(at(motion, hovered)[of], chart.high - chart.low)} ${of === 'v' ? 'm/s' : 'm'} at ${text(hovered, longest())} s`;
-    chart.words.textContent = hovers ? value() : { energy: 'work, dissipation, kinetic', stress: 'total, effective' }[of] || '';
+    const keys = { energy: [['', 'work'], ['dissipation', '- - dissipation'], ['kinetic', 'kinetic']], stress: [['', 'total'], ['dissipation', '- - effective']] };
+    chart.words.replaceChildren(...(keys[of] || []).map(([kind, name]) => drawn('tspan', { class: kind, dx: 8 }, name)));
+    if (hovers) chart.words.textContent = value();
   }
 
   // --- what changes it ---
