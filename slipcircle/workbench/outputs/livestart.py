@@ -15,7 +15,7 @@ from numpy.polynomial import chebyshev
 from generated import slopes
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
-from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.factors import Driven, factor_by
 from slipcircle.workbench.stability.slices import Slices
 from slipcircle.workbench.stability.starting import OF_CLOSURE, driven_blocks
