@@ -6,7 +6,7 @@ itself is not interpolated: the page integrates it with the compiled text of `ge
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -251,29 +251,34 @@ def _lobatto(degree: int) -> Floats:
 
 def _fits(inputs: _Inputs, most: float = math.inf) -> list[Fit]:
     """Return interpolants of all rows that vary, with so many coefficients at most."""
-    count = len(inputs.sliders)
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
     of_rows: dict[int, dict[int, int]] = {}  # degrees by slider
     alone: dict[int, Floats] = {}  # coefficients in the last slider
-    for k in range(count):
-        places = np.repeat(present, DEGREE + 1, axis=1)
-        places[k] = _lobatto(DEGREE)
-        values = inputs.at(places)
-        size = inputs.sizes(values)
-        with np.errstate(invalid="ignore"):
-            (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * size)
-        coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
-        for row, c in zip(varied.tolist(), coefficients, strict=True):
-            counted = np.flatnonzero(np.abs(c) > ROUNDING * size[row])
-            if counted.size and counted[-1]:
-                of_rows.setdefault(row, {})[k] = int(counted[-1])
-                alone[row] = c
+    for k in range(len(inputs.sliders)):
+        for row, degree, coefficients in _along(inputs, present, k):
+            of_rows.setdefault(row, {})[k] = degree
+            alone[row] = coefficients
     groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
     for row, degrees in of_rows.items():
         groups.setdefault(tuple(degrees.items()), []).append(row)
     if sum(len(rows) * math.prod(degree + 1 for _, degree in key) for key, rows in groups.items()) > most:
         raise NoFit
     return [_fit(inputs, present, key, rows, alone) for key, rows in groups.items()]
+
+
+def _along(inputs: _Inputs, present: Floats, k: int) -> Iterator[tuple[int, int, Floats]]:
+    """Yield the rows that vary with one slider, with their degrees and coefficients."""
+    places = np.repeat(present, DEGREE + 1, axis=1)
+    places[k] = _lobatto(DEGREE)
+    values = inputs.at(places)
+    sizes = inputs.sizes(values)
+    with np.errstate(invalid="ignore"):
+        (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * sizes)
+    coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
+    for row, of_row in zip(varied.tolist(), coefficients, strict=True):
+        counted = np.flatnonzero(np.abs(of_row) > ROUNDING * sizes[row])
+        if counted.size and counted[-1]:
+            yield row, int(counted[-1]), of_row
 
 
 def _fit(
