@@ -6,6 +6,8 @@ polynomials in the strengths and in the pore pressure, which a page interpolates
 constant.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 
@@ -44,6 +46,13 @@ class Start(NamedTuple):
         """Number of coefficients, which are the last rows."""
         return len(self.low) * (self.degree + 1)
 
+    def shortened(self, scene: Scene) -> Start:
+        """Return the series without terms that are rounding error in every lane of a scene."""
+        last = np.abs(self.rows(scene)[-self.terms :]).reshape(len(self.low), self.degree + 1, -1)
+        greatest = last.max(axis=(0, 2))
+        (counted,) = np.nonzero(greatest > _ROUNDING * greatest.max())
+        return self._replace(degree=int(counted[-1]))
+
     def rows(self, scene: Scene) -> Floats:
         """Return driving moment, resistance of the closure, frictions and coefficients, (rows, lanes)."""
         driven = _driven(scene)
@@ -52,19 +61,19 @@ class Start(NamedTuple):
         if len(friction) != len(self.soils):
             raise NoFit
         frictions = [friction[np.argmax(self.soils == soil)] for soil in range(len(self.low))]
-        series = [row for soil in range(len(self.low)) for row in self._series(driven, soil)]
-        rows = [driven.driving, resistance, *frictions, *series]
+        rows = [driven.driving, resistance, *frictions, *self._series(driven)]
         return np.stack([np.broadcast_to(row, math.prod(scene.shape)) for row in rows])
 
-    def _series(self, driven: Driven, soil: int) -> Floats:
-        """Return the coefficients of the resistance of a soil, (terms, lanes)."""
+    def _series(self, driven: Driven) -> Floats:
+        """Return the coefficients of the resistance of every soil, (terms, lanes)."""
         places = chebyshev.chebpts1(self.degree + 1)
-        mobilised = (self.low[soil] + self.high[soil]) / 2 + (self.high[soil] - self.low[soil]) / 2 * places
-        inside = self.soils == soil
-        values = np.stack([np.sum(self._shear(driven, x) * inside, axis=-1) for x in mobilised])
-        return np.linalg.solve(chebyshev.chebvander(places, self.degree), values)
+        middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
+        shear = np.stack([self._shear(driven, (middle + half * x)[self.soils]) for x in places])
+        of_soils = shear @ np.eye(len(self.low))[self.soils]
+        coefficients = np.tensordot(np.linalg.inv(chebyshev.chebvander(places, self.degree)), of_soils, 1)
+        return np.moveaxis(coefficients, -1, 0).reshape(self.terms, -1)
 
-    def _shear(self, driven: Driven, mobilised: float) -> Floats:
+    def _shear(self, driven: Driven, mobilised: Floats) -> Floats:
         """Return the integrals over the intervals of the strength over its lever, (lanes, intervals)."""
         slices = driven.slices
         cohesion, friction = slices.cohesion(), slices.friction
@@ -110,9 +119,7 @@ def start_of(scene: Scene, probe: Scene) -> Start | None:
     margin = 0.1 * mobilised.max(axis=0)
     low, high = np.maximum(mobilised.min(axis=0) - margin, 0.0), mobilised.max(axis=0) + margin + 1e-3
     start = Start(scene.start, soils.ravel(), low, high, 0 if scene.start == "ordinary" else _DEGREE)
-    coefficients = np.abs(start.rows(probe)[2 + len(low) :]).reshape(len(low), start.degree + 1, -1).max(axis=(0, 2))
-    (counted,) = np.nonzero(coefficients > _ROUNDING * coefficients.max())
-    start = start._replace(degree=int(counted[-1]))
+    start = start.shortened(probe)
     _, strength = start.factors(start.rows(probe))
     return start if np.allclose(strength, probe.strength_factor, rtol=_ERROR, atol=0.0) else None
 

@@ -61,10 +61,13 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
 
 def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
     """Yield the slices of the arcs of a scene and the number of lanes, block by block as of `circles_of`."""
-    for slope, circles, lanes in circles_of(scene, slipped, **most):
-        if not _is_shared(slope, circles):
+    blocks = circles_of(scene, slipped, **most)
+    for slope, circles, lanes in blocks:
+        is_shared = _is_shared(slope, circles)
+        if not is_shared:
             circles = each_lane(circles, lanes)
-        yield driven_slices(slope, *circles, _PIECES), lanes
+        driven = driven_slices(slope, *circles, _PIECES)
+        yield driven, lanes
 
 
 def yield_by(scene: Any, method: str) -> Any:
