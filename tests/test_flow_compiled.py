@@ -171,6 +171,10 @@ MALFORMED = {  # integers of a program by their places, and what they become
     "states": (3, 10**8), "no states": (3, 0), "tables": (4, 10**8), "numbers": (5, -4), "series": (6, 2**31 - 1),
     "later": (7, 3), "a register of a role": (9, 5), "a cell of a role": (14, 10**7),
 }  # fmt: skip
+OF_TABLE = [  # integers of the last table, by their places from the end, and what they become
+    (-4, -1), (-4, 4), (-3, -2), (-3, 5), (-3, ix.STRIDE * 10**5), (-2, -1), (-2, -(2**31)), (-2, 10**4),
+    (-2, 2**31 - 1), (-1, -1), (-1, ix.STRIDE), (-1, 2**31 - 1),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("name", ["constant", "record", "softening"])
@@ -185,7 +189,14 @@ def test_malformed_integers_are_refused(name: str) -> None:
         BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, 0)
 
     call()
-    for place, value in MALFORMED.values():
+    malformed = [*MALFORMED.values()]
+    if pieces:  # its cells may end where those of the program do, but not one later
+        last = len(cells) - (len(ix.TABLE) - 1) - code[-1]
+        malformed += [*OF_TABLE, (-2, last + 1)]
+        fitting = code.copy()
+        fitting[-2] = last
+        call(fitting)
+    for place, value in malformed:
         changed = code.copy()
         changed[place] = value
         with pytest.raises(ValueError, match="do not fit"):
