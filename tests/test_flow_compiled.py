@@ -11,6 +11,7 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
+from generated import walk as in_numpy
 from slipcircle.core.walk.compiled import encoded
 from slipcircle.tables import Series
 from tests.support.lanes import (
@@ -55,6 +56,17 @@ def alike(one: Any, other: Any, within: float) -> None:
 def test_the_integrator_in_numpy_is_the_same(name: str) -> None:
     bound = problem(name)
     alike(integrate(bound), integrate(bound, name="NumPy"), 1e-11)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_registers_are_those_of_numpy(name: str) -> None:
+    """Where a phase begins, and after it, of all lanes at once."""
+    bound, found = problem(name), []
+    for module in (compiled, in_numpy):
+        cells = bound.cells()
+        begun = module.begin_phase(bound.program, bound.tables(), cells)
+        found.append([*begun, *module.registers(bound.program, bound.tables(), cells)])
+    np.testing.assert_allclose(*found, rtol=1e-12, atol=1e-14)
 
 
 @pytest.mark.parametrize("name", SCENES)

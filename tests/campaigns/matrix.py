@@ -103,7 +103,7 @@ def tested(folder: Path, python: Path | str, settings: Mapping[str, str], tests:
     command: list[str | Path] = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, encoding="utf-8")
     lines = (done.stdout + done.stderr).strip().splitlines() or ["no output"]
-    failed = [line for line in lines if re.match("(FAILED|ERROR) ", line)]
+    failed = [line for line in lines if re.match("(FAILED|ERROR|SUMMARY:) ", line)]
     return done.returncode == 0, "\n    ".join([lines[-1], *failed])
 
 
@@ -152,7 +152,7 @@ def sanitized(folder: Path) -> tuple[bool, str]:
         "SLIPCIRCLE_COMPILED": "baseline",
     }
     subprocess.run([sys.executable, "-c", SANITIZE], cwd=checkout, env=os.environ | settings, check=True)
-    return tested(checkout, sys.executable, settings, SANITIZED)
+    return tested(checkout, sys.executable, settings, ["--capture=no", *SANITIZED])  # reports of what ends Python
 
 
 def case(name: str, folder: Path, short: bool = False) -> tuple[bool, str]:
