@@ -185,6 +185,7 @@ def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> No
 
 
 IN_WATER = Section([(-60, 20), (0, 20), (40, 0), (120, 0)], (30, 45), 48.0, 19e3, level=[(-60, 5), (120, 5)])
+GROWS = {"cohesion": 5e3, "gradient": 200.0}
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # A shipped scene with changed fields, and a result of its motion, that import each lazy module.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
@@ -195,6 +196,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
     "soils": ("layered-slope", {"arc": of_each_soil()}, bool),
     "water": ("valley-side", {}, bool),
+    "depths": ("real-slope", {"effects": {"rotation": {}, "cohesion": GROWS}}, bool),
     "standing": ("valley-side", {"arc": IN_WATER}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),

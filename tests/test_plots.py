@@ -15,19 +15,20 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Scene, Section, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, Slope, critical, grid, load, solve
 from slipcircle.words import swings_back
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
-from slipcircle.workbench.outputs.tables import cell_text, motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import cell_text, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
+from tests.support.motions import from_method
+from tests.support.outputs import printed
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion
-from tests.support.rays import from_method
 
 matplotlib.use("agg")
 
@@ -300,8 +301,8 @@ def test_the_section_names_times_and_ways_and_that_the_circle_goes_on() -> None:
     assert "at rest after 6.477 s and 10.41 m" in words
     hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(getattr(m.plan.scene.arc, "ground")))  # noqa: B009
     assert f"toe {hangs:.4g} m above the ground" in words
-    assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the run-out"]
-    assert "toe at the run-out" not in motion_column(motion("vaiont"))
+    assert f"{hangs:.4g} m above the ground" in printed(m)["toe at the run-out"]
+    assert "toe at the run-out" not in printed(motion("vaiont"))
     assert "still moving after 30 s and 1020 m" in legend(plots.section(motion("vaiont-frozen"), drawn((9.0, 6.0))))
 
 
@@ -357,10 +358,14 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     m, study = motion("wet-slope"), grid(load("wet-slope"), {"friction.angle_deg": [20.0, 24.0]})
     ax = drawn()
     assert m.plot("velocity", ax) is ax
-    for result, what in ((m, "section"), (study, "overview"), (study, "duration")):
+    found = critical(Slope([[0, 10], [20, 0]], 5e3, 0.3, 19e3))
+    for result, what in ((m, "section"), (study, "overview"), (study, "duration"), (found, "overview")):
         figure = result.plot(what).figure
         assert figure.axes
         matplotlib.pyplot.close(figure)
+    for result, name in ((m, "a.svg"), (found, "c.PDF")):
+        assert result.plot(tmp_path / name) is None
+        assert (tmp_path / name).stat().st_size > 1000
     m.animate(str(tmp_path / "a.gif"), seconds=0.5)
     with Image.open(tmp_path / "a.gif") as gif:
         durations = [frame.info["duration"] for frame in ImageSequence.Iterator(gif)]
@@ -368,6 +373,8 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     assert durations[-1] == 2000
     many = solve(replace(SCENES["wet-slope"], friction=np.array([0.3, 0.4])))
     refused: list[tuple[Any, str]] = [
+        (lambda: m.plot("a.doc"), r"what = 'a.doc': must be .* or end in \.png, .*\.gif"),
+        (lambda: study.plot("a.gif"), r"what = 'a.gif': must be .* or end in \.png, \.svg, \.pdf, \.jpg$"),
         (lambda: m.plot("speed"), "what = 'speed': must be one of overview, section"),
         (lambda: m.plot(ax=ax), "has several panels"),
         (lambda: many.plot(), r"2 lanes is not one picture: take one of them, motion\[0\]"),

@@ -19,7 +19,7 @@ from slipcircle.tables import Pulse
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.shipped import shipped
 from tests.support import vaiont
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = Arc(800.0, 3.8, 5.0, 21e3)

@@ -12,20 +12,15 @@ from derive.declare.effects import (
     EFFECTS,
     GRAVITY,
     LAWS,
-    LEAST,
-    LIMITS,
-    OTHER_UNITS,
-    QUESTIONED_FRICTION,
     RADIUS,
     REFERENCE,
     SECTION_EFFECTS,
-    USUAL,
-    USUAL_FRICTION,
     VALUE,
     Effect,
     Law,
     Parameter,
 )
+from derive.declare.limits import LEAST, LIMITS, OTHER_UNITS, QUESTIONED_FRICTION, USUAL, USUAL_FRICTION
 from derive.declare.symbols import in_words
 from derive.flow.equation import term
 

@@ -311,13 +311,16 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
 
 
 def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
-    """Return whether the values are exactly one valid float per parameter, which is the usual case."""
+    """Return whether there is one valid float for each required parameter and nothing else, which is the usual case."""
+    count = 0
     for p in parameters:
+        if p.optional and p.name not in given:
+            continue
+        count += 1
         value = given.get(p.name)
-        is_number = p.kind == "number" and type(value) is float
-        if not (is_number and p.lower < value < p.upper):
+        if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
             return False
-    return len(given) == len(parameters)
+    return len(given) == count
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
@@ -325,13 +328,14 @@ _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
     """Return the messages about the value of a declared parameter."""
-    has_bounds = p.key and p.kind in ("number", "list", "series")
+    has_bounds = p.key and p.kind in ("number", "list", "series", "fixed")
     if has_bounds and not callable(value):
         lower = min(p.lower, 0.0)
         sign = _SIGNS.get(lower, "")
         allowed = f"{p.help}{sign} ({p.unit})"
         bounds = {p.name: (p.lower, p.upper, allowed)}
-        sentences = mistakes({p.name: value}, bounds)
+        one = (p.name,) if p.kind == "fixed" else ()
+        sentences = mistakes({p.name: value}, bounds, one)
         messages = map(Message.of, sentences)
         return [message.within(path) for message in messages]
     if _is_of_kind(p.kind, value):
@@ -346,7 +350,7 @@ def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
 def _is_of_kind(kind: str, value: Any) -> bool:
     """Return whether a value has the type that its parameter's kind requires."""
     match kind:
-        case "number" | "list":
+        case "number" | "list" | "fixed":
             return False
         case "series":
             return hasattr(value, "kinks")

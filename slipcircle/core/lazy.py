@@ -16,6 +16,7 @@ MODULES = {
     "functions": "slipcircle.tables.functions",  # friction is a Python function of slip
     "soils": "slipcircle.layers.fragments",  # soils have friction laws of their own
     "water": "slipcircle.ground.water",  # a section has a water level
+    "depths": "slipcircle.layers.depths",  # cohesion of one soil grows with depth
     "standing": "slipcircle.layers.standing",  # free water covers the exit of a section
     "creep": "slipcircle.stiff.creep",  # a viscous layer without end time, or the slow run-out is requested
     "stiff": "slipcircle.stiff.implicit",  # explicit steps are too many

@@ -53,6 +53,21 @@ class SectionGeometry(TurningMass):
             points = np.broadcast_to(points, (*self.shape, *own))
         return points.reshape(-1, *own)
 
+    def _top_line(self, top: Any) -> Floats:
+        """Return the top of a layer, a height, heights or points, or the ground, as lines, (circles or 1, V, 2)."""
+        ground, *_ = self._circle
+        height = np.asarray(top)
+        if top is None:
+            return ground
+        if height.ndim > 1:
+            return self._lines(height)
+        if height.ndim == 1:  # one of each circle
+            height = np.broadcast_to(height, self.shape)
+        row = height.reshape(-1, 1)
+        ends = ground[:, [0, -1], 0]
+        line = np.broadcast_arrays(ends, row)
+        return np.stack(line, axis=-1)
+
     @cached_property
     def _cut(self) -> Cut:
         return circles.cut(*self._circle)

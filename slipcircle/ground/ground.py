@@ -80,6 +80,7 @@ BOUNDS: Mapping[str, Bounds] = {  # bounds of the numbers of sections, soils and
     "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
     "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
     "base": (-FAR, FAR, "one finite number in m"),
+    "datum": (-FAR, FAR, "one finite number in m"),
     "between": (-FAR, FAR, "two x in m, from left to right"),
     "cohesion": _STRESS,
     "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
@@ -139,7 +140,7 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
 def _bounds_of(given: Values) -> dict[str, Bounds]:
     """Return the bounds of the given fields."""
     bounds = {name: BOUNDS[name] for name in BOUNDS if name in given}
-    for optional in ("base", "between"):
+    for optional in ("base", "between", "datum"):
         if optional in given and given[optional] is None:
             del bounds[optional]
     return bounds

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
 from slipcircle.base.kinds import Effects, Floats
 from slipcircle.core.lazy import lazy_import
-from slipcircle.core.scene.effects import rotates
+from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.coordinates import coordinates
@@ -147,14 +147,23 @@ class Section(SectionGeometry, Mass):
                 "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
                 "pressure already; leave one out"
             )
+        cohesion = effects.get("cohesion", {})
+        grows = np.any(cohesion.get("gradient"))
+        peak = cohesion.get("peak", 1.0)
+        if grows and not np.all(peak):
+            found.append("{effects.cohesion.peak} = 0: must be positive, as the law multiplies the increase with depth")
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Return effects with the pressure of the section's water level and of standing water.
+        """Return effects with the pressure of the section's water level, standing water, and depths of cohesion.
 
-        The water stays in place as the mass turns through it.
+        These stay in place as the mass turns through them.
         """
+        cohesion = effects.get("cohesion", {})
         effects = super().effects_with_own(effects)
+        grows = np.any(cohesion.get("gradient"))
+        if grows:
+            effects = lazy_import("depths").growing(self, cohesion, effects)
         own = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
             own["level"] = self.mean_lift
@@ -301,14 +310,18 @@ class Section(SectionGeometry, Mass):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
-        """Return the effects of water as tables of functions of the rotation."""
-        pressures = effects.get("pore_pressure", {})
+        """Return the effects of water, and the depth with which cohesion grows, as tables of the rotation."""
         turns = rotates(effects)
         tables = {}
-        for symbol, name in {"water": "level", "standing_water": "standing"}.items():
-            function = pressures.get(name)
-            if function is not None:
-                tables[symbol] = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+        for effect, given in effects.items():
+            symbols = symbols_of(effect)
+            for name in ("level", "standing", "depth"):
+                function = given.get(name)
+                if function is None:
+                    continue
+                table = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+                symbol = symbols[name]
+                tables[symbol] = table
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:

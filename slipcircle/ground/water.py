@@ -1,4 +1,4 @@
-"""Water of a section as tables of functions of the rotation. The water level stays in place."""
+"""Tables of functions of the rotation: of the water of a section, which stays in place, and of depths."""
 
 from collections.abc import Callable
 from typing import Any
@@ -38,7 +38,7 @@ def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslop
     last = upright(section)
     if rotates:
         first = first_rotation(last, upslope)
-        kinks = section.pressure_kinks
+        kinks = getattr(function, "kinks", section.pressure_kinks)
         *_, count = kinks.shape
         kinks = kinks.reshape(last.size, count)
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)

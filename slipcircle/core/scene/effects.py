@@ -11,6 +11,7 @@ from slipcircle.base.kinds import MAPPING, Names, Parameters
 from slipcircle.core.lazy import lazy_import
 
 Law = tuple[str, Parameters]  # name and parameters
+OF_GROWTH = EFFECTS["cohesion"].parameters[1:]  # of the growth of cohesion with depth, by any law
 WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
 
 
@@ -73,7 +74,7 @@ def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
     if name != "cohesion" or "law" not in given:
         return EFFECTS[name].parameters
     law = COHESION_LAWS.get(given["law"])
-    return law.parameters if law else ()
+    return (*law.parameters, *OF_GROWTH) if law else ()
 
 
 def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
@@ -82,9 +83,16 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
     path = f"effects.{name}"
-    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
-        return cohesion_mistakes(parameters.get(name) if len(parameters) == 1 else parameters, path)
     faults = []
+    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
+        law = dict(parameters)
+        of_growth = {}
+        for p in OF_GROWTH:
+            if p.name in law:
+                of_growth[p.name] = law.pop(p.name)
+        faults = parameter_mistakes(path, of_growth, OF_GROWTH)
+        given = law if "law" in law else law[name]
+        return cohesion_mistakes(given, path) + faults
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
@@ -115,8 +123,12 @@ def cohesion_law(given: Any) -> Law | None:
         return "callable", {"function": given}
     if not isinstance(given, MAPPING) or given["law"] == "constant":
         return None
-    parameters = {"coefficient" if name == "cohesion" else name: value for name, value in given.items()}
-    return str(parameters.pop("law")), parameters
+    law = COHESION_LAWS[given["law"]]
+    parameters = {}
+    for p in law.parameters:
+        name = "coefficient" if p.name == "cohesion" else p.name
+        parameters[name] = given[p.name]
+    return law.name, parameters
 
 
 def resolved(name: str, given: Frozen) -> Frozen:

@@ -126,6 +126,8 @@ class Mass:
 
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
         """Return messages about combinations of friction and effects for which the mass has no motion."""
+        if "gradient" in effects.get("cohesion", {}):
+            return ["{effects.cohesion.gradient}: needs a ground, below which the cohesion grows, in place of an arc"]
         return []
 
     def effects_with_own(self, effects: Effects) -> Effects:
