@@ -15,7 +15,7 @@ from slipcircle.words import integrator
 
 
 def facts() -> dict[str, str]:
-    """Return the versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
+    """Return versions of the package, Python and optional libraries, the kernels in use, and digests of files."""
     remedy = FREE_THREADED if is_free_threaded() else "`python -m derive.build` compiles them"
     kernels = f"NumPy, not compiled: {remedy}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
