@@ -66,7 +66,7 @@ def test_the_registers_are_those_of_numpy(name: str) -> None:
         cells = bound.cells()
         begun = module.begin_phase(bound.program, bound.tables(), cells)
         found.append([*begun, *module.registers(bound.program, bound.tables(), cells)])
-    np.testing.assert_allclose(*found, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(found[0], found[1], rtol=1e-12, atol=1e-14)
 
 
 @pytest.mark.parametrize("name", SCENES)
