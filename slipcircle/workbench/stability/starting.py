@@ -1,4 +1,4 @@
-"""Strength factors: by how much strength has to change for a motion to start from the result of another method.
+"""Strength factors, which make a motion start from the result of another method.
 
 The balance of a motion has the closure of the paper's method. With strength multiplied by F_method/F_paper it starts
 from the factor of safety of the method. Under shaking the yield coefficients are to be equal, so that strength is
