@@ -169,7 +169,7 @@ def test_names_of_settings_are_checked() -> None:
     """Also those that a call without records ignored."""
     scene = replace(load("vaiont"), uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 9, "std": 1}})
     settings: list[tuple[dict[str, Any], str]] = [
-        ({"scales": [1]}, "is for records; give records"),
+        ({"scales": [1]}, r"scales = \[1\]: is for records; give records"),
         ({"records": [], "polarities": 3}, "polarities = 3: must be True or False"),
         ({"search_each": "no"}, "search_each = 'no': must be True or False"),
     ]
