@@ -16,13 +16,15 @@ from slipcircle.base.optional import optional
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.problem import Bounds, SearchProblem, observations, search_problem
-from slipcircle.workbench.studies.roots import extreme, solve_exact
+from slipcircle.workbench.studies.roots import extreme, limit_value, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
 ROOT = "all roots in the range"
 FITTED = "least squares"
+AT_LIMIT = "bisection to the limit"
 _STARTS = 512  # points a field, of which the best are followed
 _MET = 1e-12  # sum of squares below which all is met exactly
 _NOISE = 1e-7  # relative, of derivatives
@@ -154,6 +156,10 @@ def backanalyse(
     peak_velocity: Observed | None = None,
     duration: Observed | None = None,
     toe_rise: Observed | None = None,
+    toe_x: Observed | None = None,
+    crest_drop: Observed | None = None,
+    centroid_travel: Observed | None = None,
+    factor_of_safety: Observed | None = None,
     field: str | Sequence[str] | None = None,
     bounds: Bounds | Mapping[str, Bounds] | None = None,
 ) -> BackAnalysis:
@@ -165,6 +171,10 @@ def backanalyse(
         Its values of the fields are ignored.
     run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
         Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
+        An `Interval` with an infinite end is a limit, which one field alone meets.
+    toe_x, crest_drop, centroid_travel, factor_of_safety : float, tuple of float or Interval, optional
+        The same of the x coordinate of the toe at the run-out, the drop of the upper end of the slip surface, the
+        horizontal travel of the centroid, m, and the factor of safety at the start by the starting method.
         By default ``scene.observed``. A single one is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
@@ -195,22 +205,28 @@ def backanalyse(
     15.2147
     """
     checked(scene, "backanalyse")
-    every = (run_out, end_displacement, peak_velocity, duration, toe_rise)
+    every = [run_out, end_displacement, peak_velocity, duration, toe_rise]
+    every += [toe_x, crest_drop, centroid_travel, factor_of_safety]
     asked = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
     observed, intervals = observations(asked or scene.observed)
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    problem = search_problem(scene, field, bounds, observed)
+    problem = search_problem(scene, field, bounds, observed, intervals)
     units = {f.key: f.unit for f in problem.fields}
     is_exact = len(problem.fields) == len(observed) == 1
     solutions, warnings = _exact(problem) if is_exact else _fitted(problem)
-    method = ROOT if is_exact else FITTED
+    method = AT_LIMIT if problem.limit else ROOT if is_exact else FITTED
+    stability = stability_of(scene)
+    if "factor_of_safety" in observed and stability and stability.method:
+        warnings.append("the circle is the critical one of the strengths as entered; search it again with the result")
     return BackAnalysis(units, observed, tuple(solutions), method, tuple(warnings), intervals)
 
 
 def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     """All values of the one field with the one observation, the fewest swings first, and what to know of them."""
-    solutions = [_solution(problem, [value]) for value in solve_exact(problem)]
+    at_limit = None if problem.limit is None else limit_value(problem)
+    values = solve_exact(problem) if problem.limit is None else [] if at_limit is None else [at_limit]
+    solutions = [_solution(problem, [value]) for value in values]
     if not solutions:
         raise _unattainable(problem)
     solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
@@ -235,7 +251,12 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     attainable = f"{from_least} to {to_greatest}"
     if greatest - least <= 1e-9 * abs(greatest):
         attainable = f"only {least:.6g} {unit}, whatever it is"
-    target = float(problem.targets[0])
+    target = float(problem.targets[0] + problem.origins[0])
+    if problem.limit is not None:
+        holds = problem.limit.low <= least and greatest <= problem.limit.high
+        which = "every" if holds else "no"
+        sentence = f"{name} {problem.limit} {unit}: {which} {field.key} gives it; attainable: {attainable}"
+        return Unattainable(sentence, {name: ((least, low), (greatest, high))})
     if max(abs(outcome - target) for outcome in outcomes) <= 1e-9 * abs(target):
         return _without_effect([field.key], problem)
     sentence = f"{name} = {target:.10g} {unit}: no {field.key} gives it; attainable: {attainable}"
@@ -293,19 +314,23 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         si[field.name] = float(field.to_si(value))
     scene = with_parameters(problem.scene, si)
     motion = solve(scene)
-    slopes = neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values
+    slopes = np.full((len(problem.observed), len(si)), np.nan)  # of a mass that only a limit lets stand
+    if motion.moves or problem.limit is None:
+        slopes = neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values
     outcomes = problem.seen(motion)
     residuals = outcomes - problem.targets
     scaled = residuals / problem.scales
     chi_square = float(np.sum(scaled**2))
     covariance = None
-    error = math.inf
+    error = math.inf if problem.limit is None else EPS
     sizes = np.array([abs(v) or 1.0 for v in values])
     jacobian = _jacobian(problem, slopes, values) * sizes  # by relative changes
     if np.all(np.isfinite(jacobian)):
-        _refuse_indistinct(problem, jacobian)
+        if problem.limit is None:
+            _refuse_indistinct(problem, jacobian)
         inverse = np.linalg.pinv(jacobian)
-        numerical = motion.error_estimate * np.abs(outcomes) / problem.scales
+        of_outcomes = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
+        numerical = of_outcomes * np.abs(outcomes) / problem.scales
         relative = np.abs(inverse) @ numerical
         error = max(float(np.max(relative)), EPS)
         by_units = inverse * sizes[:, None]
