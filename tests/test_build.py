@@ -20,6 +20,7 @@ import pytest
 from derive import build
 from derive.approximate.programs import variants, variants_of_ends
 from derive.generate import emit_c, write
+from derive.stages import digest_of
 from generated import _compiled
 from tests.campaigns import matrix
 from tests.support.golden import SHIPPED
@@ -75,7 +76,7 @@ def small(folder: Path, change: Callable[[str], str] = str) -> Path:
         shutil.copytree(ROOT / "generated", folder, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.c"))
     text = change(emit_c.source([v for v in variants() if v.kernel == "resistance_factor"]))
     (folder / "_kernels.c").write_text(write.header("_kernels.c", text) + text, "utf-8")
-    known = re.sub('DIGEST = ".*"', f'DIGEST = "{write.digest_of(text)}"', (folder / "tiers.py").read_text("utf-8"))
+    known = re.sub('DIGEST = ".*"', f'DIGEST = "{digest_of(text)}"', (folder / "tiers.py").read_text("utf-8"))
     (folder / "tiers.py").write_text(known, "utf-8")
     return folder
 
