@@ -183,13 +183,16 @@ def _observation(given: Any) -> tuple[float, float | None]:
 
 def may_stand(observed: Observations, limit: Interval | None) -> bool:
     """Return whether a mass that does not move counts: for a limit, and for a factor of safety alone."""
-    return limit is not None or {*observed} == {"factor_of_safety"}
+    is_limit = limit is not None
+    return is_limit or {*observed} == {"factor_of_safety"}
 
 
 def search_problem(
     scene: Scene, field: Any, bounds: Any, observed: Observations, limits: Mapping[str, Interval]
 ) -> SearchProblem:
     """Return the fields over their ranges, in their units."""
+    if scene.shape:
+        raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     if isinstance(field, str | None):
         field = [field or _default_field(scene)]
     if not isinstance(field, Sequence) or not field or not isinstance(bounds, tuple | Mapping | None):

@@ -55,8 +55,8 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
 
 
-def limit_value(problem: SearchProblem) -> float | None:
-    """Return the value of the one field at which the outcome reaches a limit; None if it does so nowhere.
+def limit_value(problem: SearchProblem) -> list[float]:
+    """Return the value of the one field at which the outcome reaches a limit; none if it does so nowhere.
 
     The outcome satisfies the limit there and at every greater value of the range or, if it does not at the greatest
     value, at smaller ones as far as possible. It may jump.
@@ -66,19 +66,22 @@ def limit_value(problem: SearchProblem) -> float | None:
 
     def satisfied(values: Floats) -> NDArray[np.bool_]:
         outcomes, _ = problem.outcomes(values[None])
-        return (low <= outcomes[0]) & (outcomes[0] <= high)
+        above = low <= outcomes[0]
+        below = outcomes[0] <= high
+        return above & below
 
     values = problem.ranges[0]
     met = satisfied(values)
     if np.all(met) or not np.any(met):
-        return None
+        return []
     for _ in range(_ROUNDS):
         last = np.flatnonzero(met[:-1] != met[1:])[-1]
         before, after = met[last : last + 2]
         values = np.linspace(values[last], values[last + 1], _PARTS + 1)
         met = satisfied(values)
         met[[0, -1]] = before, after
-    return float(values[-1] if met[-1] else values[0])
+    end = values[-1] if met[-1] else values[0]
+    return [float(end)]
 
 
 def _apart(left: Floats, right: Floats, least: float) -> NDArray[np.bool_]:
