@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
@@ -319,11 +319,8 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     for field, value in zip(problem.fields, values, strict=True):
         by_key[field.key] = float(value)
         si[field.name] = float(field.to_si(value))
-    scene = with_parameters(problem.scene, si)
-    motion = solve(scene)
-    slopes = np.full((len(problem.observed), len(si)), np.nan)  # of a mass that only a limit lets stand
-    if motion.moves or problem.limit is None:
-        slopes = neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values
+    motion = solve(with_parameters(problem.scene, si))
+    slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)
     residuals = outcomes - problem.targets
     scaled = residuals / problem.scales
@@ -342,6 +339,14 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         covariance = _covariance(problem, by_units, chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
+
+
+def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
+    """Return the derivatives of what is observed by the fields; unknown of a mass that only a limit lets stand."""
+    if problem.limit is not None and not motion.moves:
+        return np.full((len(problem.observed), len(si)), np.nan)
+    scene = motion.plan.scene
+    return np.asarray(neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values)
 
 
 def _numerical_errors(problem: SearchProblem, motion: Motion, outcomes: Floats) -> Floats:
