@@ -26,6 +26,7 @@ Bounds = tuple[float, float]
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 _PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 _AT_ONCE = 1e-9  # the same, of motions that only start
+_POSITIVE = ("duration", "factor_of_safety")
 _FINE = 1e-13  # accuracy of motions in a search
 _STEP = 1e-6  # of differences, of a range
 _BLOCK = 256  # motions that are solved at once, and counted
@@ -54,7 +55,8 @@ class SearchProblem:
         self.is_weighted = all(sigma is not None for _, sigma in pairs)  # all standard errors, or none
         exit = float(np.ravel(scene.arc.exit)[0])  # relative to which a toe moves
         self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
-        self.targets = np.array([value for value, _ in pairs]) - self.origins
+        values = np.array([value for value, _ in pairs])
+        self.targets = values - self.origins
         sigmas = [sigma for _, sigma in pairs]
         self.scales = np.array([sigma or abs(value) or 1.0 for value, sigma in zip(self.targets, sigmas, strict=True)])
 
@@ -103,7 +105,9 @@ class SearchProblem:
     def seen(self, motion: Any) -> Floats:
         """What would be observed of a motion, (observations, ...)."""
         found = np.stack([observable(motion, name) for name in self.observed])
-        return found - np.reshape(self.origins, (-1, *[1] * (found.ndim - 1)))
+        lanes = found.ndim - 1
+        origins = self.origins.reshape(-1, *[1] * lanes)
+        return found - origins
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
@@ -150,13 +154,10 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
     for name, value in asked.items():
         seen, sigma = _observation(value)
         has_error = sigma is None or 0.0 < sigma < math.inf
-        is_positive = name in ("duration", "factor_of_safety")
-        is_possible = math.isfinite(seen) and (seen != 0.0 or name == "toe_x")
-        is_possible &= seen > 0.0 or not is_positive
-        if is_possible and has_error:
+        if _is_possible(name, seen) and has_error:
             found[name] = seen, sigma
         else:
-            allowed = "a positive number" if is_positive else "a number other than 0"
+            allowed = "a positive number" if name in _POSITIVE else "a number other than 0"
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
@@ -166,6 +167,15 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
         mistakes.append("standard errors: give them for all observations, or for none")
     raise_all("backanalyse", mistakes)
     return found, {name: value for name, value in asked.items() if isinstance(value, Interval)}
+
+
+def _is_possible(name: str, seen: float) -> bool:
+    """Return whether an outcome may have a value; only the place of a toe may be at 0."""
+    if not math.isfinite(seen):
+        return False
+    if name in _POSITIVE:
+        return seen > 0.0
+    return seen != 0.0 or name == "toe_x"
 
 
 def _observation(given: Any) -> tuple[float, float | None]:
@@ -207,7 +217,7 @@ def search_problem(
     except ValueError as error:
         raise ValueError(f"backanalyse: field: {error}") from error
     mistakes = _field_mistakes(scene, fields, observed)
-    limit = next((one for one in limits.values() if one.limit is not None), None)
+    limit = _limit_of(limits)
     if limit is not None and (len(fields) > 1 or len(observed) > 1):
         mistakes.append(f"{limit}: a limit is met by one field alone; give one field and nothing else observed")
     first = fields[0].key
@@ -216,14 +226,26 @@ def search_problem(
     if other := [key for key in ends if key not in [f.key for f in fields]]:
         mistakes.append(f"bounds: {', '.join(other)} is none of the fields")
     raise_all("backanalyse", mistakes)
+    is_alone = len(fields) == 1 and not may_stand(observed, limit)
+    ranges = _ranges(scene, fields, ends, is_alone)
+    return SearchProblem(scene, fields, ranges, observed, limit)
+
+
+def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
+    """Return the first of the intervals that is a limit."""
+    limits = [interval for interval in intervals.values() if interval.limit is not None]
+    return limits[0] if limits else None
+
+
+def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Bounds], is_alone: bool) -> list[Floats]:
+    """Return the values of each field that are searched, between its bounds if it has some."""
     ranges = []
     for number in fields:
         if number.key in ends:
             ranges.append(_between(number.key, *ends[number.key]))
         else:
-            is_alone = len(fields) == 1 and not may_stand(observed, limit)
             ranges.append(_range(scene, number, is_alone))
-    return SearchProblem(scene, fields, ranges, observed, limit)
+    return ranges
 
 
 def _default_field(scene: Scene) -> str:
