@@ -80,8 +80,10 @@ def limit_value(problem: SearchProblem) -> list[float]:
         values = np.linspace(values[last], values[last + 1], _PARTS + 1)
         met = satisfied(values)
         met[[0, -1]] = before, after
-    end = values[-1] if met[-1] else values[0]
-    return [float(end)]
+    first, *_, last_value = values.tolist()
+    if met[-1]:
+        return [last_value]
+    return [first]
 
 
 def _apart(left: Floats, right: Floats, least: float) -> NDArray[np.bool_]:
