@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from slipcircle import LayeredSection, Scene, Section, Slope, Soil, critical, solve
+from slipcircle import LayeredSection, Scene, Section, Slope, Soil, Status, critical, solve
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
@@ -397,6 +397,22 @@ def test_lanes_in_standing_water_are_their_scenes() -> None:
         alone = Scene(Section(DAM, (82, 44), radius, 2e4, level=levels[lane]), 0.2, TURNING)
         assert motion.run_out[lane] == pytest.approx(solve(alone).run_out, rel=1e-9)
         assert factors["bishop"][lane] == pytest.approx(factors_of_safety(alone)["bishop"], rel=1e-12)
+
+
+def test_water_that_comes_to_cover_the_whole_mass_is_refused_or_a_status() -> None:
+    """The crest sinks below one of two levels; an earlier end leaves both with a result."""
+    ground = [(-60, 12.0), (0, 12.0), (40, 0.0), (120, 0.0)]
+    levels = np.array([[(-60.0, y), (120.0, y)] for y in (11.5, 4.0)])
+    high, both = (Section(ground, (22, 25), 29.0, 2e4, level=level) for level in (levels[0], levels))
+    with pytest.raises(ValueError, match=r"level: standing water comes to cover the whole mass, .* earlier end_time"):
+        solve(Scene(high, 0.15, TURNING))
+    motion = solve(Scene(both, 0.15, TURNING))
+    assert motion.status.tolist() == [Status.DROWNED, Status.RESTS]
+    assert np.isnan(motion.run_out).tolist() == [True, False]
+    assert motion.count() == {"RESTS": 1, "DROWNED": 1}
+    lanes = solve(Scene(high, np.array([0.15, 0.33]), TURNING))
+    assert lanes.status.tolist() == [Status.DROWNED, Status.STAYS]
+    assert solve(Scene(high, 0.15, TURNING, end_time=0.5)).status == Status.MOVING
 
 
 def test_a_motion_takes_free_water_of_one_level() -> None:

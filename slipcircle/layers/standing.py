@@ -17,6 +17,7 @@ _GAUSS = np.polynomial.legendre.leggauss(12)
 _NODES = _GAUSS[0][:, None, None]
 _WEIGHTS = _GAUSS[1][:, None, None]
 _FROM_FIRST = 1.0 + _NODES
+_PLACES = 33  # rotations at which it is checked whether standing water covers a part of a mass
 _TOGETHER = 1 << 14  # vertices times rotations at a time
 _UPRIGHT = 1.5  # rad: greatest rotation for which the level is a line over the strips of the mass
 
@@ -179,6 +180,46 @@ def vertex_kinks(section: Any) -> Floats:
     ends = np.stack(section._span, axis=1)
     kinks = [at_vertices - of_ground, -at_vertices - of_ground, at_ends - ends, -at_ends - ends]
     return np.concatenate(kinks, axis=1)
+
+
+def comes_to_cover(section: Any, reached: Any, end: Any) -> Any:
+    """Return whether standing water comes to cover all of the mass, or leaves it, up to rotations, in their shape."""
+    lowest_turn = np.minimum(np.minimum(reached, end), 0.0)
+    highest_turn = np.maximum(np.maximum(reached, end), 0.0)
+    places = np.linspace(0.0, 1.0, _PLACES)
+    axes = tuple(range(1, 1 + np.ndim(reached)))
+    share = np.expand_dims(places, axes)
+    turns = lowest_turn + share * (highest_turn - lowest_turn)
+    still = np.zeros_like(turns[:1])
+    shape, turned = section._rotations(np.concatenate([still, turns]))
+    first, last = section._span
+    bottom = np.clip(0.0, first + turned, last + turned)
+    heights = section.standing_level
+    is_dry = -np.cos(bottom) > heights
+    is_covered = _highest(section, turned) < heights
+    covered_at_start = is_covered[:1]
+    passes = is_dry | (is_covered & ~covered_at_start)
+    of_water = np.isfinite(heights) & passes
+    by_rotation = of_water.reshape(shape)
+    return by_rotation.any(axis=0)
+
+
+def _highest(section: Any, rotation: Floats) -> Floats:
+    """Return the height of the highest point of the ground over the masses after rotations (M, circles), over R."""
+    highest = np.empty_like(rotation)
+    ends = np.stack(section._span, axis=1)
+    for circle, span in enumerate(ends):
+        x, y = _surface(section, circle).T
+        left, right = np.sin(span)
+        inside = (x > left) & (x < right)
+        of_ground = np.arctan2(x, -y)[inside]
+        distance = np.hypot(x, y)[inside]
+        direction = np.concatenate([span, of_ground])
+        radius = np.concatenate([[1.0, 1.0], distance])
+        turned = direction[:, None] + rotation[:, circle]
+        heights = -radius[:, None] * np.cos(turned)
+        highest[:, circle] = heights.max(axis=0)
+    return highest
 
 
 def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
