@@ -29,7 +29,7 @@ def record(motion: Any) -> dict[str, Any]:
             "dimensionless": scene.arc.dimensionless,
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
-        | {"factor_of_safety_method": method_of(motion), "strength_factor": scene.strength_factor}
+        | {"factor_of_safety_method": method_of(scene), "strength_factor": scene.strength_factor}
         | {f"{name}_factor_of_safety_method": method or OF_CLOSURE for name, method in further.items()}
         | {"starts": [start.record() for start in starts(motion) or ()]}
         | states

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, solve
+from slipcircle.core import Motion, Scene, solve
 from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
@@ -29,9 +29,8 @@ class Start(NamedTuple):
         return {"method": self.method, "strength_factor": self.strength_factor, "run_out": run_out}
 
 
-def method_of(motion: Motion) -> str:
-    """Return the method from whose factor of safety a motion starts."""
-    scene = motion.plan.scene
+def method_of(scene: Scene[Any]) -> str:
+    """Return the method from whose factor of safety the motion of a scene starts."""
     return scene.start if isinstance(scene, SlopeScene) else OF_CLOSURE
 
 

@@ -30,7 +30,7 @@ def summary(motion: Motion) -> dict[str, str]:
     """
     scene = motion.plan.scene
     known = factors(scene, motion.factor_of_safety)
-    method = next(name for name in (method_of(motion), OF_CLOSURE) if name in known)
+    method = next(name for name in (method_of(scene), OF_CLOSURE) if name in known)
     column = {factor_label(method): factor_text(known[method])}
     observed = scene.observed
     ends = end_words(motion)
