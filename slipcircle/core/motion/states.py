@@ -80,7 +80,7 @@ def statuses(final: Any, invalid: Any, scene: Any) -> Any:
         rotations = final[ix.REACH_ROTATION], final[ix.END_ROTATION]
         drowned = lazy_import("standing").comes_to_cover(scene.arc, *rotations)
         status = choose(answered & drowned, int(Status.DROWNED), status)
-    strength_factor = plain(scene.strength_factor)
+    strength_factor = scene.strength_factor
     status = choose(strength_factor != strength_factor, int(Status.UNSTARTED), status)
     return choose(invalid, int(Status.INVALID), status)
 
