@@ -215,6 +215,8 @@ class Numbers:
 
     def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
         """Add the functions of the rotation of the mass, and return the function that extends them, if needed."""
+        if not plan.recipe.moving:
+            return None
         scene = plan.scene
         velocity = plain(scene.initial_velocity)
         pushed = velocity != 0.0
