@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f1ebc83ba96c0760da10ca241056dd3b38f531602219053d6b5dccf65c0389cd
-"""Effects and friction laws that a scene may ask for."""
+# sha256 of the text below: 79afba2e67f625127fe3ec307672379c098a1f9cace126b79d90efddc7905ecd
+"""Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """Parameter of an effect or a law: SI unit, open bounds, key in scene files, and symbol in the balance."""
 
     name: str
     unit: str
@@ -29,7 +29,7 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """A friction law: source, parameters, what it depends on, help."""
+    """Friction law: source, parameters, variables on which it depends, and help."""
 
     name: str
     source: str
@@ -40,7 +40,7 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: source, parameters, what it depends on, help, whether the mass turns.
+    """Term of the equation of motion: source, parameters, variables on which it depends, help, and rotation.
 
     At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
     """

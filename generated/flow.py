@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d7d96c5a331d5ee588e9dde0924bef5207f582f38a8aeb77680de821253493c5
-"""The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
+# sha256 of the text below: bb87e2a83a0e87066e0768b42f34101532d10956988718d3013960aa2daa9850
+"""Balance of momentum as fragments of flow programs: operations of each effect and of each law.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
 equation of motion, `TERMS` what each effect and each law adds to it.
@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 
 
 class Fragment(NamedTuple):
-    """Operations on numbers where a phase begins, operations on series, and what they add.
+    """Operations on numbers at the start of a phase, operations on series, and their contributions to the balance.
 
-    ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
-    omitted. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
-    rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
+    ``adds`` contains for each quantity of the balance its base, the size of the base's terms, and its increment as a
+    sum of (number, series). ``inputs`` are the dimensionless numbers of a scene; ``optional`` inputs may be omitted.
+    ``states`` are series with the series of their rates. Each of ``tables`` consists of its name, its variable (slip,
+    speed, rotation or time), the series of its argument (for time its own series), and the degree of its pieces.
     """
 
     inputs: tuple[str, ...]
@@ -1025,7 +1025,7 @@ RESULTS = {'powers': 6, 'turn': 2, 'exp': 2, 'rec': 2, 'pow': 2}  # of operation
 # The equation of motion: quantity, formula and LaTeX.
 BALANCE = ('Theta domega/dt', 'M - s (T + lambda mu max(0, sigma - u))',
     'M - s \\left(T + \\lambda \\mu \\max\\left(0, \\sigma - u\\right)\\right)')
-# Its quantities: what they are, and their LaTeX.
+# Its quantities: meaning and LaTeX.
 EQUATION_QUANTITIES = {
     'M': ('moment that drives', 'M'),
     'sigma': ('mean normal stress on the slip surface, over sigma_ref', '\\sigma'),
@@ -1033,7 +1033,7 @@ EQUATION_QUANTITIES = {
     'mu': ('friction coefficient', '\\mu'),
     'T': ('moment that resists beside friction', 'T'),
 }
-# Its numbers that every scene has.
+# Its numbers in every scene.
 COEFFICIENTS = {
     'Theta': 'moment of inertia (3.12)',
     'lambda': 'resistance factor (3.14)',
@@ -1044,7 +1044,7 @@ COEFFICIENTS = {
     "J_r0'": 'derivative of J_r by the dip, at the start',
     'sigma_ref': 'reference stress (2.13), Pa',
 }
-# What gravity, each effect and each law add to it.
+# Terms of gravity, of each effect and of each law.
 TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'gravity': (('M', 'J_theta', 'J_\\theta'), ('sigma', 'J_r/lambda', '\\frac{J_{r}}{\\lambda}')),
     'frozen': (('J_theta', 'J_theta0', 'J_{\\theta 0}'), ('J_r', 'J_r0', 'J_{r0}'), ("J_theta'", "J_theta0'",
@@ -1083,7 +1083,7 @@ TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'prescribed': (('mu', 'mu(time)', '\\mu(\\mathrm{time})'),),
     'callable': (('mu', 'mu(slip)', '\\mu(\\mathrm{slip})'),),
 }
-# The same where several soils lie along the slip surface.
+# The same for several soils along the slip surface.
 SOIL_BALANCE = ('Theta domega/dt', 'M - s (T + lambda max(0, sum l_i mu_i (sigma_i - u_i)))',
     'M - s \\left(T + \\lambda \\max\\left(0, \\sum_i l_i \\mu_i \\left(\\sigma_i - u_i\\right)\\right)\\right)')
 SOIL_QUANTITIES = {

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b885bf5cc0d8fc7520121e45be01d6108ade5cf7cc984d10a4b30d2ae0370d87
-"""The linker: programs of scenes from the fragments of their effects and laws."""
+# sha256 of the text below: 0aaac3ae0d67018c49329b5afe4796dac2a7da416f06cd10670de7f211fc8713
+"""Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

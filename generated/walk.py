@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5d33df5eda15e651126c33052ed66825555046b24cd7e74821cfd5f86b2b01a4
-"""The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
+# sha256 of the text below: 28cfd2ad854c539f80b14a98369e42dc60d4af1ea95b7d3dd2888efb473c60ad
+"""Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
 of ``cells``, of which `generated.layout` says what stands where. Lanes are integrated side by side.
@@ -27,7 +27,7 @@ Log = list[tuple[int, float, float, float]]
 
 
 class State(NamedTuple):
-    """A state of the motion: its cell, its register and that of its rate."""
+    """State of the motion: its cell, its register and the register of its rate."""
 
     cell: int
     register: int
@@ -35,7 +35,7 @@ class State(NamedTuple):
 
 
 class Table:
-    """A table of the program with its data: `generated.layout` says what its cells hold."""
+    """Table of the program with its data. `generated.layout` describes its cells."""
 
     def __init__(self, number: int, slot: Any, data: Any, before: "Table | None") -> None:
         self.number = number
@@ -52,7 +52,7 @@ class Table:
 
 
 class Lanes:
-    """Some lanes of a program during their integration: cells, with those in front, and registers."""
+    """Lanes of a program during their integration: cells, including working cells, and registers."""
 
     def __init__(
         self,
@@ -84,12 +84,12 @@ class Lanes:
 
     @property
     def stored(self) -> Floats:
-        """The cells of lanes, without those in front."""
+        """Cells of the lanes without working cells."""
         return self.cells[: ix.PENDING]
 
 
 def among(chosen: Mask, *known: Any) -> tuple[Any, ...]:
-    """Numbers, arrays of them and the index, of some of the lanes."""
+    """Return numbers, arrays of numbers and the index of selected lanes."""
     chosen = np.broadcast_to(chosen, known[0].shape)
     return tuple(x[..., chosen] if isinstance(x, np.ndarray) and x.ndim else x for x in known)
 
@@ -98,7 +98,7 @@ def among(chosen: Mask, *known: Any) -> tuple[Any, ...]:
 
 
 def none_of(s: Lanes) -> Mask:
-    """The mask of no lane."""
+    """Return the mask without lanes."""
     return np.zeros(s.cells.shape[1], dtype=bool)
 
 
@@ -107,12 +107,12 @@ def all_lanes(mask: Mask) -> bool:
 
 
 def greatest(x: Floats) -> int:
-    """The greatest of integers."""
+    """Return the greatest integer."""
     return int(x.max())
 
 
 def least(x: Floats) -> int:
-    """The least of integers."""
+    """Return the least integer."""
     return int(x.min())
 
 
@@ -121,13 +121,13 @@ def integer(x: Floats) -> Index:
 
 
 def log2_of(x: Floats) -> Floats:
-    """log2 |x| with 40 bits behind the point, linear between powers of two: up to 0.09 too small."""
+    """Return log2 |x| with 40 fractional bits, linear between powers of two and up to 0.09 too small."""
     bits = np.abs(x).view(np.int64) >> 12
     return bits.astype(np.float64)
 
 
 def power_of_two(y: Floats) -> Floats:
-    """The inverse of `log2_of`, but for the exponent's offset."""
+    """Return the inverse of `log2_of`, except for the offset of the exponent."""
     bounded = np.clip(y, -1000.0 * FIXED, 1000.0 * FIXED)
     bits = np.rint(bounded + 1023.0 * FIXED)
     pattern = bits.astype(np.int64) << 12
@@ -135,16 +135,16 @@ def power_of_two(y: Floats) -> Floats:
 
 
 def operate(s: Lanes, n: int) -> None:
-    """Coefficient n of every register."""
+    """Compute coefficient n of every register."""
     series_ops(s.program.series, s.registers, s.cells, n)
 
 
 def operate_later(s: Lanes, n: int) -> None:
-    """Nothing: `operate` leaves no register out."""
+    """Do nothing, since `operate` computes all registers."""
 
 
 def prologue(s: Lanes, which: Mask) -> None:
-    """The numbers of phases that begin."""
+    """Compute the numbers of phases that begin."""
     if np.all(which):
         scalar_ops(s.program.scalar, s.cells)
         return
@@ -154,24 +154,24 @@ def prologue(s: Lanes, which: Mask) -> None:
 
 
 def break_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Where a piece begins, in the table's own argument."""
+    """Return the left end of a piece in the table's argument."""
     breaks = t.data.breaks
     return breaks[piece] if breaks.ndim == 1 else breaks[piece, s.columns[i]]
 
 
 def jump_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """By how much a function of time jumps where a piece begins."""
+    """Return the jump of a function of time at the left end of a piece."""
     return t.data.jumps[piece]
 
 
 def constant_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """The first of the coefficients of a piece."""
+    """Return the first coefficient of a piece."""
     every = t.data.coefficients
     return every[piece, 0] if every.ndim == 2 else every[piece, 0, s.columns[i]]
 
 
 def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -> None:
-    """The coefficients of a piece, in powers of what is beyond its break."""
+    """Copy the coefficients of a piece, in powers of the distance from its left end."""
     every = t.data.coefficients
     of_piece = every[piece] if every.ndim == 2 else every[piece, :, s.columns[i]]
     terms[: t.terms] = of_piece.T
@@ -187,7 +187,7 @@ def note(s: Lanes, i: Index, event: int) -> None:
 
 
 def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slice]:
-    """The sample times of a lane from one time up to another, since the first, and which they are.
+    """Return the sample times of a lane between two times, since the first of them, and their indices.
 
     The end time belongs to the last interval.
     """
@@ -199,7 +199,7 @@ def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slic
 
 
 def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: int) -> None:
-    """Fill in states at the sample times between two times; the lanes move along their series, or rest."""
+    """Evaluate the states at the sample times between two times, from series or at rest."""
     if s.samples is None:
         return
     ends = np.broadcast_to(end, i.shape)
@@ -218,7 +218,7 @@ def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: 
 
 
 def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
-    """Rotation, angular velocity, its rate, slip and as many further states as there are rows for."""
+    """Store rotation, angular velocity, its rate, slip and as many further states as there are rows."""
     x, omega, rate, *further = states
     direction = s.cells[ix.DIRECTION, lane]
     rotation = s.cells[ix.ROTATION, lane] + direction * x
@@ -1714,7 +1714,7 @@ def advance(s: Lanes, here: Mask) -> None:
 
 
 def load(s: Lanes) -> None:
-    """Begin lanes that have not begun, and the phases that they wait for."""
+    """Start lanes that have not begun, and begin their pending phases."""
     begun = np.flatnonzero(s.cells[ix.STATUS] == ix.START)
     if begun.size:
         start(s, begun)
@@ -1757,7 +1757,7 @@ def integrate(
 
 
 def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
-    """Registers in the present states of lanes, (registers, lanes)."""
+    """Return registers in the current states of lanes, (registers, lanes)."""
     s = Lanes(program, tables, cells)
     with np.errstate(all="ignore"):
         evaluate(s)
@@ -1765,7 +1765,7 @@ def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
 
 
 def begin_phase(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
-    """Begin a phase in the present state and direction of each lane, without integrating; registers there.
+    """Begin a phase in the current state and direction of each lane, and return its registers.
 
     The cells of a phase are filled in place.
     """

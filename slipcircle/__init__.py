@@ -45,11 +45,11 @@ if TYPE_CHECKING:
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
     from slipcircle.workbench.common.quantities import Interval
-    from slipcircle.workbench.files.loaded import SlopeScene
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
-    from slipcircle.workbench.stability.search import Critical, critical
+    from slipcircle.workbench.stability.critical import Critical, SlopeScene
+    from slipcircle.workbench.stability.search import critical
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
@@ -75,11 +75,11 @@ _PLACES = {
     "layers": "LayeredSection Soil",
     "tables": "Pulse Series",
     "workbench.common.quantities": "Interval",
-    "workbench.files.loaded": "SlopeScene",
     "workbench.files.scenefile": "load",
     "workbench.records.records": "Record",
     "workbench.records.suite": "Suite read_suite",
-    "workbench.stability.search": "Critical critical",
+    "workbench.stability.critical": "Critical SlopeScene",
+    "workbench.stability.search": "critical",
     "workbench.stability.stability": "Slope",
     "workbench.studies.backanalysis": "BackAnalysis Unattainable backanalyse",
     "workbench.studies.ensemble": "ensemble grid",

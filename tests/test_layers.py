@@ -14,7 +14,7 @@ from slipcircle.layers.strength import Needs
 from slipcircle.tables import Series
 from slipcircle.workbench.common.records import foreland_words
 from slipcircle.workbench.outputs.tables import plan_part, stretches_part
-from slipcircle.workbench.stability.search import at_circle
+from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import Slope
 from tests.campaigns.layered_benchmarks import CASES, differences, solved
 from tests.support.along_the_arc import AlongTheArc, random_section
@@ -285,7 +285,7 @@ def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
         Slope(GROUND, 5e3, 0.4, 20e3, level=[(-60, 40), (120, 40)]),
         Slope(GROUND, 5e3, 0.4, 20e3 - 9810.0),
     )
-    factors, expected = (at_circle(slope, section).factor_of_safety for slope in (drowned, buoyant))
+    factors, expected = (at_circle(slope, section).factors_of_safety for slope in (drowned, buoyant))
     assert factors == pytest.approx(expected, rel=1e-13)
 
 

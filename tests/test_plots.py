@@ -15,7 +15,7 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Scene, Section, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, Slope, critical, grid, load, solve
 from slipcircle.words import swings_back
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
@@ -358,10 +358,14 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     m, study = motion("wet-slope"), grid(load("wet-slope"), {"friction.angle_deg": [20.0, 24.0]})
     ax = drawn()
     assert m.plot("velocity", ax) is ax
-    for result, what in ((m, "section"), (study, "overview"), (study, "duration")):
+    found = critical(Slope([[0, 10], [20, 0]], 5e3, 0.3, 19e3))
+    for result, what in ((m, "section"), (study, "overview"), (study, "duration"), (found, "overview")):
         figure = result.plot(what).figure
         assert figure.axes
         matplotlib.pyplot.close(figure)
+    for result, name in ((m, "a.svg"), (found, "c.PDF")):
+        assert result.plot(tmp_path / name) is None
+        assert (tmp_path / name).stat().st_size > 1000
     m.animate(str(tmp_path / "a.gif"), seconds=0.5)
     with Image.open(tmp_path / "a.gif") as gif:
         durations = [frame.info["duration"] for frame in ImageSequence.Iterator(gif)]
@@ -369,6 +373,8 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     assert durations[-1] == 2000
     many = solve(replace(SCENES["wet-slope"], friction=np.array([0.3, 0.4])))
     refused: list[tuple[Any, str]] = [
+        (lambda: m.plot("a.doc"), r"what = 'a.doc': must be .* or end in \.png, .*\.gif"),
+        (lambda: study.plot("a.gif"), r"what = 'a.gif': must be .* or end in \.png, \.svg, \.pdf, \.jpg$"),
         (lambda: m.plot("speed"), "what = 'speed': must be one of overview, section"),
         (lambda: m.plot(ax=ax), "has several panels"),
         (lambda: many.plot(), r"2 lanes is not one picture: take one of them, motion\[0\]"),

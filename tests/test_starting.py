@@ -13,7 +13,7 @@ import pytest
 import slipcircle
 from slipcircle import Arc, Scene, Status, load, solve
 from slipcircle.derivatives import parameters, with_parameter_arrays, with_parameters
-from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.stability.critical import SlopeScene
 from tests.campaigns import combined
 from tests.support.along_the_arc import of_scene
 from tests.support.motions import from_method
@@ -111,7 +111,7 @@ def test_the_start_is_by_the_method_of_the_search_unless_named(circle: str, star
     assert isinstance(scene, SlopeScene)
     assert scene.start == start
     assert scene.stability is not None
-    assert solve(scene).factor_of_safety == pytest.approx(scene.stability.factor_of_safety[start], rel=1e-9)
+    assert solve(scene).factor_of_safety == pytest.approx(scene.stability.factors_of_safety[start], rel=1e-9)
 
 
 def test_every_strength_is_multiplied_and_no_other_resistance() -> None:
@@ -179,16 +179,67 @@ def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
 
 
 def test_a_scene_of_a_search_in_python_is_that_of_its_file(file: Any) -> None:
+    """Bit for bit, with laws of slip of both strengths, whose values at the start the statics use."""
     text = LODALEN.replace("[rotation]\n[centripetal]\n", "[rotation]\n").replace('"bishop"', '"{}"')
     for method in ("bishop", "paper", "k_y"):
         read: Any = load(file(text.format(method)))
-        made: Any = SlopeScene.of(read.stability, {"rotation": {}})
+        made: Any = read.stability.scene(["rotation"])
         close(made, read)
         assert solve(made).run_out == solve(read).run_out
-    till = [(slipcircle.Soil(19e3, 3e3, 0.3, name="till"), None)]
-    layered: Any = slipcircle.critical(slipcircle.Slope([[0, 0], [20, 0], [40, 10], [90, 10]], layers=till))
-    motion = solve(SlopeScene.of(layered, {"rotation": {}}))
-    assert motion.factor_of_safety == pytest.approx(layered.factor_of_safety["bishop"], rel=1e-12)
+    text = LODALEN.replace("angle_deg = 27", 'law = "linear"\npeak = 0.5\nresidual = 0.4\nlength_m = 2')
+    text = text.replace("cohesion_kPa = 10", 'law = "exponential"\npeak_kPa = 10\nresidual_kPa = 4\nlength_m = 0.5')
+    read = load(file(text))
+    friction = {"law": "linear", "peak": 0.5, "residual": 0.4, "length": 2.0}
+    cohesion = {"law": "exponential", "peak": 10e3, "residual": 4e3, "length": 0.5}
+    slope = replace(read.stability.slope, friction=friction, cohesion=cohesion)
+    found = slipcircle.critical(slope)
+    motion = solve(found.scene(["rotation", "centripetal"]))
+    assert motion.run_out == solve(read).run_out > 1.0
+    at_start = slipcircle.critical(replace(slope, friction=0.5, cohesion=10e3))
+    assert found.factors_of_safety == at_start.factors_of_safety == pytest.approx(motion.factors_of_safety, rel=1e-12)
+    assert (
+        found.factor_of_safety == found.factors_of_safety["bishop"] == pytest.approx(motion.factor_of_safety, rel=1e-12)
+    )
+    assert motion.to_dict()["factors_of_safety"] == motion.factors_of_safety
+    assert motion.to_pandas()["factors_of_safety.bishop"].item() == motion.factors_of_safety["bishop"]
+
+
+def test_a_surcharge_or_a_crack_on_one_soil_moves_with_it() -> None:
+    """As the same soil in a layer; the water in a crack is refused."""
+    ground, law = [[0, 0], [20, 0], [54, 17], [90, 17]], {"law": "linear", "peak": 0.35, "residual": 0.3, "length": 2.0}
+    loads: Any = {"surcharge": [(60.0, 70.0, 2e4, 2e4)], "crack": 1.0}
+    one = slipcircle.Slope(ground, 5e3, law, 19e3, **loads)
+    layers = [(slipcircle.Soil(19e3, 5e3, law, name="soil"), None)]
+    slopes = one, slipcircle.Slope(ground, layers=layers, **loads)
+    motions = [solve(slipcircle.critical(slope).scene(["rotation"])) for slope in slopes]
+    assert motions[0].run_out == motions[1].run_out > 0.0
+    with pytest.raises(ValueError, match=r"crack_water = 0\.5: a crack opens and empties"):
+        slipcircle.critical(replace(one, crack_water=0.5)).scene(["rotation"])
+
+
+@pytest.mark.parametrize(
+    ("strength", "words"),
+    [
+        ({"friction": {"law": "slow", "peak": 0.4}}, "friction.law = 'slow': must be one of constant"),
+        ({"friction": SOFTENING | {"peak": 7.0}}, "friction = 7: must be a friction coefficient"),
+        ({"cohesion": {"law": "linear", "peak": 1e4, "length": 1.0}}, "cohesion: 'residual' is missing"),
+        ({"friction": {"law": "constant", "coefficient": 0.0}}, "cohesion and friction are both 0"),
+    ],
+)
+def test_a_law_of_a_slope_that_no_soil_has_is_one_line(strength: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words) as error:
+        slipcircle.Slope([[0, 10], [10, 0]], unit_weight=19e3, **strength)
+    assert "\n" not in str(error.value)
+
+
+def test_under_shaking_the_factor_is_by_the_method_too() -> None:
+    """The strength factor makes yield coefficients equal there, and the factor of the closure with it another one."""
+    scene: Any = load("shaken-slope")
+    factors = scene.stability.factors_of_safety
+    motion = solve(scene)
+    assert motion.factor_of_safety == pytest.approx(factors["bishop"], rel=1e-12)
+    assert motion.factors_of_safety == pytest.approx(factors, rel=1e-12)
+    assert abs(factors["paper"] * scene.strength_factor / factors["bishop"] - 1.0) > 1e-3
 
 
 def test_a_start_without_a_result_is_a_sentence_or_a_status(file: Any) -> None:

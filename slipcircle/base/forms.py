@@ -1,6 +1,8 @@
 """Conversions of results for other tools. The core computes results; a package above it converts and draws them."""
 
+from collections.abc import Mapping
 from importlib import import_module
+from os import PathLike
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -16,15 +18,16 @@ def use_forms(module: str) -> None:
 class Pictured:
     """Mixin with the method that draws a result."""
 
-    def plot(self, what: str = "overview", ax: Any = None) -> Any:
-        """Draw the result with matplotlib.
+    def plot(self, what: str | PathLike[str] = "overview", ax: Any = None) -> Any:
+        """Draw the result with matplotlib, on axes or into a file.
 
         Parameters
         ----------
-        what : str
-            Name of the picture. ``"overview"`` has several panels. A motion also has ``"section"``, ``"energy"`` and
-            ``"shaking"``, a motion through layers ``"stress_along_arc"``, and histories ``"velocity"``,
-            ``"displacement"``, ``"rotation"``, ``"friction"`` and ``"normal_stress"``. A study also has
+        what : str or path
+            Name of the picture, or path of a file to write with the overview, ``"slide.png"`` (or .svg, .pdf, .jpg; a
+            .gif of a motion is an animation). ``"overview"`` has several panels. A motion also has ``"section"``,
+            ``"energy"`` and ``"shaking"``, a motion through layers ``"stress_along_arc"``, and histories
+            ``"velocity"``, ``"displacement"``, ``"rotation"``, ``"friction"`` and ``"normal_stress"``. A study also has
             ``"run_out"``, ``"peak_velocity"`` and ``"duration"``. A suite of records has ``"displacements"``,
             ``"incremental"`` and ``"fragility"``, and ``"velocity"`` and ``"displacement"`` of its median record.
         ax : matplotlib axis, optional
@@ -32,8 +35,9 @@ class Pictured:
 
         Returns
         -------
-        matplotlib.axes.Axes
-            Axis of the picture, or the first panel of the overview. Its ``figure`` has the method ``savefig``.
+        matplotlib.axes.Axes or None
+            Axis of the picture, or the first panel of the overview. Its ``figure`` has the method ``savefig``. None
+            for a file.
 
         Raises
         ------
@@ -51,6 +55,12 @@ class Pictured:
 
 class Forms(Pictured):
     """Mixin with the conversions of a `Motion`."""
+
+    @property
+    def factors_of_safety(self) -> Mapping[str, Any]:
+        """Factors of safety at the start by method; an `Arc` has that of the paper's alone."""
+        factors: Mapping[str, Any] = self._form("factors_of_safety")
+        return factors
 
     def animate(self, path: str = "", seconds: float = 5.0) -> Any:
         """Animate the slide in its section.

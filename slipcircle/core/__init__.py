@@ -13,6 +13,7 @@ from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import ARC_BOUNDS, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
@@ -36,6 +37,7 @@ __all__ = [
     "State",
     "Status",
     "checked",
+    "cohesion_mistakes",
     "depends_on",
     "law_mistakes",
     "law_names",

@@ -112,7 +112,7 @@ def motions(seed: int, folder: Path) -> Iterator[tuple[Drawn, Motion]]:
         try:
             file.write_text(drawn.file(), "utf-8")
             scene: Any = load(file)
-            file.write_text(drawn.file(drawn.wanted / scene.stability.factor_of_safety[drawn.start]), "utf-8")
+            file.write_text(drawn.file(drawn.wanted / scene.stability.factors_of_safety[drawn.start]), "utf-8")
             motion = solve(load(file))
         except ValueError:  # no result by the method, or no mass
             continue

@@ -301,15 +301,19 @@ class Motion(Forms, Generic[Numbers]):
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
+    def _at_start(self, quantity: str) -> Any:
+        by_start = self.plan.scene.by_start(quantity, self)
+        return by_start[0] if by_start else self._shaped(self._history.forces.statics[quantity])
+
     @property
     def limit_friction(self) -> Any:
         """Friction coefficient at limit equilibrium at the start, in the direction in which gravity pulls."""
-        return self._shaped(self._history.forces.statics["limit_friction"])
+        return self._at_start("limit_friction")
 
     @property
     def factor_of_safety(self) -> Any:
-        """Ratio of resistance to drive at the start, infinite without a drive."""
-        return self._shaped(self._history.forces.statics["factor_of_safety"])
+        """Factor of safety at the start by the starting method, infinite without a drive."""
+        return self._at_start("factor_of_safety")
 
     @property
     def further_factors(self) -> Any:
@@ -322,13 +326,12 @@ class Motion(Forms, Generic[Numbers]):
 
         It is negative if the mass moves without shaking.
         """
-        by_start = self.plan.scene.by_start("yield_coefficient", self)
-        return by_start[0] if by_start else self._shaped(self._history.forces.statics["yield_coefficient"])
+        return self._at_start("yield_coefficient")
 
     @property
     def friction(self) -> Any:
         """Friction coefficient at the start."""
-        return self._shaped(self._history.forces.statics["friction"])
+        return self._at_start("friction")
 
     # --- accuracy ----------------------------------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -110,14 +110,11 @@ class Arc(Mass, Generic[Numbers]):
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
-    def __new__(cls, *numbers: Any, **named: Any) -> Self:
-        """Create an arc, or a `GivenArc` if coefficients are given."""
-        given = named.get("given", numbers[6] if len(numbers) > 6 else None)
-        kind: Any = cls if given is None else lazy_import("given").GivenArc
-        arc: Self = object.__new__(kind)
-        return arc
-
     def __post_init__(self) -> None:
+        if self.given is not None and type(self) is Arc:  # it is another mass
+            object.__setattr__(self, "__class__", lazy_import("given").GivenArc)
+            self.__post_init__()
+            return
         raise_all("Arc", self._mistakes())
         if not self.has_plain_numbers:
             freeze(self, ARC_BOUNDS)

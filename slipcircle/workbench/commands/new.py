@@ -1,7 +1,6 @@
 """`slipcircle new`: a commented scene file to start from."""
 
 import argparse
-import os
 import re
 from pathlib import Path
 
@@ -21,8 +20,6 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     path = Path(options.file)
-    if os.path.lexists(path):
-        raise ValueError(f"new: {path}: is there already; give another name, or remove it first")
     files.check("new", {"FILE": options.file})
     text = find(options.like).read_text("utf-8")
     # It is named as its file from now on.

@@ -199,13 +199,18 @@ def results(motion: Any) -> tuple[Quantity, ...]:
 def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
     """Return factors of safety at the start by method, on a ground all of them where the strength is known.
 
-    That of the closure is the motion's, ``of_motion``, without the strength factor.
+    Elsewhere that of the closure alone, from that of a motion with its strength factor.
     """
-    found = {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
     if "ground" in scene.arc.quantities and soil(scene.friction, scene.effects):
         by_method = factors_of_safety(scene)
-        found |= {method: by_method[method] for method in METHODS if method not in found}
-    return found
+        return {method: by_method[method] for method in METHODS}
+    return {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
+
+
+def factors_of(motion: Any) -> dict[str, Any]:
+    """Return the factors of safety of a motion at its start by method; of a single motion numbers."""
+    found = factors(motion.plan.scene, motion.factor_of_safety)
+    return found if motion.shape else {method: float(factor) for method, factor in found.items()}
 
 
 def factor_text(factor: float | None) -> str:

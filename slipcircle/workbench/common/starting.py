@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, solve
-from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 _WHOSE = {"paper": "the paper's", "ordinary": "the ordinary method's", "bishop": "Bishop's"}

@@ -15,7 +15,7 @@ from slipcircle.workbench.common.quantities import (
     Interval,
     factor_label,
     factor_text,
-    factors,
+    factors_of,
     observable,
 )
 from slipcircle.workbench.common.starting import method_of, start_words, starts
@@ -29,7 +29,7 @@ def summary(motion: Motion) -> dict[str, str]:
     the range of validity, and the run-out from the factor of safety of another method.
     """
     scene = motion.plan.scene
-    known = factors(scene, motion.factor_of_safety)
+    known = factors_of(motion)
     method = next(name for name in (method_of(scene), OF_CLOSURE) if name in known)
     column = {factor_label(method): factor_text(known[method])}
     observed = scene.observed

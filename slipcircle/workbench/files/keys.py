@@ -333,5 +333,15 @@ for _q in OBSERVABLE.values():
     _least = -5e-324 if _q.unit == "s" else -_most
     _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
 OBSERVED = table_of("what was observed of the motion, for `slipcircle backanalyse`", _SEEN)
+REPORT = Table(
+    "what heads a report",
+    {
+        "title": Key("title", "title, by default the name of the scene"),
+        "project": Key("project", "project"),
+        "author": Key("author", "who computed"),
+        "checker": Key("checker", "who checks"),
+    },
+)
+FURTHER = {"observed": OBSERVED, "report": REPORT}
 TOP = table_of("a scene of slipcircle", _TOP, _TEXT)
-WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES, "observed": OBSERVED})
+WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES, **FURTHER})

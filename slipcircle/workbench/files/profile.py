@@ -10,7 +10,7 @@ import numpy as np
 from slipcircle.base.checks import InputError
 from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 
 Arguments = Mapping[str, dict[str, Any]]
 

@@ -9,8 +9,8 @@ from slipcircle.workbench.outputs.plotstyle import SCENERY, area, label, title, 
 from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
 from slipcircle.workbench.outputs.sheets import Drawing, heading, sheet
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.factors import YIELD
-from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _MARGIN = 0.12  # of a view
@@ -59,7 +59,7 @@ def _outcome(critical: Critical) -> str:
     """Return the least factor of safety or yield coefficient; empty for a given circle."""
     if critical.method == YIELD:
         return f"$k_y$ = {critical.yield_coefficient:.3f}"
-    return f"$F$ = {critical.factor_of_safety[critical.method]:.3f}" if critical.method else ""
+    return f"$F$ = {critical.factors_of_safety[critical.method]:.3f}" if critical.method else ""
 
 
 def _whose(critical: Critical) -> str:

@@ -30,7 +30,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 from slipcircle.workbench.outputs.scenery import lines
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 from slipcircle.workbench.outputs.trace import toe_words
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
@@ -77,6 +77,17 @@ def section(motion: Motion, ax: Any = None) -> Any:
     view.show(ax)
     title(ax, "section", _notes(motion, stage.magnification))
     return ax
+
+
+def slope(soil: Any, ax: Any) -> None:
+    """Draw an arc or a section to scale, with its circle and the mass at the start."""
+    mass = mass_of(soil, soil)
+    outline = mass.outline()
+    view = surroundings(ax, mass, soil, [outline])
+    area(ax, outline, "start")
+    name_circle(ax, mass, soil)
+    view.show(ax)
+    title(ax, "section")
 
 
 class Stage(NamedTuple):
@@ -193,7 +204,7 @@ def magnified(motion: Motion) -> float:
 
 def factors_in_words(critical: Critical | None) -> str:
     """Return the factors of safety with the names of their methods; empty without any."""
-    factors = critical.factor_of_safety if critical else {}
+    factors = critical.factors_of_safety if critical else {}
     known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
     return f"factor of safety {', '.join(known)}" if known else ""
 

@@ -19,7 +19,7 @@ from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     factor_label,
     factor_text,
-    factors,
+    factors_of,
     results,
     time_text,
     to_error,
@@ -31,7 +31,7 @@ from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
@@ -136,9 +136,9 @@ def _factors_at_start(motion: Motion) -> dict[str, str]:
     """Return the factors of safety by every method, also under the k_h of a search, and the strength factor."""
     scene = motion.plan.scene
     critical = stability_of(scene)
-    column = _factors(factors(scene, motion.factor_of_safety))
+    column = _factors(factors_of(motion))
     if critical is not None and critical.slope.k_h:
-        column |= _factors(critical.factor_of_safety, critical.slope.k_h)
+        column |= _factors(critical.factors_of_safety, critical.slope.k_h)
     if starts(motion):
         column["strength factor"] = shown(float(scene.strength_factor))
     return column
@@ -186,17 +186,16 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 # --- slopes ----------------------------------------------------------------------------------------------------------
 
 
-def stability_column(critical: Critical) -> dict[str, str]:
-    """A slip circle of a slope with its factors of safety, by labels."""
-    column = _factors(critical.factor_of_safety, critical.slope.k_h)
-    without = critical.factor_of_safety_without_k_h or {}
-    column |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
+def stability_columns(critical: Critical) -> tuple[dict[str, str], dict[str, str]]:
+    """Return the factors of safety of a slip circle, and its geometry with free water, by labels."""
+    factors = _factors(critical.factors_of_safety, critical.slope.k_h)
+    without = critical.factors_of_safety_without_k_h or {}
+    factors |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
+    if critical.yield_coefficient is not None:
+        factors["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
     size = critical.radius
     entry_and_exit = {"entry": _point(critical.entry, size), "exit": _point(critical.exit, size)}
-    column |= pond_row(critical.slope) | entry_and_exit | _circle(critical)
-    if critical.yield_coefficient is not None:
-        column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
-    return column
+    return factors, pond_row(critical.slope) | entry_and_exit | _circle(critical)
 
 
 def pond_row(soil: Any) -> dict[str, str]:
