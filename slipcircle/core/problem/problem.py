@@ -287,7 +287,7 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
 
 @lru_cache(maxsize=256)
 def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names, Names]:
-    """Return whether a mass may swing on, whether water may always lift it, cells of pressures, and laws of cohesion."""
+    """Return whether a mass may swing on, whether water always lifts it, cells of pressures, and laws of cohesion."""
     effects = recipe.effects
     swings = rotates(effects) and COHESIVE.isdisjoint(recipe.moving)
     laws = tuple(law for law in recipe.laws if OF_COHESION in law)
