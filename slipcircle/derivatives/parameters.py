@@ -262,8 +262,7 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     some = replace_unchecked(scene, {"arc": of_lane})
     changed = _fields_with(some, chosen)
     arc = replace_unchecked(of_lane, changed["arc"])
-    factor = of_lanes(scene.strength_factor)
-    factors = {name: factor for name, value in vars(scene).items() if value is scene.strength_factor}
+    factors = {name: of_lanes(vars(scene)[name]) for name in ("strength_factor", "set_by_start") if name in vars(scene)}
     return replace_unchecked(some, changed | factors | {"arc": arc})
 
 
