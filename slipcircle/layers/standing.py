@@ -184,23 +184,24 @@ def vertex_kinks(section: Any) -> Floats:
 
 def comes_to_cover(section: Any, reached: Any, end: Any) -> Any:
     """Return whether standing water comes to cover all of the mass, or leaves it, up to rotations, in their shape."""
-    lowest_turn = np.minimum(np.minimum(reached, end), 0.0)
-    highest_turn = np.maximum(np.maximum(reached, end), 0.0)
-    places = np.linspace(0.0, 1.0, _PLACES)
-    axes = tuple(range(1, 1 + np.ndim(reached)))
-    share = np.expand_dims(places, axes)
-    turns = lowest_turn + share * (highest_turn - lowest_turn)
-    still = np.zeros_like(turns[:1])
-    shape, turned = section._rotations(np.concatenate([still, turns]))
+    visited = np.stack([reached, end, np.zeros_like(end)])
+    between = np.linspace(visited.min(axis=0), visited.max(axis=0), _PLACES)
+    turns = np.concatenate([visited[2:], between])
+    shape, turned = section._rotations(turns)
     first, last = section._span
-    bottom = np.clip(0.0, first + turned, last + turned)
+    entry = first + turned
+    exit_ = last + turned
+    bottom = np.clip(0.0, entry, exit_)
     heights = section.standing_level
-    is_dry = -np.cos(bottom) > heights
-    is_covered = _highest(section, turned) < heights
+    lowest = -np.cos(bottom)
+    highest = _highest(section, turned)
+    is_dry = lowest > heights
+    is_covered = highest < heights
     covered_at_start = is_covered[:1]
-    passes = is_dry | (is_covered & ~covered_at_start)
-    of_water = np.isfinite(heights) & passes
-    by_rotation = of_water.reshape(shape)
+    comes_below = is_covered & ~covered_at_start
+    has_water = np.isfinite(heights)
+    passes = has_water & (is_dry | comes_below)
+    by_rotation = passes.reshape(shape)
     return by_rotation.any(axis=0)
 
 
@@ -211,14 +212,19 @@ def _highest(section: Any, rotation: Floats) -> Floats:
     for circle, span in enumerate(ends):
         x, y = _surface(section, circle).T
         left, right = np.sin(span)
-        inside = (x > left) & (x < right)
-        of_ground = np.arctan2(x, -y)[inside]
-        distance = np.hypot(x, y)[inside]
+        after_entry = x > left
+        before_exit = x < right
+        inside = after_entry & before_exit
+        x = x[inside]
+        y = y[inside]
+        of_ground = np.arctan2(x, -y)
+        distance = np.hypot(x, y)
         direction = np.concatenate([span, of_ground])
         radius = np.concatenate([[1.0, 1.0], distance])
         turned = direction[:, None] + rotation[:, circle]
-        heights = -radius[:, None] * np.cos(turned)
-        highest[:, circle] = heights.max(axis=0)
+        depth = radius[:, None] * np.cos(turned)
+        least_depth = depth.min(axis=0)
+        highest[:, circle] = -least_depth
     return highest
 
 
