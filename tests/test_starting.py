@@ -271,6 +271,10 @@ def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weig
         at_rest = abs(ratio * np.tan(scene.arc.dip - motion.end.rotation))
         assert motion.further_factors.residual == pytest.approx(residual / scene.arc.dimensionless.limit_friction)
         assert motion.further_factors.at_rest == pytest.approx(residual / at_rest, rel=1e-9)
+    slope: Any = load("real-slope")
+    heat = {"pressurisation": 0.1e6, "heat_capacity": 2.4e6, "thickness": 0.1}
+    heated = solve(replace(slope, effects=slope.effects | {"thermal_pressurisation": heat}, end_time=60.0))
+    assert heated.further_factors.at_rest_method == ""
     linear = Scene(scene.arc, SOFTENING | {"law": "linear"}, ["rotation"], strength_factor=0.5)
     limit = scene.arc.dimensionless.limit_friction
     assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)

@@ -85,7 +85,8 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     cohesion = scene.effects.get("cohesion", {})
     changes = [
         isinstance(section, LayeredSection),
-        "heating" in scene.effects,
+        "thermal_pressurisation" in scene.effects,
+        "datum" in cohesion,
         "record" in water,
         "time" in water,
         callable(water.get("ratio")),
