@@ -288,7 +288,11 @@ def test_cohesion_that_softens_starts_from_its_peak_and_has_the_factor_of_its_re
     close(softens, peak)
     further = solve(softens).further_factors
     assert further.residual == pytest.approx(solve(replace(residual, **circle)).factor_of_safety, rel=1e-12)
-    assert further.at_rest_method == ""
+    motion = solve(softens)
+    turned = of_scene(softens).turned(motion.end.rotation)
+    assert motion.arrested
+    assert further.at_rest_method == "bishop"
+    assert further.at_rest == pytest.approx(turned.factor("bishop"), rel=1e-9)
 
 
 def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:

@@ -237,7 +237,7 @@ class Scene(Generic[Numbers]):
         """Effects by name with their parameters, including the water level of a section."""
         return self.arc.effects_with_own(self.checked_effects)
 
-    def by_start(self, quantity: str, motion: Any) -> Any:
+    def by_start(self, quantity: str, motion: Any, kept: float = 1.0) -> Any:
         """Return a result by the starting method and the name of the method, or None for the closure."""
 
     @cached_property

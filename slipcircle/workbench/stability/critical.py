@@ -227,7 +227,7 @@ class SlopeScene(Scene[Numbers]):
         for name in ("strength_factor", "set_by_start"):
             object.__setattr__(self, name, factor)
 
-    def by_start(self, quantity: str, motion: Motion) -> Any:
+    def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
         if quantity == "yield_coefficient":  # under shaking the strength factor has made it that of the closure
@@ -240,7 +240,7 @@ class SlopeScene(Scene[Numbers]):
             return None
         else:
             friction = float(motion.friction_at(motion.settling_time))
-            found = at_rest_by(self, self.start, motion.end.rotation, friction)
+            found = at_rest_by(self, self.start, motion.end.rotation, friction, kept)
         return None if found is None or np.all(np.isnan(found)) else (found, self.start)
 
     @cached_property
