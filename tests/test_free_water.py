@@ -432,7 +432,8 @@ def test_standing_water_is_told_of(tmp_path: Path, capsys: pytest.CaptureFixture
     printed = capsys.readouterr()
     assert "whose drag and added mass are not included" in printed.err
     assert "below the water level" not in printed.err
-    assert "x = 38 to 80 m, level 1 m" in printed.out
+    assert main(["run", str(tmp_path / "pool.toml"), "--verbose"]) == 0
+    assert "x = 38 to 80 m, level 1 m" in capsys.readouterr().out
 
 
 def test_pages_and_pictures_are_the_same_in_map_coordinates() -> None:
