@@ -205,7 +205,8 @@ class History:
         if not self.shape and self.motion.arrested:
             end = self._states(np.asarray(self.motion.settling_time))
             at_rest = self.forces.factor_of_safety(end)
-            kept = float(self.forces.kept_cohesion(end)[0])
+            (share,) = self.forces.kept_cohesion(end)
+            kept = float(share)
         of_closure = {"residual": residual, "at_rest": at_rest}
         values, methods = list[Any](), list[str]()
         for quantity, value in of_closure.items():
