@@ -137,10 +137,12 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
     def definition(part: dict[str, Any]) -> dict[str, Any]:
         return dict(whole["$defs"][part["$ref"].rpartition("/")[2]])
 
+    def first_needed(condition: dict[str, Any]) -> str:
+        return condition["required"][0] if "required" in condition else first_needed(next(iter(condition.values()))[0])
+
     def table(path: str, part: dict[str, Any]) -> str:
-        choices = [(choice.get("oneOf") or choice["anyOf"])[0]["required"][0] for choice in part.get("allOf", [])]
         lines = [f"[{path}]"]
-        for key in (*part.get("required", []), *choices):
+        for key in map(first_needed, part.get("allOf", [])):
             row = {"type": "number"} | part["properties"][key]
             text = json.dumps(row["const"]) if "const" in row else texts[row["type"]]
             lines.append(f"{key} = {text if key != 'speed_m_s' else '[0.1, 0.5]'}")  # of which the logarithm is taken

@@ -13,7 +13,12 @@ from slipcircle.workbench.stability.stability import COMPARED, METHODS
 WIDTH = 100
 INDENT = 28
 HEAD = """\
-A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
+A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... Others
+are accepted in its place, one for all lengths, stresses, ... of a table: _ft, _in, _us_ft, _cm and
+_mm for _m (also in _ft_s, _ft_s2), _psf, _ksf, _psi, _Pa and _MPa for _kPa, _pcf for _kN_m3, and
+_per_ft_psf for _per_m_kPa. points_file of [ground], level_file of [water] and top_file of
+[[layers]] name a file of points: a CSV file with columns x and y, or a DXF drawing with its layer,
+"section.dxf#GROUND". Its unit is in the header or the drawing, or in points_file_unit, ... [arc] and
 [friction] are needed. Adding a table, even an empty one, enables its effect; an effect without a
 table is not computed and costs nothing. In place of [arc], [ground] and [circle] describe a real
 slope, [water] its water level, [soils.NAME] and [[layers]] its soils, then without [friction],
