@@ -6,8 +6,12 @@ touches from above in the place of that share, -1 of most circles, which touch n
 begins to cut a layer, so that the least may stand there.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
+from copy import copy
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -18,7 +22,9 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.bases import angle_from_below
-from slipcircle.workbench.stability.descent import Descent, in_order
+from slipcircle.workbench.stability.columns import SlopeArrays
+from slipcircle.workbench.stability.condensed import condensed, salient
+from slipcircle.workbench.stability.descent import FINEST, Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES
 from slipcircle.workbench.stability.stability import Slope
@@ -34,8 +40,14 @@ _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
 _KEPT = 3  # of refined valleys
-_TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
+_TOGETHER = 1 << 14  # ground vertices times circles at a time: what fits into the caches
 _NONE = -1.0  # no edge is touched
+MANY_VERTICES = 48  # of all lines: a search on more condenses them
+_ROUGH, _ROUGH_DEVIATION = 14, 1e-3  # vertices of lines in the coarse family, and their share of the size
+_ROUGHLY = 0.02  # step at which a valley of the rough lines is done, over its first
+_FINE = 48  # vertices beside the exact ones at the ends of the best circles
+_EXACT_BESIDE = 16  # vertices on either side of an end
+_FINE_STEPS = (0.5, 3), (0.1, 2)  # of the steps of the coarse family, and how many circles
 _JUST_BELOW = 1 - 1e-12
 
 
@@ -78,6 +90,22 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
         return np.where(is_above, np.arctan2(half, centre), np.nan)
 
 
+def _lengths_along(line: Floats) -> Floats:
+    """Return the lengths along a line (V, 2) up to its vertices."""
+    lengths = _length(np.diff(line, axis=0))
+    return np.append(0.0, np.cumsum(lengths))
+
+
+def _vertices(line: Floats) -> int:
+    """Return the number of vertices of a line (1, V, 2)."""
+    return line.shape[1]
+
+
+def _salient(line: Floats, most: int) -> Floats:
+    """Return a line (1, V, 2) of many vertices by few of them."""
+    return line[:, salient(line[0], most)] if _vertices(line) > MANY_VERTICES else line
+
+
 class Search:
     """A slope, the method to minimise, the limits, and every circle evaluated so far."""
 
@@ -87,18 +115,73 @@ class Search:
         self.method = method
         self.depth = depth
         self.limits = {"entry": entry, "exit": exit}
-        self.ground = np.asarray(slope.ground)
-        lengths = _length(np.diff(self.ground, axis=0))
-        self.along = np.append(0.0, np.cumsum(lengths))
-        self.rounding = 1e-9 * float(self.along[-1])
+        self.rounding = 1e-9 * float(_lengths_along(np.asarray(slope.ground))[-1])
+        self.centres: list[Floats] = []
+        self.values: list[Floats] = []
+        self._set_lines(self.arrays)
+        self.kept: Any = np.arange(len(self.ground))  # vertices of the whole ground
+
+    def _set_lines(self, arrays: SlopeArrays) -> None:
+        """Search on the lines of these arrays."""
+        self.arrays = arrays
+        (self.ground,) = arrays.ground
+        self.along = _lengths_along(self.ground)
         edges = [np.empty((0, 2, 2))]
-        for (top,) in self.arrays.tops:
+        for (top,) in arrays.tops:
             starts = top[:-1]
             ends = top[1:]
             edges.append(np.stack([starts, ends], axis=1))
         self.boundary_edges = np.concatenate(edges)
-        self.centres: list[Floats] = []
-        self.values: list[Floats] = []
+
+    def least(self, tell: Callable[[str], None]) -> Floats:
+        """Return the best circles, the best first, after a coarse family and descents from its valleys.
+
+        Where lines have many vertices, these are on condensed lines: of few vertices, and then with all vertices near
+        the ends of the best circles.
+        """
+        if max(map(_vertices, self.arrays.lines)) <= MANY_VERTICES:
+            best, step = self.coarse(tell)
+            for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
+                best, step = self.refined(best, share * step)
+            return best
+        rough = self._condensed(_ROUGH, _ROUGH_DEVIATION)
+        best, step = rough.refined(*rough.coarse(tell), _ROUGHLY)
+        best = self._from_condensed(rough, best)
+        fine = self._condensed(_FINE, 0.0, best[:, :2])
+        best[:, :2] = np.interp(best[:, :2], self.along[fine.kept], fine.along)
+        for share, count in _FINE_STEPS:
+            best, step = fine.refined(best[:count], share * step[:count])
+        best = self._from_condensed(fine, best)
+        values = self.evaluate(best)
+        return best[in_order(values)] if np.any(np.isfinite(values)) else self.refined(best, step)[0]
+
+    def _condensed(self, most: int, deviation: float, near: Any = ()) -> Search:
+        """Return a search on lines of few vertices; the ground's near some lengths along it stay where they are."""
+        ground = self.ground
+        x = ground[:, 0]
+        exact = np.isin(x, x[1:][np.diff(x) == 0.0])  # upright parts
+        exact[[0, -1]] = True
+        for number in np.searchsorted(self.along, np.ravel(near)):
+            exact[max(number - _EXACT_BESIDE, 0) : number + _EXACT_BESIDE] = True
+        rough = copy(self)
+        if len(ground) > MANY_VERTICES:
+            rough.kept = np.union1d(salient(ground, most, deviation), np.flatnonzero(exact))
+            ground = condensed(ground, rough.kept, exact)
+        level = self.arrays.level
+        level = None if level is None else _salient(level, most)
+        tops = tuple(_salient(top, most) for top in self.arrays.tops)
+        rough._set_lines(replace(self.arrays, ground=ground[None], level=level, tops=tops))
+        return rough
+
+    def _from_condensed(self, rough: Search, q: Floats) -> Floats:
+        """Return circles of a search on condensed lines as circles on the whole lines."""
+        found = q.copy()
+        if len(rough.boundary_edges) != len(self.boundary_edges):
+            ends = map(rough.points, q[:, :2].T)
+            found[:, 2] = rough._half_angles(q) / rough._greatest_half_angle(*ends)
+            found[:, 3] = _NONE
+        found[:, :2] = np.interp(q[:, :2], rough.along, self.along[rough.kept])
+        return found
 
     def points(self, lengths: Floats) -> Floats:
         """Points of the ground at lengths along it."""
@@ -112,6 +195,16 @@ class Search:
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         half_chord = _length(right - left) / 2
+        half_angle = self._half_angles(q)
+        valid = np.isfinite(half_angle)
+        radius = half_chord / np.sin(np.where(valid, half_angle, 1.0))
+        centre, radius = circle_through(left, right, radius=radius)
+        return centre, np.where(valid, radius, np.nan), left, right
+
+    def _half_angles(self, q: Floats) -> Floats:
+        """Half the openings of arcs, NaN where an edge is not touched or the arc is steeper than upright."""
+        left = self.points(q[:, 0])
+        right = self.points(q[:, 1])
         greatest = self._greatest_half_angle(left, right)
         share = q[:, 2]
         touched = q[:, 3]
@@ -123,11 +216,7 @@ class Search:
             half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
         most = greatest * (1 + 1e-9)
         valid = (half_angle > 0.0) & (half_angle <= most)
-        some_angle = np.where(valid, half_angle, 1.0)
-        radius = half_chord / np.sin(some_angle)
-        centre, radius = circle_through(left, right, radius=radius)
-        radius = np.where(valid, radius, np.nan)
-        return centre, radius, left, right
+        return np.where(valid, half_angle, np.nan)
 
     def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
         """Of circles through two points that are upright at an end, or touch the base between them."""
@@ -284,9 +373,9 @@ class Search:
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
 
-    def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
+    def refined(self, q: Floats, step: Floats, finest: float = FINEST) -> tuple[Floats, Floats]:
         """The best circles, in order, after all were followed downhill, and their first steps."""
-        descent = Descent(q, step, self.along[-1])
+        descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:
             for _ in range(_STEPS):
                 progress(len(q) - descent.unfinished.size - progress.done)

@@ -140,9 +140,7 @@ def critical(
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
-    best, step = search.coarse(tell)
-    for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
-        best, step = search.refined(best, share * step)
+    best = search.least(tell)
     circle = _described(slope, *search.circles(best[:1]))
     least = circle.yield_coefficient if method == YIELD else circle.factor_of_safety[method]
     least = np.inf if least is None else least
