@@ -1,10 +1,11 @@
-"""Lines of many vertices, such as surveyed profiles, by few: for searches, not for results."""
+"""Lines of many vertices, such as surveyed profiles, and many soils by few: for searches, not for results."""
 
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.workbench.stability.columns import SoilArrays
 
 _NEGLIGIBLE = 1e-9  # of the size of a line: vertices as near to the others' line have no effect
 
@@ -59,3 +60,20 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     breadth = np.sqrt(np.maximum(np.gradient(x), 0.0))[:, None]
     height[fitted] = np.linalg.lstsq(breadth * weights[:, fitted], breadth[:, 0] * missing)[0]
     return np.stack([x[kept], height], axis=1)
+
+
+def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
+    """Return at most so many soils, means of neighbours that differ least, and the number of the first layer of each."""
+    rows = np.stack([soils.unit_weight, soils.cohesion, soils.friction, soils.pore_ratio, soils.cohesion_gradient])
+    size = np.maximum(np.abs(rows).max(axis=1, keepdims=True), 1e-300)
+    contrast = np.abs(np.diff(rows / size, axis=1)).sum(axis=0).max(axis=-1)
+    firsts = np.append(0, np.sort(np.argsort(-contrast, kind="stable")[: most - 1]) + 1)
+    layers = np.diff(np.append(firsts, rows.shape[1]))
+
+    def mean(values: Floats) -> Floats:
+        return np.add.reduceat(values, firsts) / layers[:, None]
+
+    means = SoilArrays(*map(mean, soils))
+    growth = np.where(means.cohesion_gradient > 0.0, means.cohesion_gradient, 1.0)
+    datum = mean(soils.cohesion_gradient * soils.datum) / growth
+    return means._replace(datum=datum), firsts

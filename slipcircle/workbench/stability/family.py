@@ -23,7 +23,7 @@ from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.bases import angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
-from slipcircle.workbench.stability.condensed import condensed, salient
+from slipcircle.workbench.stability.condensed import condensed, merged, salient
 from slipcircle.workbench.stability.descent import FINEST, Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES
@@ -43,10 +43,15 @@ _KEPT = 3  # of refined valleys
 _TOGETHER = 1 << 14  # ground vertices times circles at a time: what fits into the caches
 _NONE = -1.0  # no edge is touched
 MANY_VERTICES = 48  # of all lines: a search on more condenses them
+MANY_SOILS = 20  # of more, the coarse family is screened with soils merged to fewer
+_FOLLOWED = 24  # valleys of rough lines, at most
+_ROUGH_NODES = 2  # of Gauss' rule, between many lines
+_MERGED = 16
+_SCREENED, _TOUCHING = 500, 20  # circles of the coarse family, and those whose ends lead to each boundary
 _ROUGH, _ROUGH_DEVIATION = 14, 1e-3  # vertices of lines in the coarse family, and their share of the size
 _ROUGHLY = 0.02  # step at which a valley of the rough lines is done, over its first
 _FINE = 48  # vertices beside the exact ones at the ends of the best circles
-_EXACT_BESIDE = 16  # vertices on either side of an end
+_E_TOUCHING, edgesACT_BESIDE = 16  # vertices on either side of an end
 _FINE_STEPS = (0.5, 3), (0.1, 2)  # of the steps of the coarse family, and how many circles
 _JUST_BELOW = 1 - 1e-12
 
@@ -139,21 +144,45 @@ class Search:
         Where lines have many vertices, these are on condensed lines: of few vertices, and then with all vertices near
         the ends of the best circles.
         """
-        if max(map(_vertices, self.arrays.lines)) <= MANY_VERTICES:
-            best, step = self.coarse(tell)
+        if max(map(_vertices, self.arrays.lines)) <= MANY_VERTICES and len(self.arrays.tops) < MANY_SOILS:
+            best, step = self.valleys(*self.coarse_family(), tell)
             for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
                 best, step = self.refined(best, share * step)
             return best
         rough = self._condensed(_ROUGH, _ROUGH_DEVIATION)
-        best, step = rough.refined(*rough.coarse(tell), _ROUGHLY)
+        family = rough._screened() if len(self.arrays.tops) >= MANY_SOILS else rough.coarse_family()
+        best, step = rough.valleys(*family, tell)
+        best, step = rough.refined(best[:_FOLLOWED], step[:_FOLLOWED], _ROUGHLY, COARSE_NODES)
         best = self._from_condensed(rough, best)
         fine = self._condensed(_FINE, 0.0, best[:, :2])
         best[:, :2] = np.interp(best[:, :2], self.along[fine.kept], fine.along)
+        nodes = COARSE_NODES if len(self.arrays.tops) >= MANY_SOILS else _FINE_NODES
         for share, count in _FINE_STEPS:
-            best, step = fine.refined(best[:count], share * step[:count])
+            best, step = fine.refined(best[:count], share * step[:count], nodes=nodes)
         best = self._from_condensed(fine, best)
         values = self.evaluate(best)
         return best[in_order(values)] if np.any(np.isfinite(values)) else self.refined(best, step)[0]
+
+    def _screened(self) -> tuple[Floats, Floats]:
+        """Return the best of the coarse family with merged soils, some of them touching each boundary, and the steps."""
+        few = copy(self)
+        soils, firsts = merged(self.arrays.soils, _MERGED)
+        few._set_lines(replace(self.arrays, soils=soils, tops=tuple(self.arrays.tops[k - 1] for k in firsts[1:])))
+        q, steps = few.coarse_family(touching=False)
+        best = in_order(few.evaluate(q, _ROUGH_NODES))[:_SCREENED]
+        q, steps = q[best], steps[best]
+        edges = len(self.boundary_edges)
+        touching = np.repeat(q[:_TOUCHING], edges, axis=0)
+        touching[:, 3] = np.tile(np.arange(edges), _TOUCHING)
+        return np.concatenate([q, touching]), np.concatenate([steps, np.repeat(steps[:_TOUCHING], edges, axis=0)])
+
+    def _opened(self, q: Floats) -> Floats:
+        """Return circles by their openings, also those that touch an edge."""
+        ends = map(self.points, q[:, :2].T)
+        found = q.copy()
+        found[:, 2] = self._half_angles(q) / self._greatest_half_angle(*ends)
+        found[:, 3] = _NONE
+        return found
 
     def _condensed(self, most: int, deviation: float, near: Any = ()) -> Search:
         """Return a search on lines of few vertices; the ground's near some lengths along it stay where they are."""
@@ -162,7 +191,7 @@ class Search:
         exact = np.isin(x, x[1:][np.diff(x) == 0.0])  # upright parts
         exact[[0, -1]] = True
         for number in np.searchsorted(self.along, np.ravel(near)):
-            exact[max(number - _EXACT_BESIDE, 0) : number + _EXACT_BESIDE] = True
+            exact[max(number - _E_TOUCHING, edgesACT_BESIDE, 0) : number + _EXACT_BESIDE] = True
         rough = copy(self)
         if len(ground) > MANY_VERTICES:
             rough.kept = np.union1d(salient(ground, most, deviation), np.flatnonzero(exact))
@@ -175,11 +204,8 @@ class Search:
 
     def _from_condensed(self, rough: Search, q: Floats) -> Floats:
         """Return circles of a search on condensed lines as circles on the whole lines."""
-        found = q.copy()
-        if len(rough.boundary_edges) != len(self.boundary_edges):
-            ends = map(rough.points, q[:, :2].T)
-            found[:, 2] = rough._half_angles(q) / rough._greatest_half_angle(*ends)
-            found[:, 3] = _NONE
+        same = len(rough.boundary_edges) == len(self.boundary_edges)
+        found = q.copy() if same else rough._opened(q)
         found[:, :2] = np.interp(q[:, :2], rough.along, self.along[rough.kept])
         return found
 
@@ -338,7 +364,7 @@ class Search:
                 positions.append(within)
         return np.unique(np.concatenate(positions))
 
-    def coarse_family(self) -> tuple[Floats, Floats]:
+    def coarse_family(self, touching: bool = True) -> tuple[Floats, Floats]:
         """Circles between all pairs of positions, with all openings, and touching each boundary; and their steps."""
         ends = self._positions()
         shape = len(ends), len(ends), len(_SHARES)
@@ -354,26 +380,28 @@ class Search:
         pairs = share == 0
         families = [q]
         families_steps = [steps]
-        for edge in range(len(self.boundary_edges)):
-            touching = q[pairs]
-            touching[:, 3] = edge
-            families.append(touching)
+        for edge in range(len(self.boundary_edges) * touching):
+            family = q[pairs]
+            family[:, 3] = edge
+            families.append(family)
             families_steps.append(steps[pairs])
         return np.concatenate(families), np.concatenate(families_steps)
 
-    def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
-        """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
-        q, steps = self.coarse_family()
+    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
+        """Return the best circles of a family that are no neighbours of a better one, and their steps."""
         values = self.evaluate(q, COARSE_NODES)
         if not np.any(np.isfinite(values)):
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
-        valleys = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
+        found = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
+        valleys = np.array(found)[in_order(values[found])]
         least = np.nanmin(values)
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
 
-    def refined(self, q: Floats, step: Floats, finest: float = FINEST) -> tuple[Floats, Floats]:
+    def refined(
+        self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = _FINE_NODES
+    ) -> tuple[Floats, Floats]:
         """The best circles, in order, after all were followed downhill, and their first steps."""
         descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:
@@ -382,7 +410,7 @@ class Search:
                 if progress.done == len(q):
                     break
                 near = descent.proposals()
-                values = self.evaluate(near.reshape(-1, 4), _FINE_NODES)
+                values = self.evaluate(near.reshape(-1, 4), nodes)
                 values = np.nan_to_num(values, nan=np.inf)
                 descent.move(near, values.reshape(near.shape[:2]))
         order = in_order(descent.best)[:_KEPT]
