@@ -20,7 +20,7 @@ SIMPLE = np.array([[-60.0, 0.0], [0.0, 0.0], [40.0, 20.0], [100.0, 20.0]])
 STRENGTH: dict[str, Any] = {"cohesion": 15e3, "friction": 0.35, "unit_weight": 2e4}
 METHODS = ("bishop", "paper", "ordinary", "k_y")
 # By name: (points, rng) -> heights above the simple slope, m.
-ROUGHNESS = {
+ROUGHNESS: dict[str, Any] = {
     "straight": lambda x, rng: 0.0 * x,
     "white": lambda x, rng: 0.01 * rng.standard_normal(len(x)),
     "walk": lambda x, rng: 0.8 * np.cumsum(rng.standard_normal(len(x))) / math.sqrt(len(x)),

@@ -63,7 +63,7 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
 
 
 def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
-    """Return at most so many soils, means of neighbours that differ least, and the number of the first layer of each."""
+    """Return so many soils, means of neighbours that differ least, and the number of the first layer of each."""
     rows = np.stack([soils.unit_weight, soils.cohesion, soils.friction, soils.pore_ratio, soils.cohesion_gradient])
     size = np.maximum(np.abs(rows).max(axis=1, keepdims=True), 1e-300)
     contrast = np.abs(np.diff(rows / size, axis=1)).sum(axis=0).max(axis=-1)

@@ -51,7 +51,7 @@ _SCREENED, _TOUCHING = 500, 20  # circles of the coarse family, and those whose 
 _ROUGH, _ROUGH_DEVIATION = 14, 1e-3  # vertices of lines in the coarse family, and their share of the size
 _ROUGHLY = 0.02  # step at which a valley of the rough lines is done, over its first
 _FINE = 48  # vertices beside the exact ones at the ends of the best circles
-_E_TOUCHING, edgesACT_BESIDE = 16  # vertices on either side of an end
+_EXACT_BESIDE = 16  # vertices on either side of an end
 _FINE_STEPS = (0.5, 3), (0.1, 2)  # of the steps of the coarse family, and how many circles
 _JUST_BELOW = 1 - 1e-12
 
@@ -164,7 +164,7 @@ class Search:
         return best[in_order(values)] if np.any(np.isfinite(values)) else self.refined(best, step)[0]
 
     def _screened(self) -> tuple[Floats, Floats]:
-        """Return the best of the coarse family with merged soils, some of them touching each boundary, and the steps."""
+        """Return the best of the coarse family with merged soils, some touching each boundary, and the steps."""
         few = copy(self)
         soils, firsts = merged(self.arrays.soils, _MERGED)
         few._set_lines(replace(self.arrays, soils=soils, tops=tuple(self.arrays.tops[k - 1] for k in firsts[1:])))
@@ -191,7 +191,7 @@ class Search:
         exact = np.isin(x, x[1:][np.diff(x) == 0.0])  # upright parts
         exact[[0, -1]] = True
         for number in np.searchsorted(self.along, np.ravel(near)):
-            exact[max(number - _E_TOUCHING, edgesACT_BESIDE, 0) : number + _EXACT_BESIDE] = True
+            exact[max(number - _EXACT_BESIDE, 0) : number + _EXACT_BESIDE] = True
         rough = copy(self)
         if len(ground) > MANY_VERTICES:
             rough.kept = np.union1d(salient(ground, most, deviation), np.flatnonzero(exact))
