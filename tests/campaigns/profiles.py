@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Slope, Soil, critical
-from slipcircle.workbench.stability import family
+from slipcircle.workbench.stability import condensed
 
 SIMPLE = np.array([[-60.0, 0.0], [0.0, 0.0], [40.0, 20.0], [100.0, 20.0]])
 STRENGTH: dict[str, Any] = {"cohesion": 15e3, "friction": 0.35, "unit_weight": 2e4}
@@ -58,12 +58,12 @@ def least(slope: Slope, method: str) -> tuple[float, float]:
 def excess(slope: Slope, method: str) -> tuple[float, float]:
     """How much greater the factor is than that of a search on all vertices, as a share, and the time, s."""
     found, seconds = least(slope, method)
-    many = family.MANY_VERTICES
+    many = condensed.MANY_VERTICES
     try:
-        family.MANY_VERTICES = 10**9
+        condensed.MANY_VERTICES = 10**9
         whole, _ = least(slope, method)
     finally:
-        family.MANY_VERTICES = many
+        condensed.MANY_VERTICES = many
     return (found - whole) / max(abs(whole), 0.1), seconds
 
 

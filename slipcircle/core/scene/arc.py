@@ -24,6 +24,7 @@ from slipcircle.base.checks import (
     two_sum,
 )
 from slipcircle.base.kinds import Array, Numbers, cached_property
+from slipcircle.base.units import take_units
 from slipcircle.core.doors import room
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
@@ -118,6 +119,8 @@ class Arc(Mass, Generic[Numbers]):
         return arc
 
     def __post_init__(self) -> None:
+        if not self.has_plain_numbers:
+            take_units(self, ARC_BOUNDS)
         raise_all("Arc", self._mistakes())
         if not self.has_plain_numbers:
             freeze(self, ARC_BOUNDS)

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from copy import copy
-from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -23,7 +22,6 @@ from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.bases import angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
-from slipcircle.workbench.stability.condensed import condensed, merged, salient
 from slipcircle.workbench.stability.descent import FINEST, Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES
@@ -34,25 +32,14 @@ _LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between w
 _FEW_EDGES = 12
 _MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-COARSE_NODES, _FINE_NODES = 4, 6  # of Gauss' rule
+COARSE_NODES, FINE_NODES = 4, 6  # of Gauss' rule
 _VALLEYS = 12  # that are refined
 _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
 _KEPT = 3  # of refined valleys
 _TOGETHER = 1 << 14  # ground vertices times circles at a time: what fits into the caches
-_NONE = -1.0  # no edge is touched
-MANY_VERTICES = 48  # of all lines: a search on more condenses them
-MANY_SOILS = 20  # of more, the coarse family is screened with soils merged to fewer
-_FOLLOWED = 24  # valleys of rough lines, at most
-_ROUGH_NODES = 2  # of Gauss' rule, between many lines
-_MERGED = 16
-_SCREENED, _TOUCHING = 500, 20  # circles of the coarse family, and those whose ends lead to each boundary
-_ROUGH, _ROUGH_DEVIATION = 14, 1e-3  # vertices of lines in the coarse family, and their share of the size
-_ROUGHLY = 0.02  # step at which a valley of the rough lines is done, over its first
-_FINE = 48  # vertices beside the exact ones at the ends of the best circles
-_EXACT_BESIDE = 16  # vertices on either side of an end
-_FINE_STEPS = (0.5, 3), (0.1, 2)  # of the steps of the coarse family, and how many circles
+NONE = -1.0  # no edge is touched
 _JUST_BELOW = 1 - 1e-12
 
 
@@ -101,16 +88,6 @@ def _lengths_along(line: Floats) -> Floats:
     return np.append(0.0, np.cumsum(lengths))
 
 
-def _vertices(line: Floats) -> int:
-    """Return the number of vertices of a line (1, V, 2)."""
-    return line.shape[1]
-
-
-def _salient(line: Floats, most: int) -> Floats:
-    """Return a line (1, V, 2) of many vertices by few of them."""
-    return line[:, salient(line[0], most)] if _vertices(line) > MANY_VERTICES else line
-
-
 class Search:
     """A slope, the method to minimise, the limits, and every circle evaluated so far."""
 
@@ -124,7 +101,12 @@ class Search:
         self.centres: list[Floats] = []
         self.values: list[Floats] = []
         self._set_lines(self.arrays)
-        self.kept: Any = np.arange(len(self.ground))  # vertices of the whole ground
+
+    def on_lines(self, arrays: SlopeArrays) -> Search:
+        """Return a search of the same slope on other lines, of which its map has the circles too."""
+        other = copy(self)
+        other._set_lines(arrays)
+        return other
 
     def _set_lines(self, arrays: SlopeArrays) -> None:
         """Search on the lines of these arrays."""
@@ -138,77 +120,6 @@ class Search:
             edges.append(np.stack([starts, ends], axis=1))
         self.boundary_edges = np.concatenate(edges)
 
-    def least(self, tell: Callable[[str], None]) -> Floats:
-        """Return the best circles, the best first, after a coarse family and descents from its valleys.
-
-        Where lines have many vertices, these are on condensed lines: of few vertices, and then with all vertices near
-        the ends of the best circles.
-        """
-        if max(map(_vertices, self.arrays.lines)) <= MANY_VERTICES and len(self.arrays.tops) < MANY_SOILS:
-            best, step = self.valleys(*self.coarse_family(), tell)
-            for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
-                best, step = self.refined(best, share * step)
-            return best
-        rough = self._condensed(_ROUGH, _ROUGH_DEVIATION)
-        family = rough._screened() if len(self.arrays.tops) >= MANY_SOILS else rough.coarse_family()
-        best, step = rough.valleys(*family, tell)
-        best, step = rough.refined(best[:_FOLLOWED], step[:_FOLLOWED], _ROUGHLY, COARSE_NODES)
-        best = self._from_condensed(rough, best)
-        fine = self._condensed(_FINE, 0.0, best[:, :2])
-        best[:, :2] = np.interp(best[:, :2], self.along[fine.kept], fine.along)
-        nodes = COARSE_NODES if len(self.arrays.tops) >= MANY_SOILS else _FINE_NODES
-        for share, count in _FINE_STEPS:
-            best, step = fine.refined(best[:count], share * step[:count], nodes=nodes)
-        best = self._from_condensed(fine, best)
-        values = self.evaluate(best)
-        return best[in_order(values)] if np.any(np.isfinite(values)) else self.refined(best, step)[0]
-
-    def _screened(self) -> tuple[Floats, Floats]:
-        """Return the best of the coarse family with merged soils, some touching each boundary, and the steps."""
-        few = copy(self)
-        soils, firsts = merged(self.arrays.soils, _MERGED)
-        few._set_lines(replace(self.arrays, soils=soils, tops=tuple(self.arrays.tops[k - 1] for k in firsts[1:])))
-        q, steps = few.coarse_family(touching=False)
-        best = in_order(few.evaluate(q, _ROUGH_NODES))[:_SCREENED]
-        q, steps = q[best], steps[best]
-        edges = len(self.boundary_edges)
-        touching = np.repeat(q[:_TOUCHING], edges, axis=0)
-        touching[:, 3] = np.tile(np.arange(edges), _TOUCHING)
-        return np.concatenate([q, touching]), np.concatenate([steps, np.repeat(steps[:_TOUCHING], edges, axis=0)])
-
-    def _opened(self, q: Floats) -> Floats:
-        """Return circles by their openings, also those that touch an edge."""
-        ends = map(self.points, q[:, :2].T)
-        found = q.copy()
-        found[:, 2] = self._half_angles(q) / self._greatest_half_angle(*ends)
-        found[:, 3] = _NONE
-        return found
-
-    def _condensed(self, most: int, deviation: float, near: Any = ()) -> Search:
-        """Return a search on lines of few vertices; the ground's near some lengths along it stay where they are."""
-        ground = self.ground
-        x = ground[:, 0]
-        exact = np.isin(x, x[1:][np.diff(x) == 0.0])  # upright parts
-        exact[[0, -1]] = True
-        for number in np.searchsorted(self.along, np.ravel(near)):
-            exact[max(number - _EXACT_BESIDE, 0) : number + _EXACT_BESIDE] = True
-        rough = copy(self)
-        if len(ground) > MANY_VERTICES:
-            rough.kept = np.union1d(salient(ground, most, deviation), np.flatnonzero(exact))
-            ground = condensed(ground, rough.kept, exact)
-        level = self.arrays.level
-        level = None if level is None else _salient(level, most)
-        tops = tuple(_salient(top, most) for top in self.arrays.tops)
-        rough._set_lines(replace(self.arrays, ground=ground[None], level=level, tops=tops))
-        return rough
-
-    def _from_condensed(self, rough: Search, q: Floats) -> Floats:
-        """Return circles of a search on condensed lines as circles on the whole lines."""
-        same = len(rough.boundary_edges) == len(self.boundary_edges)
-        found = q.copy() if same else rough._opened(q)
-        found[:, :2] = np.interp(q[:, :2], rough.along, self.along[rough.kept])
-        return found
-
     def points(self, lengths: Floats) -> Floats:
         """Points of the ground at lengths along it."""
         vertex_x, vertex_y = self.ground.T
@@ -221,21 +132,21 @@ class Search:
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         half_chord = _length(right - left) / 2
-        half_angle = self._half_angles(q)
+        half_angle = self.half_angles(q)
         valid = np.isfinite(half_angle)
         radius = half_chord / np.sin(np.where(valid, half_angle, 1.0))
         centre, radius = circle_through(left, right, radius=radius)
         return centre, np.where(valid, radius, np.nan), left, right
 
-    def _half_angles(self, q: Floats) -> Floats:
+    def half_angles(self, q: Floats) -> Floats:
         """Half the openings of arcs, NaN where an edge is not touched or the arc is steeper than upright."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
-        greatest = self._greatest_half_angle(left, right)
+        greatest = self.greatest_half_angle(left, right)
         share = q[:, 2]
         touched = q[:, 3]
         half_angle = share * greatest
-        touching = np.flatnonzero(touched != _NONE)
+        touching = np.flatnonzero(touched != NONE)
         if touching.size:
             number = touched[touching].astype(np.int64)
             edge = self.boundary_edges[number]
@@ -244,7 +155,7 @@ class Search:
         valid = (half_angle > 0.0) & (half_angle <= most)
         return np.where(valid, half_angle, np.nan)
 
-    def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
+    def greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
         """Of circles through two points that are upright at an end, or touch the base between them."""
         run, rise = (right - left).T
         upright = np.arctan2(run, np.abs(rise)) * _JUST_BELOW
@@ -371,7 +282,7 @@ class Search:
         numbers = np.indices(shape).reshape(3, -1)
         in_order = numbers[0] < numbers[1]
         left, right, share = numbers[:, in_order]
-        no_edge = np.full(len(share), _NONE)
+        no_edge = np.full(len(share), NONE)
         q = np.column_stack([ends[left], ends[right], _SHARES[share], no_edge])
         spacing = np.gradient(ends)
         share_spacing = np.gradient(_SHARES)[share]
@@ -400,7 +311,7 @@ class Search:
         return q[valleys], steps[valleys]
 
     def refined(
-        self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = _FINE_NODES
+        self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = FINE_NODES
     ) -> tuple[Floats, Floats]:
         """The best circles, in order, after all were followed downhill, and their first steps."""
         descent = Descent(q, step, self.along[-1], finest)
@@ -437,7 +348,7 @@ def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge
     order = order[np.isfinite(values[order])]
     for edge in np.unique(touched):
         rest = order[touched[order] == edge]
-        count = most if edge == _NONE else most_on_edge
+        count = most if edge == NONE else most_on_edge
         while count and rest.size:
             best = rest[0]
             valleys.append(int(best))

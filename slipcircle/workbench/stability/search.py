@@ -12,6 +12,7 @@ import numpy as np
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Section, ends_above
+from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
@@ -140,14 +141,14 @@ def critical(
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
-    best = search.least(tell)
+    best = least(search, tell)
     circle = _described(slope, *search.circles(best[:1]))
-    least = circle.yield_coefficient if method == YIELD else circle.factor_of_safety[method]
-    least = np.inf if least is None else least
+    factor = circle.yield_coefficient if method == YIELD else circle.factor_of_safety[method]
+    factor = np.inf if factor is None else factor
     if entry is None and exit is None:
-        _refuse_bottomless(slope, least, shaken=method == YIELD or slope.k_h > 0.0)
+        _refuse_bottomless(slope, factor, shaken=method == YIELD or slope.k_h > 0.0)
     _refuse_skin(slope, circle)
-    tell(f"{least_of(method)}: {least:.6g}")
+    tell(f"{least_of(method)}: {factor:.6g}")
     warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
     return replace(

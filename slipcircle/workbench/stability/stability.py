@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.kinds import Floats
+from slipcircle.base.units import take_units
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, datum_of, friction_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
@@ -133,6 +134,7 @@ class Slope:
     k_h_on_surcharge: bool = False
 
     def __post_init__(self) -> None:
+        take_units(self, vars(self))
         mistakes = self._field_mistakes()
         if not mistakes:
             object.__setattr__(self, "ground", np.array(self.ground, dtype=np.float64))
