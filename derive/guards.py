@@ -16,6 +16,7 @@ from derive.code import emit
 from derive.declare import domain, quantities
 from derive.declare import effects as declared
 from derive.declare.effects import GRAVITY, RADIUS, SLIP, VALUE, Effect, Law, Parameter
+from derive.declare.limits import LIMITS
 from derive.declare.quantities import Moment
 from derive.declare.units import Units, dimension, of_unit, shown
 from derive.flow import fragments
@@ -40,7 +41,7 @@ KEYS = "law rate soils function value scales half_angle gravity radius density r
 TABLES_OF = (("slip", "m", "list"), ("speed", "m/s", "list"), ("time", "s", "list"))
 UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
-KINDS = (*NUMBERS, "list", "text", "name", "flag")
+KINDS = (*NUMBERS, "list", "text", "name", "flag", "fixed")
 # Functions of series, beside powers and minima.
 OF_SERIES: set[type] = {sp.tanh}  # made of exponentials
 for _operation in OPERATIONS.values():
@@ -272,7 +273,7 @@ def _range(p: Parameter) -> tuple[float, float]:
 
 
 def _check_effect(effect: Effect) -> None:
-    _check_parameters(effect, declared.LIMITS)
+    _check_parameters(effect, LIMITS)
     strange = {*effect.any_of} - {p.name for p in effect.parameters}
     if strange:
         raise ProofError(_claim(effect, "any_of"), strange, "names of its parameters")
@@ -288,11 +289,13 @@ def _check_effect(effect: Effect) -> None:
     _check_values(effect)
     if not (used or effect.turns):
         raise ProofError(_claim(effect, "terms"), "none", "what it adds to the balance")
-    in_time = "series" in (p.kind for p in effect.parameters)  # its other parameters say how it is made
+    of_functions = {"series", "rotation"} & {
+        p.kind for p in effect.parameters
+    }  # its other parameters say how it is made
     unused = []
     for x, p in _by_symbol(effect).items():
-        makes_series = p.symbol is None and in_time
-        if not makes_series and (p.symbol or x) not in used:
+        makes_function = p.symbol is None and of_functions
+        if not makes_function and (p.symbol or x) not in used:
             unused.append(p.name)
     _check_used(effect, unused)
     fragments.of_effect(effect)

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a7b1b326ed19664e2305598661f91b6741e1bc18c84667eea92df412ce979022
-"""How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
+# sha256 of the text below: cbfdb3353d305f3cf8cb745d4bf446f4ad6bb159d0d31122aa84a62aaa712742
+"""Calls of generated functions: types, broadcasting, domain, `out` and `where`, as in NumPy's ufuncs."""
 
 import warnings
 from collections.abc import Callable, Sequence
@@ -15,7 +15,7 @@ BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
 def horner(x: Any, coefficients: Sequence[float]) -> Any:
-    """The polynomial with these coefficients, lowest first."""
+    """Return the polynomial with these coefficients, lowest first."""
     result: Any = coefficients[-1]
     for c in coefficients[-2::-1]:
         result = result * x + c
@@ -23,7 +23,7 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
 
 
 def lost(a: Any, b: Any) -> Any:
-    """The rounding error of a + b (TwoSum)."""
+    """Return the rounding error of a + b (TwoSum)."""
     total = a + b
     of_b = total - a
     return (a - (total - of_b)) + (b - of_b)
@@ -104,7 +104,7 @@ def evaluate(
 
 
 def _raise_invalid(name: str) -> None:
-    """NumPy's own `invalid`, handled as np.errstate says, in the name of the function."""
+    """Raise NumPy's `invalid` flag, handled as np.errstate requires, in the name of the function."""
     said = f"invalid value encountered in {name}"
     handling = np.geterr()["invalid"]
     if handling == "raise":
@@ -123,7 +123,7 @@ def _block(
     arrays: Sequence[NDArray[Any]],
     result: NDArray[Any],
 ) -> bool:
-    """Fill one part of the result; whether an element that the mask selects is invalid."""
+    """Compute one part of the result, and return whether a selected element is invalid."""
     values = [np.asarray(x, dtype=np.float64) for x in arrays[:-1]]
     selected = arrays[-1]
     with np.errstate(all="ignore"):  # elements outside, or not selected, may be anything here

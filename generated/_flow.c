@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "57f59ee65247a22fd866db4fea54e3a0a22f5cc7b9c3f2af502e769337f2b891"
+#define DIGEST "4693bfdcd4873477c728a9bbed2d6da40d0ce14ea34506bbb4c912ee2fef6d4d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1154,7 +1154,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
-/* The value at a time, by Horner's scheme. */
+/* Return the value at a time by Horner's scheme. */
 INLINE V value(V *p, int n, V t)
 {
     V total = p[n];
@@ -1164,13 +1164,13 @@ INLINE V value(V *p, int n, V t)
     return total;
 }
 
-/* The value less the constant term, without cancellation. */
+/* Return the value minus the constant term, without cancellation. */
 INLINE V increment(V *p, int n, V t)
 {
     return (n > 0) ? t * value(p + 1, n - 1, t) : broadcast(0.0);
 }
 
-/* The value and the derivative at a time. */
+/* Return the value and the derivative at a time. */
 INLINE Pair value_and_slope(V *p, int n, V t)
 {
     V total = p[n];
@@ -1182,7 +1182,7 @@ INLINE Pair value_and_slope(V *p, int n, V t)
     return (Pair){total, slope};
 }
 
-/* The coefficients of the derivative. */
+/* Compute the coefficients of the derivative. */
 INLINE void differentiate(V *rates, V *p, int n)
 {
     for (int k = 1; k <= n; k++) {
@@ -1190,14 +1190,14 @@ INLINE void differentiate(V *rates, V *p, int n)
     }
 }
 
-/* A place if it lies between two bounds, otherwise their middle. */
+/* Return a place if it lies between two bounds, otherwise their middle. */
 INLINE V inside_or_middle(V at, V low, V high)
 {
     return pick((at >= low) & (at <= high), at, 0.5 * (low + high));
 }
 
-/* A root between bounds at which values have opposite signs. By Newton's method, which starts where the chord
- * crosses zero and halves where a step leaves the bounds. */
+/* Return a root between bounds at which values have opposite signs. Newton's method starts where the chord crosses
+ * zero, and bisects if a step leaves the bounds. */
 static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which)
 {
     M falls = at_low > 0.0;
@@ -1219,10 +1219,10 @@ static V bracketed_root(V *p, int n, V low, V at_low, V high, V at_high, M which
     return at;
 }
 
-/* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none. Within a step
- * the terms fall like 0.2^k: a polynomial that neither has changed its sign at h nor falls at first and rises at
- * last has no root there. Where it falls and rises, its least value decides. One that only touches zero does not
- * cross it, and one that is zero has no root. */
+/* Return the first zero in (0, h] of initially positive polynomials, infinity without a zero. Within a step the
+ * terms decrease like 0.2^k. A polynomial that has the same sign at h, and does not fall at first and rise at the
+ * end, therefore has no root. If it falls and rises, its least value decides. A polynomial that only touches zero
+ * does not cross it, and the zero polynomial has no root. */
 static V first_root(V *p, int n, V h, M which)
 {
     V high = h;
@@ -1251,7 +1251,7 @@ static V first_root(V *p, int n, V h, M which)
     return root;
 }
 
-/* Whether sign p + constant may have a zero in (0, t]: from its value and slope there. */
+/* Return whether sign p + constant may have a zero in (0, t], from its value and slope at t. */
 INLINE M may_cross(V *p, int n, V t, V sign, V constant, M divided)
 {
     const Pair last_slope = value_and_slope(p, n, t);
@@ -1260,7 +1260,7 @@ INLINE M may_cross(V *p, int n, V t, V sign, V constant, M divided)
     return (((sign * last) + constant) <= 0.0) | falls_and_rises | divided;
 }
 
-/* The coefficients of sign p + constant, divided by the time where its root is now. */
+/* Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed. */
 INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
 {
     for (int k = 0; k <= n; k++) {
@@ -1275,7 +1275,7 @@ INLINE void margin_of(V *e, V *p, int n, V sign, V constant, M divided)
     }
 }
 
-/* The zero in (0, t] through which polynomials fall, possibly beyond a maximum; infinity where there is none.
+/* Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity.
  * ``last`` and ``slope`` are the value and the derivative at t. */
 static V falling_root(V *p, int n, V t, V last, V slope, M here)
 {
@@ -1301,7 +1301,7 @@ static V falling_root(V *p, int n, V t, V last, V slope, M here)
     return root;
 }
 
-/* The same polynomial about another point: Taylor's shift by Horner's scheme. */
+/* Shift a polynomial to another origin: Taylor's shift by Horner's scheme. */
 INLINE void shift(double *terms, int count, double by)
 {
     for (int first = 0; first <= count - 2; first++) {
@@ -1311,7 +1311,7 @@ INLINE void shift(double *terms, int count, double by)
     }
 }
 
-/* A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line. */
+/* Return a function of time, a sine or a straight line, at a distance from the left end of a piece. */
 INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double local)
 {
     const Job *const job = b->job;
@@ -1322,7 +1322,7 @@ INLINE double value_within(Batch *b, unsigned lane, int t, int64_t piece, double
     return c[job->table[t].cell + SCALED_BY][lane] * (job->data[t].sine ? (terms[0] * sin(change + terms[2])) : (terms[0] + change));
 }
 
-/* A function of time now. */
+/* Return a function of time at the current time. */
 INLINE double value_now(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1331,7 +1331,7 @@ INLINE double value_now(Batch *b, unsigned lane, int t)
     return value_within(b, lane, t, piece, (c[TIME][lane] * c[job->table[t].cell + SCALE][lane]) - break_of(b, lane, t, piece));
 }
 
-/* The series of a sine about now, as its increment since the phase began. */
+/* Compute the series of a sine about the current time, as its increment since the phase began. */
 static void expand_sine(Batch *b, unsigned lane, int t, int top)
 {
     const Job *const job = b->job;
@@ -1353,7 +1353,7 @@ static void expand_sine(Batch *b, unsigned lane, int t, int top)
     }
 }
 
-/* What a function of time rises by from now to some way beyond, in the table's own argument, within its piece. */
+/* Return the rise of a function of time over a distance ahead within its piece, in the table's argument. */
 INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
 {
     const Job *const job = b->job;
@@ -1371,7 +1371,7 @@ INLINE double rise_to(Batch *b, unsigned lane, int t, double past)
     return slope * past;
 }
 
-/* Where a piece ends, in the table's own argument; infinity after the last one. */
+/* Return the end of a piece in the table's argument, infinity for the last piece. */
 INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
@@ -1379,14 +1379,14 @@ INLINE double end_of_piece(Batch *b, unsigned lane, int t, int64_t piece)
     return (piece < last) ? break_of(b, lane, t, (piece + 1) < last ? (piece + 1) : last) : INFINITY;
 }
 
-/* Whether a piece ends below an argument, or at it if a break belongs to the piece above. */
+/* Return whether a piece ends below an argument, or at it if a break belongs to the piece above. */
 INLINE int ends_by(Batch *b, unsigned lane, int t, int64_t piece, double argument, int included)
 {
     double end = end_of_piece(b, lane, t, piece);
     return (end < argument) || (included && (end == argument) && (end < INFINITY));
 }
 
-/* The piece in which an argument is, from the first one on that it may be. */
+/* Return the piece that contains an argument, searched from a first piece on. */
 INLINE int64_t piece_at(Batch *b, unsigned lane, int t, int64_t first, double argument, int included)
 {
     int64_t piece = first;
@@ -1396,7 +1396,7 @@ INLINE int64_t piece_at(Batch *b, unsigned lane, int t, int64_t first, double ar
     return piece;
 }
 
-/* The end of the piece of a function of time and the increment there: one rounding whatever the steps. */
+/* Compute the end of the piece of a function of time and the increment there, with a single rounding. */
 static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
 {
     const Job *const job = b->job;
@@ -1409,9 +1409,9 @@ static void find_end_of_piece(Batch *b, unsigned lane, int t, double now)
     c[job->table[t].cell + WAY][lane] = c[job->table[t].cell + WAY][lane] + fabs(rise);
 }
 
-/* Begin a phase: increments of a function of time count from now. It may jump where a piece begins. Within a piece
- * the value and the rise to its end follow from the increment: on a short ramp the rounding of the time, times the
- * slope, is much. */
+/* Begin a phase: increments of a function of time are counted from now. It may jump at the left end of a piece.
+ * Within a piece the value and the rise to its end follow from the increment, since on a short ramp the rounding
+ * of the time times the slope is large. */
 static void begin_in_time(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1433,7 +1433,7 @@ static void begin_in_time(Batch *b, unsigned lane, int t)
     }
 }
 
-/* The value where the phase begins, so far beyond the break, and the coefficients of what is beyond. */
+/* Compute the value at the start of a phase and the coefficients about it. */
 static void develop(Batch *b, unsigned lane, int t, double local, double unit)
 {
     const Job *const job = b->job;
@@ -1449,7 +1449,7 @@ static void develop(Batch *b, unsigned lane, int t, double local, double unit)
     }
 }
 
-/* The piece ahead, in the direction of travel, of a function of the rotation, which goes either way. */
+/* Select the piece of a function of the rotation ahead in the direction of travel, which may be either. */
 static void begin_in_rotation(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1465,7 +1465,7 @@ static void begin_in_rotation(Batch *b, unsigned lane, int t)
     develop(b, lane, t, local, c[DIRECTION][lane]);
 }
 
-/* The piece of a function of the slip, which ends ahead also where another function has just broken. */
+/* Select the piece of a function of slip, which ends ahead even if another function has just passed a break. */
 static void begin_in_slip(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1477,7 +1477,7 @@ static void begin_in_slip(Batch *b, unsigned lane, int t)
     develop(b, lane, t, local, c[job->table[t].cell + SCALE][lane]);
 }
 
-/* Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant. */
+/* Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant. */
 static void begin_in_speed(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1493,7 +1493,7 @@ static void begin_in_speed(Batch *b, unsigned lane, int t)
     develop(b, lane, t, log(ratio), 1.0);
 }
 
-/* Begin a phase: the ends of each table's piece, its value, and the coefficients of what is beyond. */
+/* Begin a phase: compute the ends of each table's piece, its value, and its coefficients. */
 static void begin_pieces(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1513,7 +1513,7 @@ static void begin_pieces(Batch *b, unsigned lane)
     }
 }
 
-/* The pieces in which slip and speed lie, wherever they came from. */
+/* Find the pieces that contain slip and speed. */
 static void find_pieces(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1528,8 +1528,8 @@ static void find_pieces(Batch *b, unsigned lane)
     }
 }
 
-/* Enter the next piece of a function of time; where its value jumps the lane has to look at its contact.
- * Increments add their roundings up along a record: beyond some way the difference of two values is better known. */
+/* Enter the next piece of a function of time. If its value jumps, the contact must be checked. Increments
+ * accumulate rounding along a record. Beyond some path the difference of two values is more accurate. */
 static void pass_break(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -1551,7 +1551,7 @@ static void pass_break(Batch *b, unsigned lane, int t)
     find_end_of_piece(b, lane, t, break_of(b, lane, t, piece));
 }
 
-/* Enter the next piece of each function of time that breaks now. */
+/* Enter the next piece of each function of time that has a break now. */
 static void pass_breaks(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1565,7 +1565,7 @@ static void pass_breaks(Batch *b, unsigned lane)
     }
 }
 
-/* Whether a force will still change while the lane rests. */
+/* Return whether a force will still change while the lane rests. */
 INLINE int still_changes(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1579,7 +1579,7 @@ INLINE int still_changes(Batch *b, unsigned lane)
     return changes;
 }
 
-/* The next time at which a function of time breaks. */
+/* Return the next time at which a function of time has a break. */
 INLINE V next_break(Batch *b)
 {
     const Job *const job = b->job;
@@ -1593,7 +1593,7 @@ INLINE V next_break(Batch *b)
     return time;
 }
 
-/* Order 0 of the registers that do not come from operations. */
+/* Set order 0 of the registers that do not result from operations. */
 INLINE void begin_series(Batch *b)
 {
     const Job *const job = b->job;
@@ -1608,7 +1608,7 @@ INLINE void begin_series(Batch *b)
     }
 }
 
-/* Order 0 of all registers. */
+/* Compute order 0 of all registers. */
 INLINE void evaluate(Batch *b)
 {
     begin_series(b);
@@ -1616,7 +1616,7 @@ INLINE void evaluate(Batch *b)
     operate_later(b, 1);
 }
 
-/* On the slip surface, once order 0 is there; contact is lost below zero. */
+/* Return the normal force on the slip surface from order 0. Contact is lost if it is negative. */
 INLINE V normal_force(Batch *b)
 {
     const Job *const job = b->job;
@@ -1628,8 +1628,9 @@ INLINE V normal_force(Batch *b)
     return force;
 }
 
-/* The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one. It is
- * truncated after such a term times the step over the radius of convergence: in time as much as whole steps are. */
+/* Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order. The
+ * truncation error is such a term times the step over the radius of convergence, per time the same as in complete
+ * steps. */
 static void find_negligible(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -1642,14 +1643,14 @@ static void find_negligible(Batch *b, unsigned lane)
     c[NEGLIGIBLE][lane] = fmax(c[NEGLIGIBLE][lane], ROUNDING);
 }
 
-/* Whether a term does not count beside the largest one. */
+/* Return whether a term is negligible compared with the largest term. */
 INLINE M is_negligible(Batch *b, V term, V largest)
 {
     V *const c = b->c;
     return (term <= (c[NEGLIGIBLE] * largest)) & (largest > 0.0) & (largest < INFINITY);
 }
 
-/* End the series that events read beyond each lane's order. */
+/* Truncate the series that events use at each lane's order. */
 INLINE void cut(Batch *b, V order, int top)
 {
     const Job *const job = b->job;
@@ -1665,7 +1666,7 @@ INLINE void cut(Batch *b, V order, int top)
     }
 }
 
-/* Order 0 of the registers that do not come from operations, and the series of functions of time. */
+/* Set order 0 of the registers that do not result from operations, and the series of functions of time. */
 INLINE void begin_expansion(Batch *b, M which, int top)
 {
     const Job *const job = b->job;
@@ -1683,7 +1684,8 @@ INLINE void begin_expansion(Batch *b, M which, int top)
     }
 }
 
-/* Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest. */
+/* Compute coefficient n + 1 of the states from coefficient n of their rates. It is zero beyond a lane's order and
+ * at rest. */
 INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
 {
     const Job *const job = b->job;
@@ -1696,7 +1698,7 @@ INLINE void integrate_rates(Batch *b, int n, V order, int alike, int at_rest)
     }
 }
 
-/* Whether coefficient n times a power of the step counts beside the largest term so far. */
+/* Return whether coefficient n times a power of the step is significant beside the largest term so far. */
 INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
 {
     const Job *const job = b->job;
@@ -1711,10 +1713,10 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Fill the series of all registers; those of states have one order more than their rates. Where a function of time
- * cuts the step short after ``room``, a series ends early, as soon as two terms in a row do not count there. At
- * rest states stay as they are, and the net moment decides. Returns the highest order; each lane's is
- * `series_order`, and the net moment, the normal force and the dip are zero beyond it. */
+/* Compute the series of all registers, where states have one order more than rates, and return the highest order.
+ * If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+ * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
+ * `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
 {
     const Job *const job = b->job;
@@ -1754,8 +1756,9 @@ INLINE int expand(Batch *b, V room, M which, int at_rest)
     return top;
 }
 
-/* The least that the last four coefficients of each lane suggest, each against the largest of the first five.
- * |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders; 2^1000 where these are zero. */
+/* Return the least radius suggested by the last four coefficients, each with the largest of the first five. The
+ * radius is |c_k/c_n|^(1/(n - k)) with k < 5 and n one of the last four orders, and 2^1000 if these coefficients
+ * are zero. */
 INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
 {
     V first[STRIDE];
@@ -1778,8 +1781,8 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the present speed, at a time from the lane's own on, if it is the greatest. Of peaks that differ by
- * rounding the earliest is recorded, so that every processor reports the same one. A speed that has risen from a
+/* Record the current speed, at a time not before the lane's own, if it is the greatest. If peaks differ by
+ * rounding, the earliest is recorded, so that every processor reports the same peak. A speed that has risen from a
  * record at the lane's time is compared exactly. */
 static void update_peak(Batch *b, unsigned lane, double rate, double now)
 {
@@ -1793,7 +1796,7 @@ static void update_peak(Batch *b, unsigned lane, double rate, double now)
     }
 }
 
-/* Record the present rotation if it is the greatest from the start. */
+/* Record the current rotation if it is the greatest from the start. */
 static void update_reach(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -1804,7 +1807,7 @@ static void update_reach(Batch *b, unsigned lane)
     }
 }
 
-/* Contact with the slip surface is lost. */
+/* Log the loss of contact with the slip surface. */
 static void note_lift_off(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -1814,7 +1817,7 @@ static void note_lift_off(Batch *b, unsigned lane)
     }
 }
 
-/* Count rotation and slip from where the lane is now, where another phase begins. */
+/* Reset the origin of rotation and slip to the current position, where another phase begins. */
 static void advance_origin(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -1823,7 +1826,7 @@ static void advance_origin(Batch *b, unsigned lane)
     c[X][lane] = 0.0;
 }
 
-/* Face a direction at a standstill. */
+/* Set the direction of travel at a standstill. */
 static void face(Batch *b, unsigned lane, double side)
 {
     V *const c = b->c;
@@ -1833,7 +1836,7 @@ static void face(Batch *b, unsigned lane, double side)
     c[LIFTED][lane] = 0.0;
 }
 
-/* A lane begins, with a velocity or at rest. */
+/* Start a lane with a velocity or at rest. */
 static void start(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1850,7 +1853,7 @@ static void start(Batch *b, unsigned lane)
     find_pieces(b, lane);
 }
 
-/* Slip begins in the present direction. */
+/* Start slip in the current direction. */
 static void start_moving(Batch *b, unsigned lane, double rate)
 {
     V *const c = b->c;
@@ -1867,7 +1870,7 @@ static void start_moving(Batch *b, unsigned lane, double rate)
     c[PENDING][lane] = READY;
 }
 
-/* The lane stays where it is, until its end. */
+/* Keep the lane at rest until its end. */
 static void stay(Batch *b, unsigned lane, double status)
 {
     V *const c = b->c;
@@ -1881,7 +1884,7 @@ static void stay(Batch *b, unsigned lane, double status)
     read_samples(b, lane, c[TIME][lane], INFINITY, 0, 0);
 }
 
-/* Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope. */
+/* Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope. */
 INLINE int may_start(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1891,7 +1894,7 @@ INLINE int may_start(Batch *b, unsigned lane)
     return (c[ONE_WAY][lane] == 0.0) || down_slope;
 }
 
-/* Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change. */
+/* Return whether a mass swings for ever, because almost no force presses on it at its lowest point. */
 INLINE int never_rests(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1902,7 +1905,7 @@ INLINE int never_rests(Batch *b, unsigned lane)
     return (c[FIRST_ONLY][lane] == 1.0) || (carried && !still_changes(b, lane));
 }
 
-/* Nothing moves it now: it waits for another time, or stays. */
+/* Keep the mass at rest, until a force changes or for good. */
 static void stick(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -1921,7 +1924,7 @@ static void stick(Batch *b, unsigned lane)
     }
 }
 
-/* At rest: slip in the present direction, otherwise in the other one if it may, otherwise stick. */
+/* Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick. */
 static void resolve_stick_or_slip(Batch *b, unsigned lane)
 {
     const Job *const job = b->job;
@@ -1948,7 +1951,7 @@ static void resolve_stick_or_slip(Batch *b, unsigned lane)
     face(b, lane, -c[DIRECTION][lane]);
 }
 
-/* A phase begins in motion: its drive is computed anew or carried over, whichever is more accurate. */
+/* Begin a phase in motion with the drive computed anew or continued, whichever is more accurate. */
 static void carry_net_moment(Batch *b, unsigned lane, double net)
 {
     const Job *const job = b->job;
@@ -1962,7 +1965,7 @@ static void carry_net_moment(Batch *b, unsigned lane, double net)
     c[PENDING][lane] = READY;
 }
 
-/* Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them. */
+/* Begin the phase for which the lane waits, from its net moment and normal force. */
 static void resolve_pending(Batch *b, unsigned lane, double net, double force)
 {
     const Job *const job = b->job;
@@ -1992,7 +1995,7 @@ static void resolve_pending(Batch *b, unsigned lane, double net, double force)
     resolve_stick_or_slip(b, lane);
 }
 
-/* Forces have jumped: contact is decided again; if it changes, another phase begins. */
+/* Decide about contact after a jump of forces. If contact changes, another phase begins. */
 static void on_discontinuity(Batch *b, unsigned lane, double force)
 {
     V *const c = b->c;
@@ -2007,7 +2010,7 @@ static void on_discontinuity(Batch *b, unsigned lane, double force)
     }
 }
 
-/* Begin the phases that lanes wait for and decide what follows, until every lane is ready for a step. */
+/* Begin all pending phases, until every lane is ready for a step. */
 static void begin_phases(Batch *b)
 {
     const Job *const job = b->job;
@@ -2038,7 +2041,7 @@ static void begin_phases(Batch *b)
     }
 }
 
-/* A phase begins in the present state, wherever that came from; its prologue follows. */
+/* Begin a phase in the current state. Its prologue follows. */
 static void begin_here(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -2047,7 +2050,7 @@ static void begin_here(Batch *b, unsigned lane)
     begin_pieces(b, lane);
 }
 
-/* Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump. */
+/* Return whether a piece ends before the end time and not at the last break, where the function may jump. */
 INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
@@ -2058,7 +2061,7 @@ INLINE int passes_quietly(Batch *b, unsigned lane, int t, int64_t piece)
     return ends && (break_of(b, lane, t, following) < ((c[END_TIME][lane] * c[job->table[t].cell + SCALE][lane]) * (1.0 - (4.0 * EPS))));
 }
 
-/* A function of time in straight lines where a piece begins. */
+/* Return a piecewise linear function of time at the left end of a piece. */
 INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
@@ -2066,7 +2069,7 @@ INLINE double value_at_break(Batch *b, unsigned lane, int t, int64_t piece)
     return c[job->table[t].cell + SCALED_BY][lane] * constant_of(b, lane, t, piece);
 }
 
-/* The lane is where a piece begins, which it has yet to enter. */
+/* Place the lane at the left end of a piece, which it has not entered yet. */
 static void stand_before(Batch *b, unsigned lane, int t, int64_t piece, double now)
 {
     const Job *const job = b->job;
@@ -2076,7 +2079,7 @@ static void stand_before(Batch *b, unsigned lane, int t, int64_t piece, double n
     c[job->table[t].cell + WAY][lane] = INFINITY;
 }
 
-/* Bound the function of time where sign p, a straight line of it with such terms, keeps some of what it is. */
+/* Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign. */
 INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
 {
     const Job *const job = b->job;
@@ -2092,7 +2095,7 @@ INLINE void keep_quiet(Batch *b, M here, int t, V *p, V sign, V terms)
     c[QUIET_TO] = pick(here, pick(sure, c[QUIET_TO], broadcast(-INFINITY)), c[QUIET_TO]);
 }
 
-/* Between which values of one function of time the mass certainly rests on, the way it faces. */
+/* Find the range of one function of time in which the mass certainly stays at rest in its direction. */
 INLINE void look_for_quiet(Batch *b, M here)
 {
     const Job *const job = b->job;
@@ -2108,7 +2111,7 @@ INLINE void look_for_quiet(Batch *b, M here)
     }
 }
 
-/* Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends. */
+/* Return whether the mass certainly rests through a piece, as both its end values are in the quiet range. */
 INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
 {
     const Job *const job = b->job;
@@ -2118,7 +2121,7 @@ INLINE int rests_on(Batch *b, unsigned lane, int t, int64_t piece)
     return (c[QUIET_FROM][lane] <= value) && (value <= c[QUIET_TO][lane]) && passes_quietly(b, lane, t, piece);
 }
 
-/* Pass the pieces through which the mass certainly rests, up to where the last of them ends. */
+/* Pass the pieces through which the mass certainly rests. */
 static void rest_through(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -2136,8 +2139,8 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it. At the
- * end net moment and normal force are by so much more than where the phase began. */
+/* Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
+ * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
 INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {
     const Job *const job = b->job;
@@ -2150,8 +2153,8 @@ INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, doubl
     return moves && !peaks;
 }
 
-/* Pass the pieces through which the net moment is a straight line of time, and nothing happens. The rates of net
- * moment and normal force are those of the step before. */
+/* Pass the pieces in which the net moment is linear in time and no event occurs. The rates of net moment and
+ * normal force are taken from the preceding step. */
 static void glide(Batch *b, unsigned lane, int t)
 {
     const Job *const job = b->job;
@@ -2191,7 +2194,7 @@ static void glide(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Another phase begins in motion: the lane enters another piece of a table, is lifted or lands. */
+/* Begin another phase in motion: the lane enters another piece of a table, is lifted or lands. */
 static void enter_phase(Batch *b, unsigned lane, double rate)
 {
     const Job *const job = b->job;
@@ -2203,7 +2206,7 @@ static void enter_phase(Batch *b, unsigned lane, double rate)
     c[PENDING][lane] = ENTER_PHASE;
 }
 
-/* The lane comes to its standstill. It does not go on the way it came, whatever its rounding. */
+/* Bring the lane to its standstill, reversed, so that rounding cannot continue its motion. */
 static void on_standstill(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -2216,7 +2219,7 @@ static void on_standstill(Batch *b, unsigned lane)
     c[PENDING][lane] = RESOLVE;
 }
 
-/* Contact with the slip surface is lost or regained. */
+/* Change contact with the slip surface. */
 static void on_contact_change(Batch *b, unsigned lane, double rate)
 {
     V *const c = b->c;
@@ -2231,7 +2234,7 @@ static void on_contact_change(Batch *b, unsigned lane, double rate)
     c[PASSED][lane] = LIFT;
 }
 
-/* An edge of a table of slip, speed or rotation is passed: the lane is set exactly there, in the next piece. */
+/* Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece. */
 static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwards)
 {
     const Job *const job = b->job;
@@ -2257,7 +2260,7 @@ static void on_breakpoint(Batch *b, unsigned lane, int t, double rate, int upwar
     }
 }
 
-/* The end time, or an upright chord, while the lane moves. */
+/* End a moving lane at its end time or with an upright chord. */
 static void end_motion(Batch *b, unsigned lane, double rate, double status)
 {
     V *const c = b->c;
@@ -2268,7 +2271,7 @@ static void end_motion(Batch *b, unsigned lane, double rate, double status)
     update_reach(b, lane);
 }
 
-/* The end time, or a break of a function of time. */
+/* End the lane at its end time, or pass breaks of functions of time. */
 static void on_limit(Batch *b, unsigned lane, double rate)
 {
     const Job *const job = b->job;
@@ -2285,7 +2288,7 @@ static void on_limit(Batch *b, unsigned lane, double rate)
     }
 }
 
-/* What follows the step: an event, a break of a function of time, the end time, or another step. */
+/* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */
 static void settle(Batch *b, unsigned lane, double rate, int at_limit, int endless)
 {
     const Job *const job = b->job;
@@ -2319,7 +2322,8 @@ static void settle(Batch *b, unsigned lane, double rate, int at_limit, int endle
     }
 }
 
-/* An event at some time, infinite without one: each is searched in what the ones before leave of the step. */
+/* Shorten the step to an event at a time, infinite without an event. Each event is searched in the step that
+ * earlier events leave. */
 INLINE void consider(Batch *b, M here, V at, int event)
 {
     V *const c = b->c;
@@ -2327,7 +2331,8 @@ INLINE void consider(Batch *b, M here, V at, int event)
     c[STEP] = pick(here, minimum(at, c[STEP]), c[STEP]);
 }
 
-/* When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding. */
+/* Find the time at which the speed becomes zero. It is immediate if the drive from rest points backwards or is
+ * rounding. */
 static void find_standstill(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
@@ -2351,7 +2356,7 @@ static void find_standstill(Batch *b, M here, int top)
     }
 }
 
-/* When sign p + constant falls through zero, except where the phase began with this event. */
+/* Find the time at which sign p + constant falls through zero, unless the phase began with this event. */
 static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M passed, int event)
 {
     V *const c = b->c;
@@ -2363,7 +2368,7 @@ static void find_crossing(Batch *b, M here, V *p, int n, V sign, V constant, M p
     }
 }
 
-/* When an edge of a table's piece is passed. */
+/* Find the time at which an edge of a table's piece is passed. */
 static void find_edges(Batch *b, M here, int t, int top)
 {
     const Job *const job = b->job;
@@ -2380,9 +2385,9 @@ static void find_edges(Batch *b, M here, int t, int top)
     find_crossing(b, here, b->r + job->role->x, top, broadcast(-1.0), upper, (M){0}, event);
 }
 
-/* The first event of the step; of equal times the event that is searched last. Water over a mass may change faster
- * than its motion, for which the step was chosen: the normal force is a function of the position until the first
- * other event only, and may pass zero twice beyond it. */
+/* Find the first event of the step. Of simultaneous events the last one in the order of the search is used. Water
+ * over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
+ * only until the first other event, beyond which it may pass zero twice. */
 static void find_events(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
@@ -2409,8 +2414,8 @@ static void find_events(Batch *b, M here, int top)
     }
 }
 
-/* Record a candidate for the greatest speed, in the present step, where it exceeds the record. Where the record is
- * not where the step began, it has to do so by more than rounding. */
+/* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
+ * the beginning of the step, the difference must exceed rounding. */
 INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
 {
     V *const c = b->c;
@@ -2424,8 +2429,8 @@ INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
     }
 }
 
-/* A fraction of the least radius of convergence of the states, or all of the room where series end early. The
- * rotation's is that of its rate, the angular velocity. */
+/* Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early. The radius
+ * of the rotation equals the radius of the angular velocity. */
 INLINE void choose_step(Batch *b, M here, V room, int top)
 {
     const Job *const job = b->job;
@@ -2454,8 +2459,8 @@ INLINE void advance_states(Batch *b, M here, int top)
     }
 }
 
-/* Whether a motion goes on for ever. Where its rate depends on the speed alone, and hardly changes it, the rate
- * never falls below zero again. */
+/* Return whether a motion continues for ever. If the rate depends on the speed alone and hardly changes it, the
+ * rate never becomes negative again. */
 INLINE M is_endless(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
@@ -2483,7 +2488,7 @@ static void keep_peak(Batch *b, M here, int top, V rate, V slope)
     }
 }
 
-/* One step of lanes that move. */
+/* Make one step of moving lanes. */
 static void make_step(Batch *b, M here)
 {
     const Job *const job = b->job;
@@ -2520,7 +2525,7 @@ static void make_step(Batch *b, M here)
     }
 }
 
-/* When contact is lost or regained, within the time ahead that is known. */
+/* Find the time at which contact is lost or regained, within the known time ahead. */
 static void look_for_lift_off(Batch *b, M here, int top)
 {
     const Job *const job = b->job;
@@ -2538,9 +2543,9 @@ static void look_for_lift_off(Batch *b, M here, int top)
     }
 }
 
-/* What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already. The
- * net moment at rest is a series of time alone. At its root slip begins, with no drive at all; immediately, if it
- * is zero and rises, or has jumped above it. */
+/* Find the next change of a mass at rest in its direction, if it precedes the changes that are known already. The
+ * net moment at rest is a series of time alone. Slip begins at its root, where the drive is zero, or immediately
+ * if the net moment is zero and rises, or has jumped above zero. */
 static void look_ahead(Batch *b, M here, V room)
 {
     const Job *const job = b->job;
@@ -2570,7 +2575,7 @@ static void look_ahead(Batch *b, M here, V room)
     }
 }
 
-/* Face the other way at rest. */
+/* Reverse the direction at rest. */
 static void turn_back(Batch *b, unsigned lane)
 {
     V *const c = b->c;
@@ -2578,7 +2583,7 @@ static void turn_back(Batch *b, unsigned lane)
     c[PENDING][lane] = BEGIN_PHASE;
 }
 
-/* To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet. */
+/* Advance to the first change: start of slip, change of contact, break or end. */
 static void leave_rest(Batch *b, unsigned lane, double limit, double room)
 {
     const Job *const job = b->job;
@@ -2625,7 +2630,7 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     }
 }
 
-/* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. */
+/* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
 static void rest_on(Batch *b, M here)
 {
     const Job *const job = b->job;
@@ -2661,7 +2666,7 @@ static void rest_on(Batch *b, M here)
     }
 }
 
-/* Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow. */
+/* Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow. */
 INLINE void stop_endless(Batch *b, M here)
 {
     const Job *const job = b->job;
@@ -2677,8 +2682,8 @@ INLINE void stop_endless(Batch *b, M here)
     c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
 }
 
-/* One step of the moving or of the resting lanes, of those that are more: along their series, or to the next
- * break. It costs the same for any number of lanes: the others wait until more of them take it together. */
+/* Make one step of the moving lanes or of the lanes at rest, whichever are more. The cost does not depend on the
+ * number of lanes, so that the other lanes wait until they are the majority. */
 static void advance(Batch *b, M here)
 {
     V *const c = b->c;

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 50cae483f3aaa131736e228cf6a6943fe58f1670b83ec5e4185bff15d3ea6e2d
-"""Effects and friction laws that a scene may ask for."""
+# sha256 of the text below: 79afba2e67f625127fe3ec307672379c098a1f9cace126b79d90efddc7905ecd
+"""Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """Parameter of an effect or a law: SI unit, open bounds, key in scene files, and symbol in the balance."""
 
     name: str
     unit: str
@@ -29,7 +29,7 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """A friction law: source, parameters, what it depends on, help."""
+    """Friction law: source, parameters, variables on which it depends, and help."""
 
     name: str
     source: str
@@ -40,7 +40,7 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: source, parameters, what it depends on, help, whether the mass turns.
+    """Term of the equation of motion: source, parameters, variables on which it depends, help, and rotation.
 
     At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
     """
@@ -57,7 +57,7 @@ class Effect:
 
 LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-13, 1e+20), 's': (1e-12, 1e+18), 'm/s': (1e-18, 300000000.0),
     'm/s^2': (1e-13, 1000000000000000.0), 'N/m^3': (0.001, 1000000000.0), 'Pa': (1e-09, 1000000000000000.0),
-    'Pa s': (1e-12, 1e+20), 'Pa/K': (1e-09, 1000000000000000.0), 'J/m^3 K': (0.001,
+    'Pa/m': (1e-09, 1000000000000.0), 'Pa s': (1e-12, 1e+20), 'Pa/K': (1e-09, 1000000000000000.0), 'J/m^3 K': (0.001,
     1000000000000000.0)}  # between which what has a unit lies
 LEAST = {'N/m^3': 1000.0, 'Pa': 50.0}  # less is questioned, but for 0
 USUAL = {'N/m^3': (5000.0, 100000.0), 'Pa': (50.0, 100000000.0)}  # ranges that soils have
@@ -205,8 +205,19 @@ EFFECTS = {
         Parameter('cohesion', 'Pa', -5e-324, 1000000000000000.0, 'shear strength without normal stress', 'cohesion_kPa',
             1000.0, 'cohesion', lambda value, scales: scales['strength_factor']*value/scales['reference_stress'], False,
             'number'),
-    ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance',
-        'cohesion* = cohesion strength_factor/sigma_ref')),
+        Parameter('gradient', 'Pa/m', -5e-324, 1000000000000.0,
+            'growth of the cohesion per metre below datum_m, by default 0', 'cohesion_per_m_kPa', 1000.0, '',
+            lambda value, scales: value, True, 'number'),
+        Parameter('datum', 'm', -1e+20, 1e+20,
+            'y below which the cohesion grows, by default the ground before the slide', 'datum_m', 1.0, '',
+            lambda value, scales: value, True, 'fixed'),
+        Parameter('depth', 'm', -5e-324, INFINITY,
+            'mean depth of the slip surface below this height, or below the ground', '', 1.0, 'growing_cohesion',
+            lambda value, scales: scales['gradient']*scales['strength_factor']*value/scales['reference_stress'], True,
+            'rotation'),
+    ), (), 'the slip surface has strength without normal stress', False, (),
+        ('adds lambda (cohesion* + growing_cohesion*) to resistance', 'cohesion* = cohesion strength_factor/sigma_ref',
+        'growing_cohesion* = depth gradient strength_factor/sigma_ref')),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
             lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
@@ -350,6 +361,11 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
     'softening_cohesion': Effect('softening_cohesion', '3.11', (
         Parameter('moment', '', -INFINITY, INFINITY, 'moment of 1 Pa', '', 1.0, 'soft_share', lambda value,
             scales: scales['strength_factor']*value, True, 'rotation'),
+        Parameter('gradient', '', -INFINITY, INFINITY, 'moment of the growth of 1 Pa per metre', '', 1.0, '',
+            lambda value, scales: value, True, 'number'),
+        Parameter('depth', '', -INFINITY, INFINITY, 'mean depth, m', '', 1.0, 'soft_depth', lambda value,
+            scales: scales['gradient']*scales['strength_factor']*value, True, 'rotation'),
     ), (), 'strength without normal stress changes with slip', False, (),
-        ('adds Theta cohesion_law soft_share* to resistance', 'soft_share* = moment strength_factor')),
+        ('adds Theta cohesion_law (soft_depth* + soft_share*) to resistance', 'soft_share* = moment strength_factor',
+        'soft_depth* = depth gradient strength_factor')),
 }

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8a07d1ed32978c2d3e018fbadf18ec08eb67b3b63d89970b6a02f5478be4c0cd
-"""The balance of momentum, as fragments of flow programs: what each effect and each law adds, as operations.
+# sha256 of the text below: bb87e2a83a0e87066e0768b42f34101532d10956988718d3013960aa2daa9850
+"""Balance of momentum as fragments of flow programs: operations of each effect and of each law.
 
 In dimensionless numbers, time t sqrt(g/R), angular velocity omega sqrt(R/g), stresses over sigma_ref. `BALANCE` is the
 equation of motion, `TERMS` what each effect and each law adds to it.
@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 
 
 class Fragment(NamedTuple):
-    """Operations on numbers where a phase begins, operations on series, and what they add.
+    """Operations on numbers at the start of a phase, operations on series, and their contributions to the balance.
 
-    ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
-    omitted. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
-    rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
+    ``adds`` contains for each quantity of the balance its base, the size of the base's terms, and its increment as a
+    sum of (number, series). ``inputs`` are the dimensionless numbers of a scene; ``optional`` inputs may be omitted.
+    ``states`` are series with the series of their rates. Each of ``tables`` consists of its name, its variable (slip,
+    speed, rotation or time), the series of its argument (for time its own series), and the degree of its pieces.
     """
 
     inputs: tuple[str, ...]
@@ -199,15 +199,25 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=('cohesion',),
         optional=(),
         scalar=(
-            ('mul', 'cohesion.resisting', 'cohesion', 'resistance_factor'),
-            ('abs', 'cohesion.resisting_size', 'cohesion.resisting'),
+            ('mul', 'cohesion.t3', 'cohesion', 'resistance_factor'),
+            ('mul', 'cohesion.t4', 'growing_cohesion', 'resistance_factor'),
+            ('add', 'cohesion.resisting', 'cohesion.t3', 'cohesion.t4'),
+            ('abs', 'cohesion.t6', 'cohesion.t3'),
+            ('abs', 'cohesion.t7', 'cohesion.t4'),
+            ('add', 'cohesion.resisting_size', 'cohesion.t6', 'cohesion.t7'),
         ),
-        series=(),
+        series=(
+            ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
+            ('lin', 'dgrowing_cohesion', '', (('growing_cohesion.Q1', 'x'), ('growing_cohesion.Q2', 'x^2'),
+                ('growing_cohesion.Q3', 'x^3'), ('growing_cohesion.Q4', 'x^4'), ('growing_cohesion.Q5', 'x^5'),
+                ('growing_cohesion.Q6', 'x^6'), ('growing_cohesion.Q7', 'x^7'))),
+        ),
         adds={
-            'resisting': ('cohesion.resisting', 'cohesion.resisting_size', ()),
+            'resisting': ('cohesion.resisting', 'cohesion.resisting_size', (('resistance_factor',
+                'dgrowing_cohesion'),)),
         },
         states=(),
-        tables=(),
+        tables=(('growing_cohesion', 'rotation', 'x', 7),),
     ),
     'drag': Fragment(
         inputs=('drag',),
@@ -664,22 +674,32 @@ FRAGMENTS: dict[str, Fragment] = {
         inputs=(),
         optional=(),
         scalar=(
-            ('mul', 'softening_cohesion.resisting', 'cohesion_law_0', 'soft_share'),
-            ('abs', 'softening_cohesion.resisting_size', 'softening_cohesion.resisting'),
+            ('mul', 'softening_cohesion.t3', 'cohesion_law_0', 'soft_depth'),
+            ('mul', 'softening_cohesion.t4', 'cohesion_law_0', 'soft_share'),
+            ('add', 'softening_cohesion.resisting', 'softening_cohesion.t3', 'softening_cohesion.t4'),
+            ('abs', 'softening_cohesion.t6', 'softening_cohesion.t3'),
+            ('abs', 'softening_cohesion.t7', 'softening_cohesion.t4'),
+            ('add', 'softening_cohesion.resisting_size', 'softening_cohesion.t6', 'softening_cohesion.t7'),
+            ('add', 'softening_cohesion.2', 'soft_depth', 'soft_share'),
         ),
         series=(
             ('powers', 'x^2', 'x^3', 'x^4', 'x^5', 'x^6', 'x^7', 'x'),
             ('lin', 'dsoft_share', '', (('soft_share.Q1', 'x'), ('soft_share.Q2', 'x^2'), ('soft_share.Q3', 'x^3'),
                 ('soft_share.Q4', 'x^4'), ('soft_share.Q5', 'x^5'), ('soft_share.Q6', 'x^6'), ('soft_share.Q7',
                 'x^7'))),
+            ('lin', 'dsoft_depth', '', (('soft_depth.Q1', 'x'), ('soft_depth.Q2', 'x^2'), ('soft_depth.Q3', 'x^3'),
+                ('soft_depth.Q4', 'x^4'), ('soft_depth.Q5', 'x^5'), ('soft_depth.Q6', 'x^6'), ('soft_depth.Q7',
+                'x^7'))),
+            ('mul', 'dcohesion_law*dsoft_depth', 'dcohesion_law', 'dsoft_depth'),
             ('mul', 'dcohesion_law*dsoft_share', 'dcohesion_law', 'dsoft_share'),
         ),
         adds={
-            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('soft_share',
-                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoft_share'), ('cohesion_law_0', 'dsoft_share'))),
+            'resisting': ('softening_cohesion.resisting', 'softening_cohesion.resisting_size', (('softening_cohesion.2',
+                'dcohesion_law'), ('=1.0', 'dcohesion_law*dsoft_depth'), ('=1.0', 'dcohesion_law*dsoft_share'),
+                ('cohesion_law_0', 'dsoft_depth'), ('cohesion_law_0', 'dsoft_share'))),
         },
         states=(),
-        tables=(('soft_share', 'rotation', 'x', 7),),
+        tables=(('soft_share', 'rotation', 'x', 7), ('soft_depth', 'rotation', 'x', 7)),
     ),
     'constant': Fragment(
         inputs=('constant.coefficient',),
@@ -1005,7 +1025,7 @@ RESULTS = {'powers': 6, 'turn': 2, 'exp': 2, 'rec': 2, 'pow': 2}  # of operation
 # The equation of motion: quantity, formula and LaTeX.
 BALANCE = ('Theta domega/dt', 'M - s (T + lambda mu max(0, sigma - u))',
     'M - s \\left(T + \\lambda \\mu \\max\\left(0, \\sigma - u\\right)\\right)')
-# Its quantities: what they are, and their LaTeX.
+# Its quantities: meaning and LaTeX.
 EQUATION_QUANTITIES = {
     'M': ('moment that drives', 'M'),
     'sigma': ('mean normal stress on the slip surface, over sigma_ref', '\\sigma'),
@@ -1013,7 +1033,7 @@ EQUATION_QUANTITIES = {
     'mu': ('friction coefficient', '\\mu'),
     'T': ('moment that resists beside friction', 'T'),
 }
-# Its numbers that every scene has.
+# Its numbers in every scene.
 COEFFICIENTS = {
     'Theta': 'moment of inertia (3.12)',
     'lambda': 'resistance factor (3.14)',
@@ -1024,7 +1044,7 @@ COEFFICIENTS = {
     "J_r0'": 'derivative of J_r by the dip, at the start',
     'sigma_ref': 'reference stress (2.13), Pa',
 }
-# What gravity, each effect and each law add to it.
+# Terms of gravity, of each effect and of each law.
 TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'gravity': (('M', 'J_theta', 'J_\\theta'), ('sigma', 'J_r/lambda', '\\frac{J_{r}}{\\lambda}')),
     'frozen': (('J_theta', 'J_theta0', 'J_{\\theta 0}'), ('J_r', 'J_r0', 'J_{r0}'), ("J_theta'", "J_theta0'",
@@ -1040,7 +1060,8 @@ TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'centripetal': (('sigma', 'A omega^2', 'A \\omega^{2}'),),
     'pore_pressure': (('M', '-Theta standing_water', '- \\Theta standing_{water}'), ('u', 'pore_pressure', 'p'), ('u',
         'water', 'w'), ('u', 'J_r pore_ratio/lambda', '\\frac{J_{r} r_u}{\\lambda}')),
-    'cohesion': (('T', 'cohesion lambda', 'c \\lambda'),),
+    'cohesion': (('T', 'cohesion lambda', 'c \\lambda'), ('T', 'growing_cohesion lambda',
+        'growing_{cohesion} \\lambda')),
     'drag': (('T', 'Theta drag omega^2', '\\Theta d \\omega^{2}'),),
     'viscosity': (('T', 'Theta omega viscosity', '\\Theta \\omega e'),),
     'shaking': (('M', '-J_theta k_v', '- J_\\theta k_{v}'), ('M', "J_theta' k_h", "J_\\theta' k_{h}"), ('sigma',
@@ -1062,7 +1083,7 @@ TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'prescribed': (('mu', 'mu(time)', '\\mu(\\mathrm{time})'),),
     'callable': (('mu', 'mu(slip)', '\\mu(\\mathrm{slip})'),),
 }
-# The same where several soils lie along the slip surface.
+# The same for several soils along the slip surface.
 SOIL_BALANCE = ('Theta domega/dt', 'M - s (T + lambda max(0, sum l_i mu_i (sigma_i - u_i)))',
     'M - s \\left(T + \\lambda \\max\\left(0, \\sum_i l_i \\mu_i \\left(\\sigma_i - u_i\\right)\\right)\\right)')
 SOIL_QUANTITIES = {
@@ -1096,7 +1117,8 @@ SOIL_TERMS: dict[str, tuple[tuple[str, str, str], ...]] = {
     'centripetal': (('sigma_i', 'A_i omega^2', 'A_{i} \\omega^{2}'),),
     'pore_pressure': (('M', '-Theta standing_water', '- \\Theta standing_{water}'), ('u_i', 'pore_pressure', 'p'),
         ('u_i', 'water', 'w'), ('u_i', 'J_ri pore_ratio/(l_i lambda)', '\\frac{J_{r,i} r_u}{l_{i} \\lambda}')),
-    'cohesion': (('T', 'cohesion l_i lambda', 'c l_{i} \\lambda'),),
+    'cohesion': (('T', 'cohesion l_i lambda', 'c l_{i} \\lambda'), ('T', 'growing_cohesion l_i lambda',
+        'growing_{cohesion} l_{i} \\lambda')),
     'drag': (('T', 'Theta drag omega^2', '\\Theta d \\omega^{2}'),),
     'viscosity': (('T', 'Theta omega viscosity', '\\Theta \\omega e'),),
     'shaking': (('M', '-J_theta k_v', '- J_\\theta k_{v}'), ('M', "J_theta' k_h", "J_\\theta' k_{h}"), ('sigma_i',

@@ -1,21 +1,21 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: de50f4f92bf97965a93abb51a5598ddea755bc139bf0b3a8b697a5fc88954e3f
-"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
+# sha256 of the text below: dd51344d7242e22ff467835efcf352748d05666f8cd423359579a05741c27a66
+"""Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
 TIME = 0  # t* at the start of the next step
 ROTATION = 1  # rotation where the phase began, signed
 SLIP = 2  # slip over the radius where the phase began
-DIRECTION = 3  # of travel, 1 or -1; 0 at rest
-LIFTED = 4  # 1 where nothing presses on the slip surface, else 0
-STATUS = 5  # what the lane is doing
+DIRECTION = 3  # direction of travel, 1 or -1; 0 at rest
+LIFTED = 4  # 1 if contact with the slip surface is lost, else 0
+STATUS = 5  # state of the lane
 STEPS = 6  # steps since the last rest or break
 PHASES = 7  # phases ended
-ORDER = 8  # of its series
+ORDER = 8  # order of its series
 FACTOR = 9  # length of a step over the radius of convergence
-END_TIME = 10  # t* at which it ends at the latest
-ONE_WAY = 11  # 1 where shaking may start it down-slope only
-FIRST_ONLY = 12  # 1 where the first standstill ends it
+END_TIME = 10  # latest end, t*
+ONE_WAY = 11  # 1 if shaking may start it down-slope only
+FIRST_ONLY = 12  # 1 if the first standstill ends it
 LIMIT = 13  # limit friction of weight alone at the start
 PEAK_TIME = 14  # t* of the greatest speed
 PEAK_ROTATION = 15  # rotation then, signed
@@ -28,22 +28,22 @@ END_OMEGA = 21  # omega* then, signed
 END_RATE = 22  # d omega*/dt* then, signed
 CLOSE = 23  # least margin of a decision at rest, over its terms
 LIFT_TIME = 24  # t* of the first lift-off
-PASSED = 25  # what the phase began by passing
-REST_SINCE = 26  # t* of the standstill that it rests from
-TURNS = 27  # phases that began against the one before
+PASSED = 25  # event at which the phase began
+REST_SINCE = 26  # t* of the standstill since which it rests
+TURNS = 27  # phases against the direction of the preceding phase
 LAST_WAY = 28  # direction of the last phase
 NEGLIGIBLE = 29  # last terms of the series of a step that is cut short, over the largest
 X = 30  # rotation since the phase began, in the direction of travel
 OMEGA = 31  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
-PENDING = -17  # what it waits for before its next step
-FACED = -16  # directions in which it was looked at since it stands
-SUDDEN = -15  # 1 where slip begins as forces have jumped, else 0
+PENDING = -17  # action required before its next step
+FACED = -16  # directions checked since its standstill
+SUDDEN = -15  # 1 if slip begins at a jump of forces, else 0
 RATE_BEFORE = -14  # d omega*/dt* where the phase before ended
 DRIVE_BEFORE = -13  # the drive of that phase
 SCALE_BEFORE = -12  # the size of the terms of that drive
-SERIES_ORDER = -11  # of the series of this step
+SERIES_ORDER = -11  # order of the series of this step
 LARGEST_X = -10  # largest term of the series of x so far, at rest of the net moment
 LARGEST_OMEGA = -9  # the same of omega
 STEP = -8  # length of this step, up to its first event
@@ -52,20 +52,20 @@ STRETCH = -6  # at rest, the time ahead that is known
 START_AHEAD = -5  # time until slip begins
 START_DIRECTION = -4  # of that slip
 LIFT_AHEAD = -3  # time until contact is lost or regained
-QUIET_FROM = -2  # the least value of the function of time at which it certainly rests on
-QUIET_TO = -1  # the greatest
+QUIET_FROM = -2  # least value of the function of time at which it certainly stays at rest
+QUIET_TO = -1  # greatest such value
 
 # Cells of a table.
 PIECE = 0  # number of its piece
-VALUE = 1  # where the phase began
-INC = 2  # of a function of time, its increment since
-UPPER = 3  # where the piece ends
-LOWER = 4  # where it begins, of a function of speed
+VALUE = 1  # value where the phase began
+INC = 2  # increment of a function of time since
+UPPER = 3  # end of the piece
+LOWER = 4  # beginning of the piece of a function of speed
 SCALE = 5  # its argument over that of the program
-SCALED_BY = 6  # what its values are multiplied by
-WAY = 7  # of a function of time, the rounding of its increment, over an eps: what it went up and down
-RISE = 8  # of a straight line of time, its rate
-Q1 = 9  # first of its coefficients beyond the value
+SCALED_BY = 6  # factor of its values
+WAY = 7  # path of a function of time, to which the rounding of its increment is proportional
+RISE = 8  # rate of a linear function of time
+Q1 = 9  # first coefficient after the value
 
 # Arguments of tables.
 OF_SLIP = 0  # a function of slip
@@ -73,26 +73,26 @@ OF_SPEED = 1  # a function of speed
 OF_TIME = 2  # a function of time
 OF_ROTATION = 3  # a function of rotation
 
-# What a lane is doing.
+# State of a lane.
 START = 0  # not begun
 MOVING = 1  # moving
 RESTING = 2  # at rest, and may start again
 ARRESTED = 3  # at rest for good
 PAUSED = 4  # at rest at its end time, beyond which something still changes
 ENDED = 5  # at its end time
-STOPPED = 6  # at its first standstill, which ends what nothing brings to rest
-UPRIGHT = 7  # the chord stands upright
-TOO_LONG = 8  # more steps or turns than are made
+STOPPED = 6  # at its first standstill, as nothing brings it to rest
+UPRIGHT = 7  # the chord is upright
+TOO_LONG = 8  # too many steps or turns
 FAILED = 9  # overflow
-NEED = 10  # a table of a Python function has to be extended
+NEED = 10  # a table of a Python function must be extended
 
-# What its phase began by passing.
+# Event at which its phase began.
 NOTHING = 0  # its events have no root at the start
 LIFT = 1  # lifted or landed
 FASTER = 2  # into the next piece of a function of speed
 SLOWER = 3  # into the one before
 
-# What it waits for before its next step.
+# Action required before its next step.
 READY = 0  # nothing
 START_MOVING = 1  # to begin with a velocity
 RESOLVE = 2  # whether it sticks or slips
@@ -108,7 +108,7 @@ EVENT_LIFT_OFF = 1  # the normal force on the slip surface changes its sign: lif
 EVENT_CHORD_UPRIGHT = 2  # the chord stands upright
 EVENT_BREAKPOINT = 3  # the upper edge of the first table's piece; then its lower edge, and those of the next tables
 
-# What is noted of the first lane.
+# Logged events of the first lane.
 NOTE_BEGINS = 1  # a phase
 NOTE_STANDS = 2  # still
 NOTE_LIFTS = 3  # off

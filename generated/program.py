@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4d2c10c36a0822fd6806f928490a28c6bc1d3f55f6289d09b134f9f2450c9c98
-"""The linker: programs of scenes from the fragments of their effects and laws."""
+# sha256 of the text below: 0aaac3ae0d67018c49329b5afe4796dac2a7da416f06cd10670de7f211fc8713
+"""Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,22 +12,22 @@ from generated.flow import INPUTS, QUANTITIES, RESULTS, Fragment
 from generated.layout import CELLS, TABLE
 
 Names = tuple[str, ...]
-OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
+OnCells = tuple[str, ...]  # kind of an operation on cells, and its arguments
 ZERO, ONE = "=0.0", "=1.0"
 OF_SOIL = "#"  # before the number of a soil, in the names of its laws, effects, cells and registers
-OF_COHESION = "#c"  # before that of a soil whose cohesion changes with slip
+OF_COHESION = "#c"  # before the number of a soil whose cohesion changes with slip
 Lookup = Callable[[str, bool], Sequence[Fragment]]  # fragments of an effect or a law, and whether the mass turns
 
 
 class Recipe(NamedTuple):
-    """The input of the linker: effects and laws by name, as in `generated.effects`, and kinds of parameters.
+    """Input of the linker: effects and laws by name, as in `generated.effects`, and kinds of parameters.
 
     Attributes
     ----------
     effects : tuple of str
     laws : tuple of str
-        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it,
-        and the laws of cohesion, ``linear#c``.
+        The friction law, "callable", or the laws of soils, ``linear#0``, followed by the law of speed that multiplies
+        it, and the laws of cohesion, ``linear#c``.
     moving : tuple of str
         Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
@@ -41,12 +41,12 @@ class Recipe(NamedTuple):
 
     @property
     def of_friction(self) -> Names:
-        """Its laws without those of cohesion."""
+        """Laws without the laws of cohesion."""
         return tuple(law for law in self.laws if OF_COHESION not in law)
 
 
 class OnSeries(NamedTuple):
-    """An operation on series: its kind, its registers and its cells, and the table of a ramp.
+    """Operation on series: its kind, its registers and cells, and the table of a ramp.
 
     The cells of a sum are its constant and the factor of each register.
     """
@@ -57,11 +57,11 @@ class OnSeries(NamedTuple):
     table: str = ""
 
 
-Computed = tuple[OnSeries, Names]  # with its results
+Computed = tuple[OnSeries, Names]  # operation and its results
 
 
 class DeclaredTable(NamedTuple):
-    """A piecewise function: its name, its variable, the register of its argument, and the degree of its pieces."""
+    """Piecewise function: its name, its variable, the register of its argument, and the degree of its pieces."""
 
     name: str
     kind: str
@@ -70,19 +70,19 @@ class DeclaredTable(NamedTuple):
 
     @property
     def coefficients(self) -> list[str]:
-        """The cells of a piece's coefficients beyond its value."""
+        """Cells of a piece's coefficients other than its value."""
         return [f"{self.name}.Q{k + 1}" for k in range(self.degree)]
 
     @property
     def cells(self) -> list[str]:
-        """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
+        """Cells of the table in order. Q1, the last of `TABLE`, is the first coefficient."""
         *before, _ = TABLE
         return [*(f"{self.name}.{cell}" for cell in before), *self.coefficients]
 
 
 @dataclass
 class Definitions:
-    """Definitions by name: cells are numbers where a phase begins, registers are series in time since then.
+    """Definitions by name. Cells are numbers at the beginning of a phase, registers series in time since then.
 
     Attributes
     ----------
@@ -91,7 +91,7 @@ class Definitions:
     inputs : list of str
         Cells that are set from a scene.
     states : dict of str
-        Registers of the states, with those of their rates.
+        Registers of the states, with the registers of their rates.
     tables : list of DeclaredTable
     addends : dict of list
         Addends of each quantity of the balance: base, size, and terms of the increment.
@@ -106,12 +106,12 @@ class Definitions:
 
     @property
     def moving(self) -> list[str]:
-        """Cells that change from phase to phase: those of states and of the pieces of tables."""
+        """Cells that change from phase to phase, of states and of the pieces of tables."""
         return [*self.states, *(cell for table in self.tables for cell in table.cells)]
 
 
 def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
-    """Collect the definitions of a recipe's effects and laws, and of ``further`` fragments."""
+    """Return the definitions of a recipe's effects and laws, and of ``further`` fragments."""
     effects, _, moving, absent = recipe
     made = Definitions()
     slip_factor = _include_laws(made, recipe, fragments)
@@ -123,7 +123,7 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))
     for quantity in dict.fromkeys((*QUANTITIES, "mu", *made.addends)):
         _define_quantity(made, quantity)
-    if slip_factor == "mu":  # without a law of speed the factor that depends on slip is the coefficient
+    if slip_factor == "mu":  # without a law of speed the coefficient itself depends on slip
         made.cells["slip_mu_0"] = ("set", "mu_0")
         made.series["dslip_mu"] = (OnSeries("lin", ("dmu",), (ZERO, ONE)), ("dslip_mu",))
     given = dict.fromkeys(made.inputs)
@@ -133,9 +133,10 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
 
 
 def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
-    """Include all laws; return the name of the quantity to which laws of slip add.
+    """Include all laws, and return the name of the quantity to which laws of slip add.
 
-    It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
+    This quantity is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over
+    soils.
     """
     of_soils = [law for law in recipe.of_friction if OF_SOIL in law]
     shared = [law for law in recipe.of_friction if law not in of_soils]
@@ -145,7 +146,7 @@ def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
         _include(made, fragments("product", False)[0])
     if of_soils:
         _include(made, fragments("soils", False)[0])
-    for law in recipe.laws:  # those of soils and of cohesion add to quantities of their own
+    for law in recipe.laws:  # laws of soils and of cohesion add to separate quantities
         quantity = factors[-1] if law in shared[-1:] else factors[0]
         for fragment in fragments(law, False):
             tables = [name for name, *_ in fragment.tables]
@@ -169,7 +170,7 @@ def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = ()
         table = DeclaredTable(*declared)
         if table.name in moving:
             made.tables.append(table)
-        else:  # one number in place of a function, or absent
+        else:  # a number instead of a function, or absent
             made.inputs.append(table.name)
             made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
 
@@ -183,12 +184,12 @@ def _on_series(kind: Any, *names: Any) -> Computed:
         cells = [cell for cell, _ in terms]
         registers = tuple(register for _, register in terms)
         return OnSeries(kind, registers, (constant or ZERO, *cells)), results
-    taken = len(arguments) - (kind == "pow")  # whose exponent is a cell
+    taken = len(arguments) - (kind == "pow")  # the exponent is a cell
     return OnSeries(kind, arguments[:taken], arguments[taken:]), results
 
 
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """Define each parameter that changes with time: its value where the phase begins, and its increment, a ramp."""
+    """Define each parameter that changes with time by its initial value and its increment, a ramp."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
@@ -200,7 +201,7 @@ def _define_functions_of_time(made: Definitions, moving: Names) -> None:
 
 
 def _define_quantity(made: Definitions, quantity: str) -> None:
-    """Sum what fragments add to a quantity: value where the phase begins, size of its terms, and increment."""
+    """Define a quantity as a sum over fragments: initial value, size of its terms, and increment."""
     addends = made.addends.get(quantity, [])
     _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
     _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
@@ -210,7 +211,7 @@ def _define_quantity(made: Definitions, quantity: str) -> None:
 
 
 def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
-    """Define a cell as the sum of others, added in their order."""
+    """Define a cell as the sum of other cells, added in order."""
     total = ZERO
     for k, addend in enumerate(addends):
         part = f"{name}.{k}"
@@ -220,9 +221,9 @@ def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
 
 
 def _departed(made: Definitions) -> OnCells:
-    """Define the cell that is zero as long as the arguments of the limit friction have their initial values.
+    """Return the definition of a cell that is zero while the arguments of the limit friction have their initial values.
 
-    It is the time, the slip or the rotation, whichever suffices.
+    The cell is the time, the slip or the rotation, whichever suffices.
     """
     taken = dict.fromkeys(("driving_0", "resisting_0", "normal_0"))
     pending = list(taken)
@@ -237,7 +238,7 @@ def _departed(made: Definitions) -> OnCells:
     return ("abs", "ROTATION") if "ROTATION" in taken else ("set", ZERO)
 
 
-EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and a chord that stands upright
+EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
     "cell_drive": "drive",
@@ -254,17 +255,17 @@ OUTPUT_CELLS = {
 
 
 class Linked(NamedTuple):
-    """The operations that a program needs, in order, with their results, and where it has what is read."""
+    """Operations of a program in order, with their results, and the names of the required registers and cells."""
 
     scalar: list[tuple[OnCells, Names]]
     series: list[tuple[OnSeries, Names]]
-    registers: Mapping[str, str | None]  # of what is read, by name; None for an event that never happens
+    registers: Mapping[str, str | None]  # required registers by name; None for an event that never happens
     outputs: Mapping[str, str]  # cells by role
     constants: list[str]
 
 
 def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
-    """The operations that compute what the integrator reads, and further registers, from cells that are given."""
+    """Return the operations that compute the integrator's input, and further registers, from given cells."""
     arguments = [table.argument for table in definitions.tables]
     read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
     linker = Linker(definitions, given)
@@ -273,7 +274,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     for name in registers:
         if name in EVENTS and name not in asked:
             registers[name] = linker.event(registers[name])
-        elif registers[name] is None:  # it is read, although it is zero
+        elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
     pending = {*definitions.states, *registers.values(), *outputs.values()}
@@ -284,7 +285,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
 
 
 def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:
-    """The operations on which results depend that are pending, in order; what these take is pending, too."""
+    """Return the operations on which pending results depend, in order. Their operands become pending, too."""
     selected = []
     for operation, results in reversed(operations.items()):
         if not pending.isdisjoint(results):
@@ -295,7 +296,7 @@ def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tupl
 
 
 class Linker:
-    """Finds the operations that compute cells and registers.
+    """Collector of the operations that compute cells and registers.
 
     Attributes
     ----------
@@ -307,15 +308,15 @@ class Linker:
         self.scalar: dict[OnCells, Names] = {}
         self.series: dict[OnSeries, Names] = {}
         self._definitions = definitions
-        self._shared: set[str] = set()  # registers that more than sums take
-        # The names under which they are computed; None for a register that is zero.
+        self._shared: set[str] = set()  # registers used by operations other than sums
+        # Names under which cells and registers are computed; None for a register that is zero.
         self._cells = {name: name for name in given}
         self._registers: dict[str, str | None] = {name: name for name in definitions.states}
 
     # --- cells -------------------------------------------------------------------------------------------------------
 
     def cell(self, name: str) -> str:
-        """The cell that a name stands for, computed if necessary."""
+        """Return the cell for a name, computed if necessary."""
         if name.startswith("="):
             return name
         if name not in self._cells:
@@ -325,7 +326,7 @@ class Linker:
         return self._cells[name]
 
     def _result(self, kind: str, operands: list[str], name: str = "") -> str:
-        """The cell of an operation's result: one that holds it already, or a new one."""
+        """Return the cell of an operation's result, an existing cell or a new one."""
         known = _simplified(kind, operands)
         if known is not None:
             return known
@@ -336,11 +337,11 @@ class Linker:
     # --- registers ---------------------------------------------------------------------------------------------------
 
     def _definition(self, name: str) -> Computed:
-        """What computes a register; without a definition it is an empty sum."""
+        """Return the definition of a register. Without a definition it is an empty sum."""
         return self._definitions.series.get(name, (OnSeries("lin", (), (ZERO,)), (name,)))
 
     def mark_shared(self, read: Iterable[str]) -> None:
-        """Note registers that are read, or that more than sums take: sums among them are computed, not flattened."""
+        """Mark registers that are read, or used by operations other than sums. Sums among them are not flattened."""
         pending = list(read)
         self._shared.update(pending)
         seen = set(self._registers)
@@ -355,7 +356,7 @@ class Linker:
                 self._shared.update(operation.registers)
 
     def _is_zero(self, name: str) -> bool:
-        """Whether a register is identically zero: an operation on zero, or a sum of zeros."""
+        """Return whether a register is identically zero, an operation on zero or a sum of zeros."""
         if name in self._registers:
             return self._registers[name] is None
         (kind, registers, cells, _), _ = self._definition(name)
@@ -371,7 +372,7 @@ class Linker:
         return zero
 
     def register(self, name: str) -> str | None:
-        """The register that a name stands for, computed if necessary; None where it is zero."""
+        """Return the register for a name, computed if necessary, or None if it is zero."""
         if not self._is_zero(name) and name not in self._registers:
             operation, results = self._definition(name)
             if operation.kind == "lin":
@@ -385,17 +386,17 @@ class Linker:
         return self._registers[name]
 
     def event(self, register: str | None) -> str | None:
-        """A register whose roots are events; None where it is constant during a phase."""
+        """Return a register whose roots are events, or None if it is constant during a phase."""
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
     def zero(self, name: str) -> str:
-        """A register that holds zero."""
+        """Return a register that contains zero."""
         (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
         return zero
 
     def _sum(self, name: str, operation: OnSeries) -> str:
-        """The register of a sum, in which each register occurs once."""
+        """Return the register of a sum, in which each register occurs once."""
         start = self.cell(operation.cells[0])
         factors: dict[str, str] = {}
         for cell, register in self._flat(operation, ONE):
@@ -404,27 +405,27 @@ class Linker:
         if start == ZERO and list(factors.values()) == [ONE]:
             (register,) = factors
             return register
-        in_order = sorted(factors)  # equal sums are one, whatever the order of their terms
+        in_order = sorted(factors)  # sums with permuted terms are equal
         cells = (start, *(factors[register] for register in in_order))
         (result,) = self.series.setdefault(OnSeries("lin", tuple(in_order), cells), (name,))
         return result
 
     def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
-        """A sum's terms that are not zero, times a factor; a sum that only sums take is replaced by its terms."""
+        """Yield a sum's nonzero terms times a factor. A sum used only by sums is replaced by its terms."""
         for cell, register in zip(operation.cells[1:], operation.registers, strict=True):
             scaled = self._result("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self._is_zero(register):
                 continue
             inner, _ = self._definition(register)
             kept = register in self._shared or register in self._registers
-            if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is no term
+            if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is not a term
                 yield from self._flat(inner, scaled)
             else:
                 yield scaled, str(self.register(register))
 
 
 def _simplified(kind: str, operands: list[str]) -> str | None:
-    """The cell that the result of an operation on cells equals; None where it has to be computed."""
+    """Return the cell that equals the result of an operation on cells, or None if it must be computed."""
     first, last = operands[0], operands[-1]
     match kind:
         case "set":
@@ -451,10 +452,10 @@ def _simplified(kind: str, operands: list[str]) -> str | None:
 
 
 class Table(NamedTuple):
-    """A piecewise function in a program.
+    """Piecewise function in a program.
 
-    ``kind`` is its variable, ``register`` has its argument (or, if that is time, its increment), ``cells`` is the first
-    of its cells, and ``degree`` that of its pieces.
+    ``kind`` is its variable, ``register`` contains its argument (for functions of time its increment), ``cells`` is the
+    first of its cells, and ``degree`` the degree of its pieces.
     """
 
     name: str
@@ -466,13 +467,13 @@ class Table(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """Operations on the cells and the registers of a lane, by their places, and the places that the integrator reads.
+    """Operations on the cells and the registers of a lane by place, and the places that the integrator reads.
 
-    The first ``given`` cells are set at the start of a lane, the next ones are computed where a phase begins, and
-    ``constants``, by name, are the last. An operation is its kind, its results, its registers and then its cells, or
-    its table. A sum is the cell of its constant, -1 for zero, and a pair (cell, register) for each term. ``states`` are
-    (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time alone where
-    ``autonomous`` is 2, also on omega where it is 1, and on further registers where it is 0.
+    The first ``given`` cells are set at the start of a lane, the following cells are computed at the beginning of a
+    phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
+    its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
+    each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0.
     """
 
     cells: Names
@@ -488,12 +489,12 @@ class Program:
 
     @cached_property
     def places(self) -> Mapping[str, int]:
-        """Places of the cells, by name."""
+        """Places of the cells by name."""
         return {name: k for k, name in enumerate(self.cells)}
 
     @cached_property
     def split(self) -> tuple[list[int], list[int]]:
-        """Places of the operations that rates depend on, and of those that can wait until the states are complete."""
+        """Places of the operations on which rates depend, and of those that can wait until states are complete."""
         needed = {rate for _, _, rate in self.states}
         rates = list[int]()
         others = list[int]()
@@ -508,15 +509,15 @@ class Program:
 
 
 def build(recipe: Recipe, fragments: Lookup, outputs: Names = (), further: Names = ()) -> Program:
-    """Link the program of a recipe and of ``further`` fragments; the registers ``outputs`` have roles, too."""
+    """Return the program of a recipe and of ``further`` fragments, with roles for the registers ``outputs``."""
     definitions = definitions_of(recipe, fragments, further)
-    given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
+    given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are in both
     linked = link(definitions, given, outputs)
     return _encoded(definitions, linked, given, outputs)
 
 
 class _Places(NamedTuple):
-    """Places of a program's cells, registers and tables, by name."""
+    """Places of a program's cells, registers and tables by name."""
 
     cells: dict[str, int]
     registers: dict[str, int]
@@ -524,7 +525,7 @@ class _Places(NamedTuple):
 
     @classmethod
     def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
-        """Number the cells (given, computed, constant), the registers (of states, computed) and the tables."""
+        """Return numbers for cells (given, computed, constant), registers (of states, computed) and tables."""
         computed = chain.from_iterable(results for _, results in linked.scalar)
         made = chain.from_iterable(results for _, results in linked.series)
         tables = [table.name for table in definitions.tables]
@@ -533,7 +534,7 @@ class _Places(NamedTuple):
 
 
 def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Names) -> Program:
-    """Return a program with places instead of names; the registers ``outputs`` have roles, too."""
+    """Return a program with places instead of names, with roles for the registers ``outputs``."""
     places = _Places.of(definitions, linked, given)
     cells = places.cells
     registers = places.registers
@@ -569,7 +570,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
     """Return an operation on series with places: its results, registers, and cells or the table.
 
-    The terms of a sum are in the order in which their registers are ready, so that it waits for the last one only.
+    The terms of a sum are in the order in which their registers become available, so that it waits only for the last.
     """
     made = [places.registers[name] for name in results]
     taken = [places.registers[name] for name in operation.registers]

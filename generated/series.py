@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 073f221651829033cd5676e666fbdcb487b4763ab09a87b840fc42b25827a1ad
-"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
+# sha256 of the text below: 0235f2fd5799a44f3c4272620913cf837b749b9596dbfbac45220b68524a6bf7
+"""Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,17 +15,17 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "57f59ee65247a22fd866db4fea54e3a0a22f5cc7b9c3f2af502e769337f2b891"  # of the compiled integrator's source
+DIGEST = "4693bfdcd4873477c728a9bbed2d6da40d0ce14ea34506bbb4c912ee2fef6d4d"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
-    """Do the operations on cells, (cells, lanes), in place."""
+    """Perform the operations on cells, (cells, lanes), in place."""
     for name, d, *arguments in operations:
         _SCALARS[name](*(c[i] for i in arguments), out=c[d])
 
 
 def series_ops(operations: Sequence[tuple[Any, ...]], r: Floats, c: Floats, n: int) -> None:
-    """Fill coefficient n of all registers, (registers, orders, lanes); those of states and tables are there."""
+    """Compute coefficient n of all registers, (registers, orders, lanes), from the registers of states and tables."""
     for name, *names in operations:
         if name == "lin":
             d, constant, terms = names
@@ -52,7 +52,7 @@ def _select(a: Floats, b: Floats, e: Floats, out: Floats) -> None:
 
 
 def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
-    """The sum of a[k] b[n - k] from k = first to last."""
+    """Return the sum of a[k] b[n - k] from k = first to last."""
     return np.einsum("kl,kl->l", a[first : last + 1], b[n - last : n - first + 1][::-1])
 
 

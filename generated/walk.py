@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 284988fc9be5e97a1b8e2e4ae9e556c1cd1a751f9d5cfe88355b48ceffe0bd44
-"""The integrator of lanes in NumPy: steps, events, phases of slip and of rest; the same text as the compiled one.
+# sha256 of the text below: 28cfd2ad854c539f80b14a98369e42dc60d4af1ea95b7d3dd2888efb473c60ad
+"""Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
 of ``cells``, of which `generated.layout` says what stands where. Lanes are integrated side by side.
@@ -27,7 +27,7 @@ Log = list[tuple[int, float, float, float]]
 
 
 class State(NamedTuple):
-    """A state of the motion: its cell, its register and that of its rate."""
+    """State of the motion: its cell, its register and the register of its rate."""
 
     cell: int
     register: int
@@ -35,7 +35,7 @@ class State(NamedTuple):
 
 
 class Table:
-    """A table of the program with its data: `generated.layout` says what its cells hold."""
+    """Table of the program with its data. `generated.layout` describes its cells."""
 
     def __init__(self, number: int, slot: Any, data: Any, before: "Table | None") -> None:
         self.number = number
@@ -52,7 +52,7 @@ class Table:
 
 
 class Lanes:
-    """Some lanes of a program during their integration: cells, with those in front, and registers."""
+    """Lanes of a program during their integration: cells, including working cells, and registers."""
 
     def __init__(
         self,
@@ -84,12 +84,12 @@ class Lanes:
 
     @property
     def stored(self) -> Floats:
-        """The cells of lanes, without those in front."""
+        """Cells of the lanes without working cells."""
         return self.cells[: ix.PENDING]
 
 
 def among(chosen: Mask, *known: Any) -> tuple[Any, ...]:
-    """Numbers, arrays of them and the index, of some of the lanes."""
+    """Return numbers, arrays of numbers and the index of selected lanes."""
     chosen = np.broadcast_to(chosen, known[0].shape)
     return tuple(x[..., chosen] if isinstance(x, np.ndarray) and x.ndim else x for x in known)
 
@@ -98,7 +98,7 @@ def among(chosen: Mask, *known: Any) -> tuple[Any, ...]:
 
 
 def none_of(s: Lanes) -> Mask:
-    """The mask of no lane."""
+    """Return the mask without lanes."""
     return np.zeros(s.cells.shape[1], dtype=bool)
 
 
@@ -107,12 +107,12 @@ def all_lanes(mask: Mask) -> bool:
 
 
 def greatest(x: Floats) -> int:
-    """The greatest of integers."""
+    """Return the greatest integer."""
     return int(x.max())
 
 
 def least(x: Floats) -> int:
-    """The least of integers."""
+    """Return the least integer."""
     return int(x.min())
 
 
@@ -121,13 +121,13 @@ def integer(x: Floats) -> Index:
 
 
 def log2_of(x: Floats) -> Floats:
-    """log2 |x| with 40 bits behind the point, linear between powers of two: up to 0.09 too small."""
+    """Return log2 |x| with 40 fractional bits, linear between powers of two and up to 0.09 too small."""
     bits = np.abs(x).view(np.int64) >> 12
     return bits.astype(np.float64)
 
 
 def power_of_two(y: Floats) -> Floats:
-    """The inverse of `log2_of`, but for the exponent's offset."""
+    """Return the inverse of `log2_of`, except for the offset of the exponent."""
     bounded = np.clip(y, -1000.0 * FIXED, 1000.0 * FIXED)
     bits = np.rint(bounded + 1023.0 * FIXED)
     pattern = bits.astype(np.int64) << 12
@@ -135,16 +135,16 @@ def power_of_two(y: Floats) -> Floats:
 
 
 def operate(s: Lanes, n: int) -> None:
-    """Coefficient n of every register."""
+    """Compute coefficient n of every register."""
     series_ops(s.program.series, s.registers, s.cells, n)
 
 
 def operate_later(s: Lanes, n: int) -> None:
-    """Nothing: `operate` leaves no register out."""
+    """Do nothing, since `operate` computes all registers."""
 
 
 def prologue(s: Lanes, which: Mask) -> None:
-    """The numbers of phases that begin."""
+    """Compute the numbers of phases that begin."""
     if np.all(which):
         scalar_ops(s.program.scalar, s.cells)
         return
@@ -154,24 +154,24 @@ def prologue(s: Lanes, which: Mask) -> None:
 
 
 def break_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Where a piece begins, in the table's own argument."""
+    """Return the left end of a piece in the table's argument."""
     breaks = t.data.breaks
     return breaks[piece] if breaks.ndim == 1 else breaks[piece, s.columns[i]]
 
 
 def jump_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """By how much a function of time jumps where a piece begins."""
+    """Return the jump of a function of time at the left end of a piece."""
     return t.data.jumps[piece]
 
 
 def constant_of(s: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """The first of the coefficients of a piece."""
+    """Return the first coefficient of a piece."""
     every = t.data.coefficients
     return every[piece, 0] if every.ndim == 2 else every[piece, 0, s.columns[i]]
 
 
 def coefficients_of(s: Lanes, i: Index, t: Table, piece: Index, terms: Floats) -> None:
-    """The coefficients of a piece, in powers of what is beyond its break."""
+    """Copy the coefficients of a piece, in powers of the distance from its left end."""
     every = t.data.coefficients
     of_piece = every[piece] if every.ndim == 2 else every[piece, :, s.columns[i]]
     terms[: t.terms] = of_piece.T
@@ -187,7 +187,7 @@ def note(s: Lanes, i: Index, event: int) -> None:
 
 
 def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slice]:
-    """The sample times of a lane from one time up to another, since the first, and which they are.
+    """Return the sample times of a lane between two times, since the first of them, and their indices.
 
     The end time belongs to the last interval.
     """
@@ -199,7 +199,7 @@ def sampled(s: Lanes, lane: int, begin: float, end: float) -> tuple[Floats, slic
 
 
 def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: int) -> None:
-    """Fill in states at the sample times between two times; the lanes move along their series, or rest."""
+    """Evaluate the states at the sample times between two times, from series or at rest."""
     if s.samples is None:
         return
     ends = np.broadcast_to(end, i.shape)
@@ -218,7 +218,7 @@ def read_samples(s: Lanes, i: Index, begin: Floats, end: Any, moving: int, top: 
 
 
 def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
-    """Rotation, angular velocity, its rate, slip and as many further states as there are rows for."""
+    """Store rotation, angular velocity, its rate, slip and as many further states as there are rows."""
     x, omega, rate, *further = states
     direction = s.cells[ix.DIRECTION, lane]
     rotation = s.cells[ix.ROTATION, lane] + direction * x
@@ -245,7 +245,7 @@ INFINITY = np.inf
 
 
 def value(p: Floats, n: int, t: Floats) -> Floats:
-    """The value at a time, by Horner's scheme."""
+    """Return the value at a time by Horner's scheme."""
     total = p[n]
     for k in range(n - 1, 0 - 1, -1):
         total = total * t + p[k]
@@ -253,12 +253,12 @@ def value(p: Floats, n: int, t: Floats) -> Floats:
 
 
 def increment(p: Floats, n: int, t: Floats) -> Floats:
-    """The value less the constant term, without cancellation."""
+    """Return the value minus the constant term, without cancellation."""
     return t * value(p[1:], n - 1, t) if n > 0 else 0.0
 
 
 def value_and_slope(p: Floats, n: int, t: Floats) -> tuple[Floats, Floats]:
-    """The value and the derivative at a time."""
+    """Return the value and the derivative at a time."""
     total = p[n]
     slope: Floats = 0.0
     for k in range(n - 1, 0 - 1, -1):
@@ -268,19 +268,19 @@ def value_and_slope(p: Floats, n: int, t: Floats) -> tuple[Floats, Floats]:
 
 
 def differentiate(rates: Floats, p: Floats, n: int) -> None:
-    """The coefficients of the derivative."""
+    """Compute the coefficients of the derivative."""
     for k in range(1, n + 1):
         rates[k - 1] = p[k] * float(k)
 
 
 def inside_or_middle(at: Floats, low: Floats, high: Floats) -> Floats:
-    """A place if it lies between two bounds, otherwise their middle."""
+    """Return a place if it lies between two bounds, otherwise their middle."""
     return np.where((at >= low) & (at <= high), at, 0.5 * (low + high))
 
 
 def bracketed_root(p: Floats, n: int, low: Floats, at_low: Floats, high: Floats, at_high: Floats,
         which: Mask) -> Floats:
-    """A root between bounds at which values have opposite signs."""
+    """Return a root between bounds at which values have opposite signs."""
     falls = at_low > 0.0
     at = inside_or_middle(low + (high - low) * (at_low / (at_low - at_high)), low, high)
     count = 0
@@ -299,7 +299,7 @@ def bracketed_root(p: Floats, n: int, low: Floats, at_low: Floats, high: Floats,
 
 
 def first_root(p: Floats, n: int, h: Floats, which: Mask) -> Floats:
-    """The first zero in (0, h] of polynomials that are positive at first; infinity where there is none."""
+    """Return the first zero in (0, h] of initially positive polynomials, infinity without a zero."""
     high = h
     last, slope = value_and_slope(p, n, h)
     crosses = which & ((last < 0.0) | (last == 0.0) & (p[0] > 0.0))
@@ -323,14 +323,14 @@ def first_root(p: Floats, n: int, h: Floats, which: Mask) -> Floats:
 
 
 def may_cross(p: Floats, n: int, t: Floats, sign: Floats, constant: Floats, divided: Mask) -> Mask:
-    """Whether sign p + constant may have a zero in (0, t]: from its value and slope there."""
+    """Return whether sign p + constant may have a zero in (0, t], from its value and slope at t."""
     last, slope = value_and_slope(p, n, t)
     falls_and_rises = (sign * p[1] < 0.0) & (sign * slope > 0.0)
     return (sign * last + constant <= 0.0) | falls_and_rises | divided
 
 
 def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divided: Mask) -> None:
-    """The coefficients of sign p + constant, divided by the time where its root is now."""
+    """Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed."""
     for k in range(n + 1):
         e[k] = sign * p[k]
     e[0] = e[0] + constant
@@ -341,7 +341,7 @@ def margin_of(e: Floats, p: Floats, n: int, sign: Floats, constant: Floats, divi
 
 
 def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here: Mask) -> Floats:
-    """The zero in (0, t] through which polynomials fall, possibly beyond a maximum; infinity where there is none."""
+    """Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity."""
     touches = p[0] == 0.0
     positive = (p[0] > 0.0) | touches & (p[1] > 0.0)
     falls = here & positive & ((last < 0.0) | (p[1] < 0.0) & (slope > 0.0))
@@ -362,14 +362,14 @@ def falling_root(p: Floats, n: int, t: Floats, last: Floats, slope: Floats, here
 
 
 def shift(terms: Floats, count: int, by: Floats) -> None:
-    """The same polynomial about another point: Taylor's shift by Horner's scheme."""
+    """Shift a polynomial to another origin: Taylor's shift by Horner's scheme."""
     for first in range(count - 2 + 1):
         for j in range(count - 2, first - 1, -1):
             terms[j] = terms[j] + by * terms[j + 1]
 
 
 def value_within(lane: Lanes, i: Index, t: Table, piece: Index, local: Floats) -> Floats:
-    """A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line."""
+    """Return a function of time, a sine or a straight line, at a distance from the left end of a piece."""
     c = lane.cells
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, piece, terms)
@@ -378,14 +378,14 @@ def value_within(lane: Lanes, i: Index, t: Table, piece: Index, local: Floats) -
 
 
 def value_now(lane: Lanes, i: Index, t: Table) -> Floats:
-    """A function of time now."""
+    """Return a function of time at the current time."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     return value_within(lane, i, t, piece, c[ix.TIME, i] * c[t.cells + ix.SCALE, i] - break_of(lane, i, t, piece))
 
 
 def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
-    """The series of a sine about now, as its increment since the phase began."""
+    """Compute the series of a sine about the current time, as its increment since the phase began."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     terms = np.zeros((lane.terms, i.size))
@@ -404,7 +404,7 @@ def expand_sine(lane: Lanes, i: Index, t: Table, top: int) -> None:
 
 
 def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
-    """What a function of time rises by from now to some way beyond, in the table's own argument, within its piece."""
+    """Return the rise of a function of time over a distance ahead within its piece, in the table's argument."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     terms = np.zeros((lane.terms, i.size))
@@ -419,19 +419,19 @@ def rise_to(lane: Lanes, i: Index, t: Table, past: Floats) -> Floats:
 
 
 def end_of_piece(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """Where a piece ends, in the table's own argument; infinity after the last one."""
+    """Return the end of a piece in the table's argument, infinity for the last piece."""
     last = t.pieces - 1
     return np.where(piece < last, break_of(lane, i, t, np.fmin(piece + 1, last)), INFINITY)
 
 
 def ends_by(lane: Lanes, i: Index, t: Table, piece: Index, argument: Floats, included: Mask) -> Mask:
-    """Whether a piece ends below an argument, or at it if a break belongs to the piece above."""
+    """Return whether a piece ends below an argument, or at it if a break belongs to the piece above."""
     end = end_of_piece(lane, i, t, piece)
     return (end < argument) | included & (end == argument) & (end < INFINITY)
 
 
 def piece_at(lane: Lanes, i: Index, t: Table, first: Index, argument: Floats, included: Mask) -> Index:
-    """The piece in which an argument is, from the first one on that it may be."""
+    """Return the piece that contains an argument, searched from a first piece on."""
     piece = first
     i_1, argument_1, included_1, piece_1 = (i, argument, included, piece.copy())
     place_1 = np.arange(i.size)
@@ -447,7 +447,7 @@ def piece_at(lane: Lanes, i: Index, t: Table, first: Index, argument: Floats, in
 
 
 def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
-    """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
+    """Compute the end of the piece of a function of time and the increment there, with a single rounding."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     end = end_of_piece(lane, i, t, piece)
@@ -458,7 +458,7 @@ def find_end_of_piece(lane: Lanes, i: Index, t: Table, now: Floats) -> None:
 
 
 def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
-    """Begin a phase: increments of a function of time count from now. It may jump where a piece begins."""
+    """Begin a phase: increments of a function of time are counted from now. It may jump at the left end of a piece."""
     c = lane.cells
     c[t.cells + ix.VALUE, i] = c[t.cells + ix.VALUE, i] + c[t.cells + ix.INC, i]
     c[t.cells + ix.LOWER, i] = c[t.cells + ix.LOWER, i] - c[t.cells + ix.INC, i]
@@ -484,7 +484,7 @@ def begin_in_time(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def develop(lane: Lanes, i: Index, t: Table, local: Floats, unit: Floats) -> None:
-    """The value where the phase begins, so far beyond the break, and the coefficients of what is beyond."""
+    """Compute the value at the start of a phase and the coefficients about it."""
     c = lane.cells
     terms = np.zeros((lane.terms, i.size))
     coefficients_of(lane, i, t, integer(c[t.cells + ix.PIECE, i]), terms)
@@ -497,7 +497,7 @@ def develop(lane: Lanes, i: Index, t: Table, local: Floats, unit: Floats) -> Non
 
 
 def begin_in_rotation(lane: Lanes, i: Index, t: Table) -> None:
-    """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
+    """Select the piece of a function of the rotation ahead in the direction of travel, which may be either."""
     c = lane.cells
     rotation = c[ix.ROTATION, i]
     up_to = c[ix.DIRECTION, i] > 0.0
@@ -511,7 +511,7 @@ def begin_in_rotation(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
-    """The piece of a function of the slip, which ends ahead also where another function has just broken."""
+    """Select the piece of a function of slip, which ends ahead even if another function has just passed a break."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     edge = break_of(lane, i, t, piece)
@@ -522,7 +522,7 @@ def begin_in_slip(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def begin_in_speed(lane: Lanes, i: Index, t: Table) -> None:
-    """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
+    """Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     edge = break_of(lane, i, t, piece)
@@ -536,7 +536,7 @@ def begin_in_speed(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def begin_pieces(lane: Lanes, i: Index) -> None:
-    """Begin a phase: the ends of each table's piece, its value, and the coefficients of what is beyond."""
+    """Begin a phase: compute the ends of each table's piece, its value, and its coefficients."""
     for t in lane.tables:
         if t.kind == ix.OF_TIME:
             begin_in_time(lane, i, t)
@@ -549,7 +549,7 @@ def begin_pieces(lane: Lanes, i: Index) -> None:
 
 
 def find_pieces(lane: Lanes, i: Index) -> None:
-    """The pieces in which slip and speed lie, wherever they came from."""
+    """Find the pieces that contain slip and speed."""
     c = lane.cells
     for t in lane.tables:
         if t.kind == ix.OF_SLIP:
@@ -561,7 +561,7 @@ def find_pieces(lane: Lanes, i: Index) -> None:
 
 
 def pass_break(lane: Lanes, i: Index, t: Table) -> None:
-    """Enter the next piece of a function of time; where its value jumps the lane has to look at its contact."""
+    """Enter the next piece of a function of time. If its value jumps, the contact must be checked."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i]) + 1
     jump = jump_of(lane, i, t, piece) * c[t.cells + ix.SCALED_BY, i]
@@ -587,7 +587,7 @@ def pass_break(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def pass_breaks(lane: Lanes, i: Index) -> None:
-    """Enter the next piece of each function of time that breaks now."""
+    """Enter the next piece of each function of time that has a break now."""
     c = lane.cells
     for t in lane.tables:
         if t.kind == ix.OF_TIME:
@@ -600,7 +600,7 @@ def pass_breaks(lane: Lanes, i: Index) -> None:
 
 
 def still_changes(lane: Lanes, i: Index) -> Mask:
-    """Whether a force will still change while the lane rests."""
+    """Return whether a force will still change while the lane rests."""
     c = lane.cells
     changes: Mask = False
     for t in lane.tables:
@@ -610,7 +610,7 @@ def still_changes(lane: Lanes, i: Index) -> Mask:
 
 
 def next_break(s: Lanes) -> Floats:
-    """The next time at which a function of time breaks."""
+    """Return the next time at which a function of time has a break."""
     c = s.cells
     time: Floats = INFINITY
     for t in s.tables:
@@ -620,7 +620,7 @@ def next_break(s: Lanes) -> Floats:
 
 
 def begin_series(s: Lanes) -> None:
-    """Order 0 of the registers that do not come from operations."""
+    """Set order 0 of the registers that do not result from operations."""
     c = s.cells
     for q in s.states:
         s.registers[q.register][0] = c[q.cell]
@@ -630,14 +630,14 @@ def begin_series(s: Lanes) -> None:
 
 
 def evaluate(s: Lanes) -> None:
-    """Order 0 of all registers."""
+    """Compute order 0 of all registers."""
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
 
 
 def normal_force(s: Lanes) -> Floats:
-    """On the slip surface, once order 0 is there; contact is lost below zero."""
+    """Return the normal force on the slip surface from order 0. Contact is lost if it is negative."""
     c = s.cells
     force = c[s.roles.normal0].copy()
     if s.roles.normal >= 0:
@@ -646,7 +646,7 @@ def normal_force(s: Lanes) -> Floats:
 
 
 def find_negligible(lane: Lanes, i: Index) -> None:
-    """The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one."""
+    """Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order."""
     c = lane.cells
     c[ix.NEGLIGIBLE, i] = 1.0
     n = c[ix.ORDER, i]
@@ -664,13 +664,13 @@ def find_negligible(lane: Lanes, i: Index) -> None:
 
 
 def is_negligible(s: Lanes, term: Floats, largest: Floats) -> Mask:
-    """Whether a term does not count beside the largest one."""
+    """Return whether a term is negligible compared with the largest term."""
     c = s.cells
     return (term <= c[ix.NEGLIGIBLE] * largest) & (largest > 0.0) & (largest < INFINITY)
 
 
 def cut(s: Lanes, order: Floats, top: int) -> None:
-    """End the series that events read beyond each lane's order."""
+    """Truncate the series that events use at each lane's order."""
     for n in range(top - 1 + 1):
         within = order > float(n)
         s.registers[s.roles.net][n] = np.where(within, s.registers[s.roles.net][n], 0.0)
@@ -681,7 +681,7 @@ def cut(s: Lanes, order: Floats, top: int) -> None:
 
 
 def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
-    """Order 0 of the registers that do not come from operations, and the series of functions of time."""
+    """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     c = s.cells
     begin_series(s)
     for t in s.tables:
@@ -694,7 +694,7 @@ def begin_expansion(s: Lanes, which: Mask, top: int) -> None:
 
 
 def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -> None:
-    """Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest."""
+    """Compute coefficient n + 1 of the states from coefficient n of their rates."""
     for q in s.states:
         coefficient: Floats = 0.0
         if not at_rest:
@@ -703,7 +703,7 @@ def integrate_rates(s: Lanes, n: int, order: Floats, alike: int, at_rest: int) -
 
 
 def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
-    """Whether coefficient n times a power of the step counts beside the largest term so far."""
+    """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
     c = s.cells
     x = s.registers[s.roles.net] if at_rest else s.registers[s.roles.x]
     omega = s.registers[s.roles.net] if at_rest else s.registers[s.roles.omega]
@@ -717,7 +717,8 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
 
 
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
-    """Fill the series of all registers; those of states have one order more than their rates."""
+    """Compute the series of all registers, where states have one order more than rates, and return the highest
+    order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
@@ -750,7 +751,7 @@ def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
 
 
 def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Floats:
-    """The least that the last four coefficients of each lane suggest, each against the largest of the first five."""
+    """Return the least radius suggested by the last four coefficients, each with the largest of the first five."""
     first = np.zeros_like(p)
     comparable = p[0] != 0.0
     for k in range(4 + 1):
@@ -769,7 +770,7 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
 
 
 def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
-    """Record the present speed, at a time from the lane's own on, if it is the greatest."""
+    """Record the current speed, at a time not before the lane's own, if it is the greatest."""
     c = lane.cells
     rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
     holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
@@ -784,7 +785,7 @@ def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
 
 
 def update_reach(lane: Lanes, i: Index) -> None:
-    """Record the present rotation if it is the greatest from the start."""
+    """Record the current rotation if it is the greatest from the start."""
     c = lane.cells
     rotation = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
     holds_1 = np.abs(rotation) > np.abs(c[ix.REACH_ROTATION, i])
@@ -797,7 +798,7 @@ def update_reach(lane: Lanes, i: Index) -> None:
 
 
 def note_lift_off(lane: Lanes, i: Index) -> None:
-    """Contact with the slip surface is lost."""
+    """Log the loss of contact with the slip surface."""
     c = lane.cells
     note(lane, i, ix.NOTE_LIFTS)
     holds_1 = np.isnan(c[ix.LIFT_TIME, i])
@@ -809,7 +810,7 @@ def note_lift_off(lane: Lanes, i: Index) -> None:
 
 
 def advance_origin(lane: Lanes, i: Index) -> None:
-    """Count rotation and slip from where the lane is now, where another phase begins."""
+    """Reset the origin of rotation and slip to the current position, where another phase begins."""
     c = lane.cells
     c[ix.ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
     c[ix.SLIP, i] = c[ix.SLIP, i] + c[ix.X, i]
@@ -817,7 +818,7 @@ def advance_origin(lane: Lanes, i: Index) -> None:
 
 
 def face(lane: Lanes, i: Index, side: Floats) -> None:
-    """Face a direction at a standstill."""
+    """Set the direction of travel at a standstill."""
     c = lane.cells
     c[ix.X, i] = 0.0
     c[ix.OMEGA, i] = 0.0
@@ -826,7 +827,7 @@ def face(lane: Lanes, i: Index, side: Floats) -> None:
 
 
 def start(lane: Lanes, i: Index) -> None:
-    """A lane begins, with a velocity or at rest."""
+    """Start a lane with a velocity or at rest."""
     c = lane.cells
     c[ix.DIRECTION, i] = np.where(c[ix.OMEGA, i] < 0.0, -1.0, 1.0)
     c[ix.OMEGA, i] = np.abs(c[ix.OMEGA, i])
@@ -840,7 +841,7 @@ def start(lane: Lanes, i: Index) -> None:
 
 
 def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Slip begins in the present direction."""
+    """Start slip in the current direction."""
     c = lane.cells
     c[ix.STATUS, i] = ix.MOVING
     c[ix.PASSED, i] = ix.NOTHING
@@ -859,7 +860,7 @@ def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
 
 
 def stay(lane: Lanes, i: Index, status: Floats) -> None:
-    """The lane stays where it is, until its end."""
+    """Keep the lane at rest until its end."""
     c = lane.cells
     c[ix.STATUS, i] = status
     c[ix.END_ROTATION, i] = c[ix.ROTATION, i]
@@ -872,7 +873,7 @@ def stay(lane: Lanes, i: Index, status: Floats) -> None:
 
 
 def may_start(lane: Lanes, i: Index) -> Mask:
-    """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope."""
+    """Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope."""
     c = lane.cells
     pull = c[lane.roles.driving_moment, i]
     down_slope = (pull > 0.0) | (pull == 0.0) & (c[ix.DIRECTION, i] > 0.0)
@@ -880,7 +881,7 @@ def may_start(lane: Lanes, i: Index) -> Mask:
 
 
 def never_rests(lane: Lanes, i: Index) -> Mask:
-    """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
+    """Return whether a mass swings for ever, because almost no force presses on it at its lowest point."""
     c = lane.cells
     load = c[lane.roles.normal_load, i]
     most = np.hypot(load, c[lane.roles.normal_load_slope, i])
@@ -889,7 +890,7 @@ def never_rests(lane: Lanes, i: Index) -> Mask:
 
 
 def stick(lane: Lanes, i: Index) -> None:
-    """Nothing moves it now: it waits for another time, or stays."""
+    """Keep the mass at rest, until a force changes or for good."""
     c = lane.cells
     c[ix.PENDING, i] = ix.READY
     holds_1 = np.logical_not(still_changes(lane, i))
@@ -917,7 +918,7 @@ def stick(lane: Lanes, i: Index) -> None:
 
 
 def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
-    """At rest: slip in the present direction, otherwise in the other one if it may, otherwise stick."""
+    """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
     c = lane.cells
     holds_1 = (c[ix.FIRST_ONLY, i] > 0.0) & (c[ix.PHASES, i] > 0.0) & never_rests(lane, i)
     i_1 = i
@@ -957,7 +958,7 @@ def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
 
 
 def carry_net_moment(lane: Lanes, i: Index, net: Floats) -> None:
-    """A phase begins in motion: its drive is computed anew or carried over, whichever is more accurate."""
+    """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
     c = lane.cells
     terms = np.abs(c[ix.RATE_BEFORE, i]) + np.abs(net - c[lane.roles.drive, i]) + np.abs(c[ix.DRIVE_BEFORE, i])
     carried = c[ix.SCALE_BEFORE, i] + EPS * terms
@@ -972,7 +973,7 @@ def carry_net_moment(lane: Lanes, i: Index, net: Floats) -> None:
 
 
 def resolve_pending(lane: Lanes, i: Index, net: Floats, force: Floats) -> None:
-    """Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them."""
+    """Begin the phase for which the lane waits, from its net moment and normal force."""
     c = lane.cells
     holds_1 = c[ix.PENDING, i] == ix.ENTER_PHASE
     i_1, net_1, force_1 = (i, net, force)
@@ -1020,7 +1021,7 @@ def resolve_pending(lane: Lanes, i: Index, net: Floats, force: Floats) -> None:
 
 
 def on_discontinuity(lane: Lanes, i: Index, force: Floats) -> None:
-    """Forces have jumped: contact is decided again; if it changes, another phase begins."""
+    """Decide about contact after a jump of forces. If contact changes, another phase begins."""
     c = lane.cells
     lifted = np.where(force < 0.0, 1.0, 0.0)
     holds_1 = lifted > c[ix.LIFTED, i]
@@ -1040,7 +1041,7 @@ def on_discontinuity(lane: Lanes, i: Index, force: Floats) -> None:
 
 
 def begin_phases(s: Lanes) -> None:
-    """Begin the phases that lanes wait for and decide what follows, until every lane is ready for a step."""
+    """Begin all pending phases, until every lane is ready for a step."""
     c = s.cells
     sudden = c[ix.PENDING] == ix.DISCONTINUITY
     if np.any(sudden):
@@ -1066,7 +1067,7 @@ def begin_phases(s: Lanes) -> None:
 
 
 def begin_here(lane: Lanes, i: Index) -> None:
-    """A phase begins in the present state, wherever that came from; its prologue follows."""
+    """Begin a phase in the current state. Its prologue follows."""
     c = lane.cells
     c[ix.X, i] = 0.0
     find_pieces(lane, i)
@@ -1074,7 +1075,7 @@ def begin_here(lane: Lanes, i: Index) -> None:
 
 
 def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
-    """Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump."""
+    """Return whether a piece ends before the end time and not at the last break, where the function may jump."""
     c = lane.cells
     last = t.pieces - 1
     following = np.fmin(piece + 1, last)
@@ -1083,13 +1084,13 @@ def passes_quietly(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
 
 
 def value_at_break(lane: Lanes, i: Index, t: Table, piece: Index) -> Floats:
-    """A function of time in straight lines where a piece begins."""
+    """Return a piecewise linear function of time at the left end of a piece."""
     c = lane.cells
     return c[t.cells + ix.SCALED_BY, i] * constant_of(lane, i, t, piece)
 
 
 def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> None:
-    """The lane is where a piece begins, which it has yet to enter."""
+    """Place the lane at the left end of a piece, which it has not entered yet."""
     c = lane.cells
     c[ix.TIME, i] = now
     c[t.cells + ix.PIECE, i] = piece - 1
@@ -1097,7 +1098,7 @@ def stand_before(lane: Lanes, i: Index, t: Table, piece: Index, now: Floats) -> 
 
 
 def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: Floats) -> None:
-    """Bound the function of time where sign p, a straight line of it with such terms, keeps some of what it is."""
+    """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
     c = s.cells
     now = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
     level = c[t.cells + ix.RISE] == 0.0
@@ -1113,7 +1114,7 @@ def keep_quiet(s: Lanes, here: Mask, t: Table, p: Floats, sign: Floats, terms: F
 
 
 def look_for_quiet(s: Lanes, here: Mask) -> None:
-    """Between which values of one function of time the mass certainly rests on, the way it faces."""
+    """Find the range of one function of time in which the mass certainly stays at rest in its direction."""
     c = s.cells
     terms_of_normal = EPS * (np.abs(c[s.roles.normal_load]) + np.abs(c[s.roles.normal_load_slope]))
     for t in s.tables:
@@ -1124,7 +1125,7 @@ def look_for_quiet(s: Lanes, here: Mask) -> None:
 
 
 def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
-    """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
+    """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range."""
     c = lane.cells
     last = t.pieces - 1
     value = value_at_break(lane, i, t, np.fmin(piece + 1, last))
@@ -1132,7 +1133,7 @@ def rests_on(lane: Lanes, i: Index, t: Table, piece: Index) -> Mask:
 
 
 def rest_through(lane: Lanes, i: Index, t: Table) -> None:
-    """Pass the pieces through which the mass certainly rests, up to where the last of them ends."""
+    """Pass the pieces through which the mass certainly rests."""
     c = lane.cells
     piece = integer(c[t.cells + ix.PIECE, i])
     i_1, piece_1 = (i, piece.copy())
@@ -1157,7 +1158,8 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
 
 def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
         by_load: Floats) -> Mask:
-    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it."""
+    """Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an
+    end."""
     c = lane.cells
     after = c[lane.roles.drive, i] + by_drive
     lowest = np.where(net < after, net, after)
@@ -1169,7 +1171,7 @@ def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats,
 
 
 def glide(lane: Lanes, i: Index, t: Table) -> None:
-    """Pass the pieces through which the net moment is a straight line of time, and nothing happens."""
+    """Pass the pieces in which the net moment is linear in time and no event occurs."""
     c = lane.cells
     rise = lane.registers[t.register][1, i]
     holds_1 = (c[ix.PENDING, i] == ix.READY) & (rise != 0.0) & (lane.registers[lane.roles.net][2,
@@ -1229,7 +1231,7 @@ def glide(lane: Lanes, i: Index, t: Table) -> None:
 
 
 def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Another phase begins in motion: the lane enters another piece of a table, is lifted or lands."""
+    """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
     c = lane.cells
     c[ix.RATE_BEFORE, i] = rate
     c[ix.DRIVE_BEFORE, i] = c[lane.roles.drive, i]
@@ -1239,7 +1241,7 @@ def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
 
 
 def on_standstill(lane: Lanes, i: Index) -> None:
-    """The lane comes to its standstill. It does not go on the way it came, whatever its rounding."""
+    """Bring the lane to its standstill, reversed, so that rounding cannot continue its motion."""
     c = lane.cells
     advance_origin(lane, i)
     update_reach(lane, i)
@@ -1251,7 +1253,7 @@ def on_standstill(lane: Lanes, i: Index) -> None:
 
 
 def on_contact_change(lane: Lanes, i: Index, rate: Floats) -> None:
-    """Contact with the slip surface is lost or regained."""
+    """Change contact with the slip surface."""
     c = lane.cells
     c[ix.LIFTED, i] = 1.0 - c[ix.LIFTED, i]
     holds_1 = c[ix.LIFTED, i] > 0.0
@@ -1271,7 +1273,7 @@ def on_contact_change(lane: Lanes, i: Index, rate: Floats) -> None:
 
 
 def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) -> None:
-    """An edge of a table of slip, speed or rotation is passed: the lane is set exactly there, in the next piece."""
+    """Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece."""
     c = lane.cells
     enter_phase(lane, i, rate)
     if t.kind == ix.OF_ROTATION:
@@ -1295,7 +1297,7 @@ def on_breakpoint(lane: Lanes, i: Index, t: Table, rate: Floats, upwards: Mask) 
 
 
 def end_motion(lane: Lanes, i: Index, rate: Floats, status: Floats) -> None:
-    """The end time, or an upright chord, while the lane moves."""
+    """End a moving lane at its end time or with an upright chord."""
     c = lane.cells
     c[ix.STATUS, i] = status
     c[ix.END_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
@@ -1305,7 +1307,7 @@ def end_motion(lane: Lanes, i: Index, rate: Floats, status: Floats) -> None:
 
 
 def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
-    """The end time, or a break of a function of time."""
+    """End the lane at its end time, or pass breaks of functions of time."""
     c = lane.cells
     holds_1 = c[ix.TIME, i] >= c[ix.END_TIME, i]
     i_1, rate_1 = (i, rate)
@@ -1322,7 +1324,7 @@ def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
 
 
 def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:
-    """What follows the step: an event, a break of a function of time, the end time, or another step."""
+    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
     c = lane.cells
     holds_1 = endless
     i_1, rate_1, at_limit_1, endless_1 = (i, rate, at_limit, endless)
@@ -1377,14 +1379,14 @@ def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -
 
 
 def consider(s: Lanes, here: Mask, at: Floats, event: int) -> None:
-    """An event at some time, infinite without one: each is searched in what the ones before leave of the step."""
+    """Shorten the step to an event at a time, infinite without an event."""
     c = s.cells
     c[ix.EVENT] = np.where(here, np.where(at <= c[ix.STEP], float(event), c[ix.EVENT]), c[ix.EVENT])
     c[ix.STEP] = np.where(here, np.minimum(at, c[ix.STEP]), c[ix.STEP])
 
 
 def find_standstill(s: Lanes, here: Mask, top: int) -> None:
-    """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
+    """Find the time at which the speed becomes zero."""
     c = s.cells
     omega = s.registers[s.roles.omega]
     net = s.registers[s.roles.net]
@@ -1405,7 +1407,7 @@ def find_standstill(s: Lanes, here: Mask, top: int) -> None:
 
 def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constant: Floats, passed: Mask,
         event: int) -> None:
-    """When sign p + constant falls through zero, except where the phase began with this event."""
+    """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
     c = s.cells
     asked = here & may_cross(p, n, c[ix.STEP], sign, constant, passed)
     if np.any(asked):
@@ -1415,7 +1417,7 @@ def find_crossing(s: Lanes, here: Mask, p: Floats, n: int, sign: Floats, constan
 
 
 def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
-    """When an edge of a table's piece is passed."""
+    """Find the time at which an edge of a table's piece is passed."""
     c = s.cells
     upper = np.minimum(c[t.cells + ix.UPPER], FAR)
     event = ix.EVENT_BREAKPOINT + 2 * t.number
@@ -1429,7 +1431,7 @@ def find_edges(s: Lanes, here: Mask, t: Table, top: int) -> None:
 
 
 def find_events(s: Lanes, here: Mask, top: int) -> None:
-    """The first event of the step; of equal times the event that is searched last."""
+    """Find the first event of the step. Of simultaneous events the last one in the order of the search is used."""
     c = s.cells
     c[ix.EVENT] = np.where(here, float(ix.EVENT_NONE), c[ix.EVENT])
     find_standstill(s, here, top)
@@ -1449,7 +1451,7 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
 
 
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
-    """Record a candidate for the greatest speed, in the present step, where it exceeds the record."""
+    """Record a candidate for the greatest speed in the current step if it exceeds the record."""
     c = s.cells
     faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
     if np.any(faster):
@@ -1462,7 +1464,7 @@ def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, ra
 
 
 def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
-    """A fraction of the least radius of convergence of the states, or all of the room where series end early."""
+    """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early."""
     c = s.cells
     radius: Floats = INFINITY
     for q in s.states:
@@ -1484,7 +1486,7 @@ def advance_states(s: Lanes, here: Mask, top: int) -> None:
 
 
 def is_endless(s: Lanes, here: Mask, room: Floats) -> Mask:
-    """Whether a motion goes on for ever."""
+    """Return whether a motion continues for ever."""
     c = s.cells
     endless = none_of(s)
     if s.autonomous:
@@ -1506,7 +1508,7 @@ def keep_peak(s: Lanes, here: Mask, top: int, rate: Floats, slope: Floats) -> No
 
 
 def make_step(s: Lanes, here: Mask) -> None:
-    """One step of lanes that move."""
+    """Make one step of moving lanes."""
     c = s.cells
     limit = np.minimum(next_break(s), c[ix.END_TIME])
     room = limit - c[ix.TIME]
@@ -1540,7 +1542,7 @@ def make_step(s: Lanes, here: Mask) -> None:
 
 
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
-    """When contact is lost or regained, within the time ahead that is known."""
+    """Find the time at which contact is lost or regained, within the known time ahead."""
     c = s.cells
     normal = s.registers[s.roles.normal]
     sign = np.where(c[ix.LIFTED] > 0.0, -1.0, 1.0)
@@ -1555,7 +1557,7 @@ def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
 
 
 def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
-    """What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already."""
+    """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already."""
     c = s.cells
     top = expand(s, room, here, 1)
     net = s.registers[s.roles.net]
@@ -1582,14 +1584,14 @@ def look_ahead(s: Lanes, here: Mask, room: Floats) -> None:
 
 
 def turn_back(lane: Lanes, i: Index) -> None:
-    """Face the other way at rest."""
+    """Reverse the direction at rest."""
     c = lane.cells
     c[ix.DIRECTION, i] = -c[ix.DIRECTION, i]
     c[ix.PENDING, i] = ix.BEGIN_PHASE
 
 
 def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
-    """To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet."""
+    """Advance to the first change: start of slip, change of contact, break or end."""
     c = lane.cells
     stretch = c[ix.STRETCH, i]
     lifts = c[ix.LIFT_AHEAD, i] <= stretch
@@ -1650,7 +1652,7 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
 
 
 def rest_on(s: Lanes, here: Mask) -> None:
-    """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
+    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
     c = s.cells
     limit = next_break(s)
     room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
@@ -1682,7 +1684,7 @@ def rest_on(s: Lanes, here: Mask) -> None:
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:
-    """Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow."""
+    """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
     c = s.cells
     going = c[ix.STATUS] <= float(ix.RESTING)
     most = np.where(c[ix.OMEGA] > 0.0, float(ix.MOST_STEPS), float(2 * ix.MOST_STEPS))
@@ -1696,8 +1698,7 @@ def stop_endless(s: Lanes, here: Mask) -> None:
 
 
 def advance(s: Lanes, here: Mask) -> None:
-    """One step of the moving or of the resting lanes, of those that are more: along their series, or to the next
-    break."""
+    """Make one step of the moving lanes or of the lanes at rest, whichever are more."""
     c = s.cells
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
@@ -1713,7 +1714,7 @@ def advance(s: Lanes, here: Mask) -> None:
 
 
 def load(s: Lanes) -> None:
-    """Begin lanes that have not begun, and the phases that they wait for."""
+    """Start lanes that have not begun, and begin their pending phases."""
     begun = np.flatnonzero(s.cells[ix.STATUS] == ix.START)
     if begun.size:
         start(s, begun)
@@ -1756,7 +1757,7 @@ def integrate(
 
 
 def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
-    """Registers in the present states of lanes, (registers, lanes)."""
+    """Return registers in the current states of lanes, (registers, lanes)."""
     s = Lanes(program, tables, cells)
     with np.errstate(all="ignore"):
         evaluate(s)
@@ -1764,7 +1765,7 @@ def registers(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
 
 
 def begin_phase(program: Program, tables: Sequence[Any], cells: Floats) -> Floats:
-    """Begin a phase in the present state and direction of each lane, without integrating; registers there.
+    """Begin a phase in the current state and direction of each lane, and return its registers.
 
     The cells of a phase are filled in place.
     """

@@ -1,11 +1,13 @@
-"""The dynamic slip circle method: how fast, how far, and when a mass that failed along a circle comes to rest.
+"""Dynamic slip circle method: velocity, run-out and duration of a slope failure along a circular slip surface.
 
-`Arc` holds the failed section, `Section` that of a real slope, `Scene` adds friction, effects and the start, `plan`
-describes how it will be solved and `solve` returns the `Motion`; `ensemble` samples uncertain numbers, `backanalyse`
-fits parameters to observations, and `critical` searches the circle along which a `Slope` fails. `slipcircle.kernels`
-has the functions of an arc. Units are SI, angles are in radians. `slipcircle schema --text` is the guide to effects and
-friction laws: formulas, parameters and bounds; ``notebooks/0_the_method.ipynb`` derives the mechanics. The formulas are
-those of the package `generated`, which `python -m derive` writes.
+An `Arc` describes a failed mass below a plane slope, a `Section` a mass below surveyed ground. A `Scene` adds friction,
+effects and the start. `solve` returns its `Motion`, and `plan` describes the method of solution. `ensemble` samples
+uncertain inputs, `backanalyse` fits inputs to observations, and `critical` searches the critical circle of a `Slope`.
+`slipcircle.kernels` contains the functions of an arc. Units are SI, angles are in radians.
+
+`slipcircle schema --text` prints the guide to effects and friction laws with formulas, parameters and bounds, and
+``notebooks/0_the_method.ipynb`` derives the mechanics. The formulas are in the package `generated`, which
+`python -m derive` writes.
 """
 
 import sys
@@ -20,7 +22,7 @@ try:
     _project = getattr(generated, "__project__", None)
 except Exception as error:
     _project = error
-if _project != "slipcircle":  # another package, or what it needs is missing
+if _project != "slipcircle":  # another package, or a dependency is missing
     if isinstance(_project, ModuleNotFoundError) and _project.name == "numpy":
         raise ImportError("slipcircle needs NumPy: pip install numpy") from None
     from importlib.util import find_spec
@@ -43,11 +45,11 @@ if TYPE_CHECKING:
     from slipcircle.layers import LayeredSection, Soil
     from slipcircle.tables import Pulse, Series
     from slipcircle.workbench.common.quantities import Interval
-    from slipcircle.workbench.files.loaded import SlopeScene
     from slipcircle.workbench.files.scenefile import load
     from slipcircle.workbench.records.records import Record
     from slipcircle.workbench.records.suite import Suite, read_suite
-    from slipcircle.workbench.stability.search import Critical, critical
+    from slipcircle.workbench.stability.critical import Critical, SlopeScene
+    from slipcircle.workbench.stability.search import critical
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
@@ -64,7 +66,7 @@ for _needed, _least, _version in (
     if _version < _least:
         raise ImportError(f"slipcircle needs {_needed} or later, and this is {'.'.join(map(str, _version))}")
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
-# Each is loaded when it is asked for: where it is.
+# Module of each public name, imported at the first access.
 _PLACES = {
     "core": "Arc Dimensionless Motion Plan Scene State Status plan solve",
     "derivatives": "parameters",
@@ -73,11 +75,11 @@ _PLACES = {
     "layers": "LayeredSection Soil",
     "tables": "Pulse Series",
     "workbench.common.quantities": "Interval",
-    "workbench.files.loaded": "SlopeScene",
     "workbench.files.scenefile": "load",
     "workbench.records.records": "Record",
     "workbench.records.suite": "Suite read_suite",
-    "workbench.stability.search": "Critical critical",
+    "workbench.stability.critical": "Critical SlopeScene",
+    "workbench.stability.search": "critical",
     "workbench.stability.stability": "Slope",
     "workbench.studies.backanalysis": "BackAnalysis Unattainable backanalyse",
     "workbench.studies.ensemble": "ensemble grid",
@@ -127,7 +129,7 @@ def __getattr__(name: str) -> Any:
     if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = value  # asked for once
+    globals()[name] = value  # later accesses skip this function
     return value
 
 

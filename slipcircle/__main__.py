@@ -1,7 +1,7 @@
 """Command line: `slipcircle run SCENE...`, `plan`, `sweep`, ..., also as `python -m slipcircle`.
 
-The commands are modules of `slipcircle.workbench.commands`; here they are found, run and their answers printed.
-Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
+The commands are modules of `slipcircle.workbench.commands`. This module runs them and prints their answers. Results are
+printed to stdout, messages to stderr. `ABOUT` lists the exit statuses.
 """
 
 import argparse
@@ -12,17 +12,16 @@ from collections.abc import Sequence
 from importlib import import_module
 from textwrap import wrap
 from threading import active_count
+from typing import TYPE_CHECKING
 
 import slipcircle
 from slipcircle.base.loading import INTERRUPTED, finish
-from slipcircle.base.progress import say_later
-from slipcircle.workbench.commands import COMMANDS
-from slipcircle.workbench.commands.common import check_files
-from slipcircle.workbench.common import files
-from slipcircle.workbench.common.quantities import json_text
-from slipcircle.workbench.files.scenefile import shipped
-from slipcircle.workbench.outputs import tables
-from slipcircle.workbench.outputs.tables import Answer, say
+from slipcircle.base.progress import say, say_later
+from slipcircle.workbench.commands import COMMANDS, GROUPS
+from slipcircle.workbench.files.shipped import shipped
+
+if TYPE_CHECKING:
+    from slipcircle.workbench.outputs.tables import Answer
 
 TO_TRY = """\
 Three things to try:
@@ -31,9 +30,11 @@ Three things to try:
   slipcircle run slope.toml --live slope.html  solve it; the page shows the slide in a browser
 `slipcircle --help` lists all commands and scenes.
 """
-DESCRIPTION = "Speed, run-out and time to rest of a mass that failed along a slip circle."
 SILENT = 2.0  # s, at most
-EPILOG = """\
+ABOUT = """\
+Speed, run-out and time to rest of a mass that failed along a slip circle.
+
+{}
 scenes that ship:
   {}
   or a TOML file of your own: `slipcircle schema --text` explains its keys
@@ -50,8 +51,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 0
     options = argparse.Namespace()
     try:
-        options = _parser(argv).parse_args(argv)
+        options = _parser(argv[0]).parse_args(argv)
         options.line = shlex.join(["slipcircle", *argv])
+        from slipcircle.workbench.commands.common import check_files
+
         check_files(options)
         answer = options.run(options)
         _write(answer, options)
@@ -75,8 +78,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """Entry point of the shell command: shows that it is running and, if interrupted, does not wait for computing
-    threads."""
+    """Run the shell command.
+
+    It announces long computations and, if interrupted, does not wait for computing threads.
+    """
     computing = say_later(SILENT)
     finish()
     status = main()
@@ -86,29 +91,36 @@ def command() -> None:
     sys.exit(status)
 
 
-def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
-    """Parser of the called command, or of all if none is; only these are imported."""
+def _parser(called: str) -> argparse.ArgumentParser:
+    """Return the parser of all commands; only the module of the called command is imported, for its options."""
+    groups = ""
+    for title, commands in GROUPS.items():
+        groups += "\n".join([f"{title}:", *(f"  {name:<13}{words}" for name, words in commands.items()), ""])
     names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
     parser = argparse.ArgumentParser(
         "slipcircle",
-        description=DESCRIPTION,
-        epilog=EPILOG.format(names),
+        usage="slipcircle COMMAND ...",
+        description=ABOUT.format(groups, names),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"slipcircle {slipcircle.__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
-    for name in argv[:1] if argv and argv[0] in COMMANDS else COMMANDS:
-        module = import_module(f"slipcircle.workbench.commands.{name}")
-        sentence = f"{module.HELP[0].upper()}{module.HELP[1:]}."
-        added = commands.add_parser(name, help=module.HELP, description=sentence)
-        added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
-        module.options(added)
-        added.set_defaults(run=module.run)
+    known = parser.add_subparsers(
+        prog="slipcircle", dest="command", required=True, metavar="COMMAND", help=argparse.SUPPRESS
+    )
+    for name, words in COMMANDS.items():
+        added = known.add_parser(name, description=f"{words[0].upper()}{words[1:]}.")
+        if name == called:
+            module = import_module(f"slipcircle.workbench.commands.{name}")
+            added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
+            module.options(added)
+            added.set_defaults(run=module.run)
     return parser
 
 
-def _write(answer: Answer, options: argparse.Namespace) -> None:
+def _write(answer: "Answer", options: argparse.Namespace) -> None:
     """Write the files that options name; all are complete before the first is written."""
+    from slipcircle.workbench.common import files
+
     contents = {}
     for option, content in answer.files.items():
         named = getattr(options, option) or []
@@ -120,7 +132,11 @@ def _write(answer: Answer, options: argparse.Namespace) -> None:
             say(f"wrote {path}")
 
 
-def _print(answer: Answer, as_json: bool) -> None:
+def _print(answer: "Answer", as_json: bool) -> None:
+    """Print an answer as JSON, or its tables and warnings."""
+    from slipcircle.workbench.common.quantities import json_text
+    from slipcircle.workbench.outputs import tables
+
     if as_json:
         print(json_text(answer.record()))
         return
@@ -131,7 +147,7 @@ def _print(answer: Answer, as_json: bool) -> None:
 
 
 def _report_output_error(error: OSError) -> None:
-    """Report which output failed; nothing for a closed pipe, as with `| head`."""
+    """Report which output failed. A closed pipe, as after `| head`, is not reported."""
     if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
     if not isinstance(error, BrokenPipeError):

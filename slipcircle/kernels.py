@@ -1,4 +1,4 @@
-"""The kernels of a circular arc by the project's own name: `generated` is a name that others may have on a path too."""
+"""Kernels of a circular arc under a unique name, since another package on the path may be called `generated`."""
 
 from generated import *  # noqa: F403
 from generated import __all__ as __all__

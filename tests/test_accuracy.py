@@ -16,7 +16,7 @@ import pytest
 import slipcircle
 from generated import layout as ix
 from slipcircle import Arc, Scene, load, solve
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 from tests.campaigns import estimates
 from tests.support import references, section_references, taylor, vaiont
 from tests.support.accuracy import DATA, MANY, NUMBERS, ROWS, TIMED, error, near_limit, scene, solved, true_error

@@ -24,7 +24,7 @@ from slipcircle import (
     solve,
 )
 from slipcircle.derivatives import with_parameter_arrays
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 from tests.campaigns import odd_arrays
 
 ARC = Arc(100.0, 3.8, 4.8, 20e3)

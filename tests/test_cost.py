@@ -19,7 +19,7 @@ from slipcircle import Scene, load, solve
 from slipcircle.tables import Series
 from slipcircle.workbench.cost import kernels, rows, scenes
 from slipcircle.workbench.cost.rows import Row
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 from tests.support import oracle, taylor
 from tests.support.outputs import QUICK, words_of
 

@@ -15,7 +15,7 @@ from flint import arb, ctx
 from slipcircle import Arc, Scene, load, parameters, solve
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import accuracy, golden, oracle, references, taylor
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which so many digits are known
 

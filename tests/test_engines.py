@@ -29,7 +29,8 @@ from slipcircle.base.progress import Progress
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import write
 from slipcircle.workbench.common.identity import digest
-from slipcircle.workbench.files.loaded import SlopeScene, stability_of
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.studies import engines, export
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.engines import engine, stored

@@ -27,7 +27,7 @@ from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BIN_ERROR
 from slipcircle.workbench.studies.study import Study
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = load("vaiont")
@@ -228,7 +228,7 @@ def test_shares_of_a_grid_are_of_the_combinations_that_have_a_factor(records: An
     factors = [row["factor of safety, bishop"] for row in found["rows"]]
     known = [factor for factor in factors if factor is not None]
     assert 0 < len(known) < len(factors) - 3
-    shares = found["factor_of_safety"]["bishop"]
+    shares = found["factors_of_safety"]["bishop"]
     assert shares["below_1"] == sum(factor < 1.0 for factor in known) / len(known)
     assert shares["quantile_0.5"] == sorted(known)[math.ceil(len(known) / 2) - 1]
 
@@ -407,22 +407,32 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
     assert (head, len(rows)) == ("table,output,input,at,value,low,high", len(export.rows(study)))
     printed = " ".join(asked(line)[1].split())
     assert f"{study.quantile('run_out', 0.5).value:.4g} [" in printed
-    for heading in ("How far and how fast", "Mean and standard deviation", "Sensitivity indices", "Convergence"):
+    for heading in ("How safe, how far and how fast", "Mean and standard deviation", "Sensitivity indices"):
         assert heading in printed
+    assert "Convergence" not in printed
+    assert "Convergence" in asked(line, "--verbose")[1]
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]
 
 
 def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
     table, line = tmp_path / "a.csv", "sweep vaiont --grid friction.angle_deg=8:12:41 --grid arc.radius_m=1000,1500"
     for _ in range(2):  # the second time from the blocks of the first
-        assert "82 scenes; comes to rest: 82" in said(line, "--csv", table, "--resume", tmp_path / "blocks")
+        out = said(line, "--csv", table, "--resume", tmp_path / "blocks")
+    head, _, *rows = (row.split() for row in out.splitlines()[1:44])
+    assert (head, len(rows)) == (["friction.angle_deg", "1000", "1500"], 41)
+    for angle, *run_outs in rows[::20]:
+        friction = math.tan(math.radians(float(angle)))
+        for radius, run_out in zip((1000.0, 1500.0), run_outs, strict=True):
+            scene = replace(VAIONT, arc=replace(VAIONT.arc, radius=radius), friction=friction)
+            assert f"{solve(scene).run_out:.4g}" == run_out
+    assert "comes to rest: 82" in out
     assert [*(tmp_path / "blocks").glob("block-*")]
     head, *rows = table.read_text("utf-8").splitlines()
     outcomes = "run_out (m),peak_velocity (m/s),duration (s)"
     assert head == f'friction.angle_deg,arc.radius_m,{outcomes},"factor of safety, paper",status,reason'
     assert len(rows) == 82
     # The paper's factor is proportional to the friction; each of three combinations counts alike.
-    factors = records("sweep vaiont --grid friction.angle_deg=8,12,20")[0]["factor_of_safety"]["paper"]
+    factors = records("sweep vaiont --grid friction.angle_deg=8,12,20")[0]["factors_of_safety"]["paper"]
     low, middle, high = np.tan(np.radians([8, 12, 20])) / solve(VAIONT).limit_friction
     assert (factors["quantile_0.5"], factors["quantile_0.95"]) == pytest.approx((middle, high), rel=1e-12)
     assert factors["below_1"] == np.mean([low < 1, middle < 1, high < 1])

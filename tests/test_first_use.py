@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, load, solve
 from slipcircle.base.optional import EXTRAS
-from slipcircle.workbench.files.scenefile import find, shipped
+from slipcircle.workbench.files.shipped import find, shipped
 from tests.support.outputs import COMPUTING, blocks
 
 ROOT = Path(__file__).parents[1]

@@ -17,7 +17,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs import livesection
-from slipcircle.workbench.stability.search import at_circle
+from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import standing_water
 
@@ -174,17 +174,17 @@ def test_factors_are_those_of_plain_slices(name: str) -> None:
     truth, water = CASES[name]
     expected = truth.factors()
     geometry = truth.section()
-    assert at_circle(truth.slope(**water), geometry).factor_of_safety == pytest.approx(expected, rel=5e-6)
+    assert at_circle(truth.slope(**water), geometry).factors_of_safety == pytest.approx(expected, rel=5e-6)
     x, y = truth.centre
     behind = Section(mirrored(truth.ground), (-x, y), truth.radius, 1.0)
     slope = Slope(mirrored(truth.ground), 8e3, 0.5, 2e4, **{key: mirrored(value) for key, value in water.items()})
-    assert at_circle(slope, behind).factor_of_safety == pytest.approx(expected, rel=5e-6)
+    assert at_circle(slope, behind).factors_of_safety == pytest.approx(expected, rel=5e-6)
     for by in (5e5, 5e6):
         far = Section(shifted(truth.ground, by), (x + by, y), truth.radius, 1.0)
         slope = Slope(
             shifted(truth.ground, by), 8e3, 0.5, 2e4, **{key: shifted(value, by) for key, value in water.items()}
         )
-        assert at_circle(slope, far).factor_of_safety == pytest.approx(expected, rel=5e-6)
+        assert at_circle(slope, far).factors_of_safety == pytest.approx(expected, rel=5e-6)
 
 
 def test_lanes_of_levels_have_their_own_ponds() -> None:
@@ -263,7 +263,7 @@ def test_free_water_lies_where_the_level_is_above_the_ground(
     text: str, bishop: float, ordinary: float | None, tmp_path: Path
 ) -> None:
     """Upstream of a dam alone; nowhere below an artesian level."""
-    factors = found(text, tmp_path).factor_of_safety
+    factors = found(text, tmp_path).factors_of_safety
     assert factors["bishop"] == pytest.approx(bishop, abs=5e-4)
     assert ordinary is None or factors["ordinary"] == pytest.approx(ordinary, abs=5e-4)
 
@@ -319,8 +319,8 @@ def test_the_circle_that_search_prints_can_be_pasted(
     assert main(["search", str(path)]) == 0
     rows = dict(re.findall(r"^(.*?)  +(.*?) m$", capsys.readouterr().out, re.MULTILINE))
     pasted = f"centre_m = [{rows['centre']}]\nradius_m = {rows['radius']}\n"
-    least = found(text + "critical = 'bishop'\n", tmp_path).factor_of_safety["bishop"]
-    assert found(text + pasted, tmp_path).factor_of_safety["bishop"] == pytest.approx(least, rel=2e-3)
+    least = found(text + "critical = 'bishop'\n", tmp_path).factors_of_safety["bishop"]
+    assert found(text + pasted, tmp_path).factors_of_safety["bishop"] == pytest.approx(least, rel=2e-3)
     ends = sorted(float(rows[name].partition(",")[0]) for name in ("entry", "exit"))
     found(text + pasted + f"between_m = {ends}\n", tmp_path)
     with pytest.raises(ValueError, match=r"circle.between_m = \[35, 52\]: does not contain the mass from x = "):
@@ -333,9 +333,9 @@ def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
     ground = [(0.0, 10.0), (15.0, 10.0), (35.0, 0.0), (60.0, 0.0)]
     given: dict[str, Any] = {"cohesion": 5e3, "friction": math.tan(math.radians(20)), "unit_weight": 2e4}
     circle = critical(Slope(shifted(ground, by), **given))
-    assert circle.factor_of_safety["bishop"] == pytest.approx(1.1196, abs=5e-5)
-    assert critical(Slope(mirrored(shifted(ground, by)), **given), depth=1.0).factor_of_safety == pytest.approx(
-        circle.factor_of_safety, rel=1e-5
+    assert circle.factors_of_safety["bishop"] == pytest.approx(1.1196, abs=5e-5)
+    assert critical(Slope(mirrored(shifted(ground, by)), **given), depth=1.0).factors_of_safety == pytest.approx(
+        circle.factors_of_safety, rel=1e-5
     )
     with pytest.raises(ValueError, match="below the size of the ground"):
         critical(Slope(shifted(ground, by), **given), depth=61.0)

@@ -23,7 +23,7 @@ import pytest
 
 from derive import build
 from slipcircle import Motion, Section, load, solve
-from slipcircle.core import doors
+from slipcircle.core import lazy
 from slipcircle.core.program import build_program
 from tests.support.layered import of_each_soil
 
@@ -132,7 +132,7 @@ def test_imports_go_one_way(package: str) -> None:
         assert package != "generated" or names <= {"generated", "numpy", *sys.stdlib_module_names}, path
 
 
-# What only some scenes need: each room knows those before it.
+# Packages that only some scenes need. Each may import the packages before it.
 ROOMS = ("given", "history", "tables", "ground", "layers", "stiff", "derivatives", "words")
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
 LAYERS = {
@@ -185,8 +185,9 @@ def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> No
 
 
 IN_WATER = Section([(-60, 20), (0, 20), (40, 0), (120, 0)], (30, 45), 48.0, 19e3, level=[(-60, 5), (120, 5)])
+GROWS = {"cohesion": 5e3, "gradient": 200.0}
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
-# What opens each door: a scene that ships, with what no file can say, and a question about its motion.
+# A shipped scene with changed fields, and a result of its motion, that import each lazy module.
 OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "given": ("vaiont-as-printed", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
@@ -195,6 +196,7 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
     "soils": ("layered-slope", {"arc": of_each_soil()}, bool),
     "water": ("valley-side", {}, bool),
+    "depths": ("real-slope", {"effects": {"rotation": {}, "cohesion": GROWS}}, bool),
     "standing": ("valley-side", {"arc": IN_WATER}, bool),
     "creep": ("vaiont", {"effects": CREEP}, bool),
     "stiff": ("vaiont", {"effects": CREEP, "end_time": 1e6}, bool),
@@ -215,16 +217,16 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
 }
 
 
-@pytest.mark.parametrize("door", doors.DOORS)
-def test_each_door_is_opened_by_a_scene(door: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    name, fields, question = OPENED[door]
+@pytest.mark.parametrize("name", lazy.MODULES)
+def test_each_lazy_module_is_imported_by_a_scene(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    scene, fields, question = OPENED[name]
     opening = Mock(wraps=import_module)
-    monkeypatch.setattr(doors, "import_module", opening)
+    monkeypatch.setattr(lazy, "import_module", opening)
     build_program.cache_clear()
-    doors.room.cache_clear()
+    lazy.lazy_import.cache_clear()
     with suppress(ValueError):
-        question(solve(replace(load(name), **fields)))
-    opening.assert_any_call(doors.DOORS[door].module)
+        question(solve(replace(load(scene), **fields)))
+    opening.assert_any_call(lazy.MODULES[name])
 
 
 def loaded(scene: str, question: str = "") -> set[str]:
@@ -252,7 +254,7 @@ def test_a_plain_scene_enters_no_room_and_a_plain_section_only_the_ground() -> N
 
 
 def test_import_of_the_core_loads_no_workbench() -> None:
-    """Nor do derivatives; and the core reaches its rooms through its doors alone."""
+    """Check derivatives too, and that the core imports other packages only through `lazy_import`."""
     code = """
 import sys
 import slipcircle.core as core
@@ -263,7 +265,7 @@ print(*(name for name in sys.modules if name.startswith("slipcircle.workbench"))
     assert python(code) == "\n"
     for path in sources("slipcircle"):
         if "slipcircle/core/" in path.as_posix():
-            assert all(name.startswith("generated.") for name in called(path)), f"{path} reaches beside the doors"
+            assert all(name.startswith("generated.") for name in called(path)), f"{path} imports another package lazily"
 
 
 @pytest.mark.parametrize("package", ["generated", "slipcircle"])

@@ -13,12 +13,13 @@ import slipcircle
 from slipcircle.core import Scene
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.files.scenefile import critical_of_file, find
+from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.files.variation import along_means
-from slipcircle.workbench.stability.search import at_circle
+from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import Slope
 from slipcircle.workbench.studies.ensemble import grid
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 Write = Callable[..., str]
 
@@ -66,7 +67,7 @@ def write(tmp_path: Path) -> Write:
 
 def factors(path: str) -> dict[str, float]:
     """Factors of safety of a file's circle by method."""
-    found = critical_of_file(path, None, lambda line: None)[2].factor_of_safety
+    found = critical_of_file(path, None, lambda line: None)[2].factors_of_safety
     return {method: factor or math.nan for method, factor in found.items()}
 
 
@@ -102,7 +103,7 @@ def test_a_file_is_the_section_that_it_describes(write: Write, strength: str, sl
         assert getattr(motion, name) == pytest.approx(getattr(expected, name), rel=1e-13)
     slope = Slope(ground, layers=layers, surcharge=surcharge, ponds=[(30, 120, 3)], crack=1.0, crack_water=0.5, k_h=0.1,
                   k_h_on_surcharge=True)  # fmt: skip
-    assert factors(write(SCENE, LOAD, slip, STATICS)) == pytest.approx(at_circle(slope, section).factor_of_safety)
+    assert factors(write(SCENE, LOAD, slip, STATICS)) == pytest.approx(at_circle(slope, section).factors_of_safety)
 
 
 RATE = '[slip.rate]\nlaw = "rate_weakening"\npeak = 1\nresidual = 0.9\nvelocity_m_s = 0.5\n'
@@ -228,7 +229,6 @@ def test_every_mistake_between_tables_is_listed(write: Write) -> None:
         "soils.peat: is the soil of no layer",
         "layers.1.top_m: must be left out",
         "layers.2.top_m: is missing",
-        "soils.clay.datum_m: is missing",
         "surcharge.1.to_m = 2: must lie to the right of from_m = 3",
     ):
         assert mistake in str(error.value)

@@ -17,7 +17,7 @@ import pytest
 from slipcircle import Motion, Scene, Section, Status, load, solve
 from slipcircle.derivatives import parameter_value, with_parameters
 from slipcircle.workbench.files.numbers import number_in
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 from slipcircle.workbench.outputs import live, livesection
 from slipcircle.workbench.outputs.livemodel import Slider, default_sliders, unsolvable
 from slipcircle.workbench.outputs.shapes import mass_of

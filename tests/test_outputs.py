@@ -11,9 +11,9 @@ import pytest
 
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.workbench.common.records import record
-from slipcircle.workbench.outputs.tables import motion_column
 from slipcircle.workbench.outputs.trace import csv, telling_times
 from tests.support import golden
+from tests.support.outputs import printed
 
 SCENES = (
     "constant, rising water", "exponential, cohesion", "rate, turning, mirrored", "rests in between, turning",
@@ -105,7 +105,7 @@ def test_every_column_of_the_csv(name: str) -> None:
 def test_the_table_of_a_motion(name: str) -> None:
     """Numbers to four digits, dimensionless coefficients to five decimals."""
     m = golden.solved(name)
-    cells, found = motion_column(m), record(m)
+    cells, found = printed(m), record(m)
     wanted: dict[str, float] = {
         "factor of safety by the paper's method": m.factor_of_safety, "yield coefficient k_y": m.yield_coefficient,
         "limit friction angle": math.degrees(math.atan(m.limit_friction)), "velocity at the end": m.end.velocity,
@@ -115,7 +115,7 @@ def test_the_table_of_a_motion(name: str) -> None:
         "mean normal stress at the end": m.end.normal_stress,
     }  # fmt: skip
     if not m.moves:
-        assert (cells["comes to rest"], cells["duration"]) == ("does not move", "-")
+        assert (cells["comes to rest"], cells["duration"]) == ("does not move", "does not move")
         del wanted["duration"]
     for label, value in wanted.items():
         parts = re.fullmatch(r"(?:.* at )?([-\d.e]+) ?(\S*?)(?:, .*)?", cells[label])

@@ -22,7 +22,7 @@ from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.tables import Series
 from slipcircle.words.choice import FLOW
 from slipcircle.words.equation import Equation
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.lanes import walked
 

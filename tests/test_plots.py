@@ -9,23 +9,26 @@ from typing import Any
 import matplotlib.pyplot
 import numpy as np
 import pytest
+from matplotlib.collections import PolyCollection
+from matplotlib.contour import ContourSet
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
-from slipcircle import Arc, Scene, Section, critical, grid, load, solve
+from slipcircle import Arc, Scene, Section, Slope, critical, grid, load, solve
 from slipcircle.words import swings_back
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
-from slipcircle.workbench.outputs.tables import cell_text, motion_column, stretches_part
+from slipcircle.workbench.outputs.tables import cell_text, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
+from tests.support.motions import from_method
+from tests.support.outputs import printed
 from tests.support.pictures import SCENES, canvas, clashes, drawn, legend, motion
-from tests.support.rays import from_method
 
 matplotlib.use("agg")
 
@@ -59,8 +62,8 @@ def test_history_draws_the_motion(name: str) -> None:
             continue
         time, value = ax.lines[0].get_data()
         unit = ax.get_ylabel().partition("(")[2].rstrip(")")
-        scale = {"deg": np.pi / 180, "kPa": 1e3, "MPa": 1e6}.get(unit, 1.0)
-        wanted = (trace(m)["friction"] if what == "friction" else getattr(m.at(time), what)) / scale
+        scale = {"deg": np.pi / 180, "mPa": 1e-3, "kPa": 1e3, "MPa": 1e6}.get(unit, 1.0)
+        wanted = (trace(m)[what] if what in ("friction", "strength") else getattr(m.at(time), what)) / scale
         assert (time[0], time[-1]) == (0.0, m.duration)
         assert np.allclose(value, wanted, rtol=1e-12, atol=1e-12 * np.max(np.abs(wanted)))
         marks = [float(x.get_xdata()[0]) for x in ax.lines if x.get_marker() not in ("None", "")]
@@ -73,7 +76,10 @@ def test_an_overview_of_a_motion() -> None:
     """Degrees beside metres; panels bear letters."""
     m = motion("vaiont")
     figure = plots.overview(m).draw(canvas((9.0, 12.0)))
-    assert "".join(ax.get_title("left") for ax in figure.axes) == "abcdef"
+    titles = [ax.get_title("left") for ax in figure.axes if ax.get_title("left")]
+    assert titles == [
+        "a  Section", "b  Velocity", "c  Displacement", "d  Friction coefficient", "e  Mean normal stress",
+        "f  Speed and energy"]  # fmt: skip
     assert figure.get_suptitle() == "Vaiont: 677 m in 38.1 s, at rest"
     ax = plots.history(m, "displacement", drawn())
     ax.figure.draw_without_rendering()
@@ -83,6 +89,41 @@ def test_an_overview_of_a_motion() -> None:
 
 VAIONT = load("vaiont")
 TABLE = {"law": "tabulated", "slip": [0.0, 60.0], "coefficient": [0.41, 0.17]}
+
+
+SHORT_GROUND = [(-24, 20), (0, 20), (40, 0), (47, 0)]
+
+
+def test_cohesion_and_layers_show_strengths_in_kilopascals() -> None:
+    """phi = 0 mobilises its cohesion; both strengths are equal at the peak velocity, where nothing accelerates."""
+    section = Section(SHORT_GROUND, (26.0, 34.0), 38.0, 19e3)
+    clay = solve(Scene(section, 0.0, {**{name: {} for name in TURNING}, "cohesion": {"cohesion": 35e3}}))
+    layered = solve(Scene(profile("softening"), effects=TURNING))
+    for m in (clay, layered):
+        titles = [ax.get_title("left") for ax in plots.overview(m).draw(canvas((9.0, 12.0))).axes]
+        assert "d  Mobilised strength" in titles
+        assert "friction" not in " ".join(titles).lower()
+        at_peak = m.strength_at(m.peak.time)
+        assert at_peak.mobilised == pytest.approx(at_peak.required, rel=1e-9)
+    assert clay.strength_at([0.0, 1.0]).mobilised == pytest.approx([35e3, 35e3], rel=1e-12)
+    start, soils = layered.strength_at(0.0), record(layered)["stretches"]
+    mean = sum(r["length"] * r["strength"] for r in soils) / sum(r["length"] for r in soils)
+    assert start.mobilised == pytest.approx(mean, rel=1e-12)
+    assert start.mobilised / start.required == pytest.approx(layered.factor_of_safety, rel=1e-12)
+
+
+def test_the_picture_of_a_section_shows_its_free_water_and_the_ground_beyond_its_last_point() -> None:
+    section = Section(SHORT_GROUND, (26.0, 34.0), 38.0, 19e3, ponds=[(36.0, 47.0, 2.0)])
+    ax = plots.section(solve(Scene(section, 0.1, TURNING)), drawn())
+    (pond,) = (c.get_paths()[0].vertices for c in ax.collections if c.get_alpha() == plotstyle.SCENERY["pond"]["alpha"])
+    assert pond[:, 0].min() == pytest.approx(36.0)
+    assert pond[:, 0].max() == pytest.approx(47.0)
+    assert pond[:, 1].max() == 2.0
+    assert {"pond", "ground assumed level"} <= {*legend(ax)}
+    arc = plots.section(motion("vaiont"), drawn()).collections[0].get_paths()[0].vertices
+    end = motion("vaiont").plan.scene.arc.radius
+    on_circle = np.abs(np.hypot(*arc.T) - end) < 1e-6 * end
+    assert arc[on_circle, 0].max() > 1200.0  # beyond the toe, which ends at 808 m
 
 
 def test_friction_is_that_of_the_time() -> None:
@@ -255,27 +296,32 @@ def test_the_section_names_times_and_ways_and_that_the_circle_goes_on() -> None:
     """How the toe of a slope ends above its ground stands in the tables as well."""
     m = solve(from_method(load("real-slope"), "paper"))
     words = " ".join(legend(plots.section(m, drawn((9.0, 6.0)))))
-    assert "10.4 m from the paper's F = 0.942 9.7 m from Bishop's F = 0.985" in words
+    assert "10.4 m from the paper's F = 0.942; 9.7 m from Bishop's F = 0.985" in words
     assert "peak velocity 2.955 m/s after 3.803 s and 5.393 m" in words
     assert "at rest after 6.477 s and 10.41 m" in words
     hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(getattr(m.plan.scene.arc, "ground")))  # noqa: B009
-    assert f"comes {hangs:.4g} m above the ground" in words
-    assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the run-out"]
-    assert "toe at the run-out" not in motion_column(motion("vaiont"))
+    assert f"toe {hangs:.4g} m above the ground" in words
+    assert f"{hangs:.4g} m above the ground" in printed(m)["toe at the run-out"]
+    assert "toe at the run-out" not in printed(motion("vaiont"))
     assert "still moving after 30 s and 1020 m" in legend(plots.section(motion("vaiont-frozen"), drawn((9.0, 6.0))))
 
 
 def test_the_map_of_a_search_is_darkest_where_most_dangerous() -> None:
+    """Contours with values, the factor at the centre, and the method in the title."""
     stability = stability_of(load("real-slope"))
     assert stability is not None
     found = critical(stability.slope)
     searchplot.critical_circle(found, (figure := canvas((9.0, 6.0))).add_subplot())
-    (cells,) = (c for c in figure.axes[0].collections if c.get_array() is not None)
+    (cells,) = (c for c in figure.axes[0].collections if isinstance(c, PolyCollection) and c.get_array() is not None)
     low, high = (sum(cells.get_cmap()(x)[:3]) for x in (0.0, 1.0))
     least, most = cells.get_clim()
     assert low < 0.5 * high
     assert 1.03 * least < most
     assert least == np.nanmin(found.values)
+    assert f"centre, $F$ = {least:.3f}" in legend(figure.axes[0])
+    assert figure.axes[0].get_title("left") == f"Critical circle by Bishop's method: $F$ = {least:.3f}"
+    (lines,) = (c for c in figure.axes[0].collections if isinstance(c, ContourSet))
+    assert {f"{level:g}" for level in lines.levels} >= {f"{float(t.get_text()):g}" for t in lines.labelTexts} != set()
 
 
 def test_a_flat_map_of_a_search_has_a_scale_with_different_labels() -> None:
@@ -283,13 +329,14 @@ def test_a_flat_map_of_a_search_has_a_scale_with_different_labels() -> None:
     assert stability is not None
     found = critical(stability.slope)
     least = np.nanmin(found.values)
-    flat = replace(found, values=least + 1e-3 * (found.values - least))
+    flat = replace(found, values=least + 1e-3 * np.minimum(found.values - least, 1.0))
     searchplot.critical_circle(flat, (figure := canvas((9.0, 6.0))).add_subplot())
     figure.draw_without_rendering()
     low, high = figure.axes[1].get_xlim()
-    labels = [t.get_text() for t in figure.axes[1].get_xticklabels() if low <= t.get_position()[0] <= high]
+    ticks = [t for t in figure.axes[1].get_xticklabels() if low <= t.get_position()[0] <= high]
+    labels = [t.get_text() for t in ticks]
     assert len(labels) == len({*labels}) > 2
-    assert [float(label) for label in labels] == pytest.approx(figure.axes[1].get_xticks()[-len(labels) :], abs=1e-2)
+    assert [float(label) for label in labels] == pytest.approx([t.get_position()[0] for t in ticks], abs=1e-4)
 
 
 # --- greys and names -----------------------------------------------------------------------------------------------
@@ -311,10 +358,14 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     m, study = motion("wet-slope"), grid(load("wet-slope"), {"friction.angle_deg": [20.0, 24.0]})
     ax = drawn()
     assert m.plot("velocity", ax) is ax
-    for result, what in ((m, "section"), (study, "overview"), (study, "duration")):
+    found = critical(Slope([[0, 10], [20, 0]], 5e3, 0.3, 19e3))
+    for result, what in ((m, "section"), (study, "overview"), (study, "duration"), (found, "overview")):
         figure = result.plot(what).figure
         assert figure.axes
         matplotlib.pyplot.close(figure)
+    for result, name in ((m, "a.svg"), (found, "c.PDF")):
+        assert result.plot(tmp_path / name) is None
+        assert (tmp_path / name).stat().st_size > 1000
     m.animate(str(tmp_path / "a.gif"), seconds=0.5)
     with Image.open(tmp_path / "a.gif") as gif:
         durations = [frame.info["duration"] for frame in ImageSequence.Iterator(gif)]
@@ -322,6 +373,8 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
     assert durations[-1] == 2000
     many = solve(replace(SCENES["wet-slope"], friction=np.array([0.3, 0.4])))
     refused: list[tuple[Any, str]] = [
+        (lambda: m.plot("a.doc"), r"what = 'a.doc': must be .* or end in \.png, .*\.gif"),
+        (lambda: study.plot("a.gif"), r"what = 'a.gif': must be .* or end in \.png, \.svg, \.pdf, \.jpg$"),
         (lambda: m.plot("speed"), "what = 'speed': must be one of overview, section"),
         (lambda: m.plot(ax=ax), "has several panels"),
         (lambda: many.plot(), r"2 lanes is not one picture: take one of them, motion\[0\]"),

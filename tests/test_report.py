@@ -23,14 +23,14 @@ from slipcircle import Motion, Scene, Status, ensemble, load, solve
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.common.records import record as record_of
-from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.provenance import comments, inputs
 from slipcircle.workbench.outputs.report import _energy, report, study_report
-from slipcircle.workbench.outputs.tables import cell_text, interval, motion_column
+from slipcircle.workbench.outputs.tables import cell_text, interval
 from slipcircle.workbench.studies import export
-from tests.support.outputs import rows, tree, words_of
+from tests.support.outputs import printed, rows, tree, words_of
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 
@@ -52,7 +52,7 @@ def test_numbers_are_those_of_the_json() -> None:
     """In full in its JSON; in its tables as `run --verbose` prints them, which `test_outputs` holds."""
     m, cells = motion("wet-slope"), rows(tree(page()))
     record = json.loads(json.dumps(record_of(m), allow_nan=False))
-    assert {label: cells[label].text for label in motion_column(m)} == motion_column(m)
+    assert {label: cells[label].text for label in printed(m)} == printed(m)
     for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
         number, unit = str(cells[label].text).split(" ")
         factor, known = prefixed(record["energy"][key], "J")
@@ -186,7 +186,7 @@ def test_one_command_writes_everything(tmp_path: Path, asked: Any) -> None:
     plot, page, table = written.values()
     assert plot.read_bytes().startswith(b"\x89PNG\r\n")
     root = tree(page.read_text("utf-8"))
-    assert rows(root)["peak velocity"].text == motion_column(motion("wet-slope"))["peak velocity"]
+    assert rows(root)["peak velocity"].text == printed(motion("wet-slope"))["peak velocity"]
     (command,) = (pre.text for pre in root.iter("pre") if pre.text.startswith("slipcircle run"))
     given = [str(part) for option in written.items() for part in option]
     assert shlex.split(command) == ["slipcircle", "run", "wet-slope", *given, "--json"]
@@ -206,7 +206,7 @@ def test_several_scenes_share_the_files(tmp_path: Path, said: Any) -> None:
     first = next(root.iter("table"))
     assert [a.get("href") for a in first.iter("a")] == ["#scene-1", "#scene-2"]
     row = next(r for r in first.iter("tr") if r[0].text == "run-out along the arc")
-    assert [cell.text for cell in row][1:] == [motion_column(motion(n))["run-out along the arc"] for n in names]
+    assert [cell.text for cell in row][1:] == [printed(motion(n))["run-out along the arc"] for n in names]
     assert {line.partition(",")[0] for line in table.read_text("utf-8").splitlines()[1:]} == set(names)
 
 

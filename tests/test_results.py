@@ -68,7 +68,7 @@ def test_html_is_a_table_and_no_more(study: Study) -> None:
         assert not list(root.iter("script"))
         assert len(list(root.iter("tr"))) > 3
     cells = {r[0].text: r[1].text for r in ElementTree.fromstring(f"<d>{hostile._repr_html_()}</d>").iter("tr")}
-    assert cells["run-out along the arc"] == "677.3 m"
+    assert cells["run-out along the arc"] == "677.3 m, outside the observed 300 to 450 m"
 
 
 def test_every_public_name_exists() -> None:
@@ -145,10 +145,12 @@ def test_pickled_it_is_the_same(study: Study) -> None:
 def test_a_dictionary_has_every_result() -> None:
     motion, lanes = solve(VAIONT), many()
     found = motion.to_dict()
-    assert [*found] == [*(q.name for q in (*RESULTS, *SINGLE, *JOURNEY)), "status", "reason"]
+    assert [*found] == [*(q.name for q in (*RESULTS, *SINGLE, *JOURNEY)), "factors_of_safety", "status", "reason"]
     assert (found["run_out"], found["peak_velocity"]) == (motion.run_out, motion.peak.velocity)
     assert (found["status"], found["reason"]) == ("RESTS", "")
-    assert {np.shape(v) for v in lanes.to_dict().values()} == {(2, 3)}
+    of_lanes = lanes.to_dict()
+    columns = [*of_lanes.pop("factors_of_safety").values(), *of_lanes.values()]
+    assert {np.shape(v) for v in columns} == {(2, 3)}
     np.testing.assert_array_equal(lanes.to_dict()["initial_velocity"][:, 2], [0.0, 1.0])
     history = lanes.to_dict(TIMES)
     assert [*history] == [*HISTORY]

@@ -17,9 +17,9 @@ from slipcircle.base.checks import UnusualInput
 from slipcircle.core.scene.arc import QUANTITIES
 from slipcircle.tables import Pulse
 from slipcircle.workbench.files.scenefile import load as read
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 from tests.support import vaiont
-from tests.support.rays import from_method
+from tests.support.motions import from_method
 
 FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = Arc(800.0, 3.8, 5.0, 21e3)

@@ -432,7 +432,7 @@ def test_words_of_a_file_in_capitals(tmp_path: Path) -> None:
         path.write_text(text.replace("Bishop", word), "utf-8")
         stability = stability_of(load(path))
         assert stability is not None
-        factors.append((stability.method, stability.factor_of_safety["bishop"]))
+        factors.append((stability.method, stability.factors_of_safety["bishop"]))
     assert len({*factors}) == 1
 
 

@@ -105,8 +105,8 @@ def test_velocity_times_of_swings_leave_out_standstills() -> None:
 def test_the_motion_of_a_file_slides_along_the_circle_of_its_search(records: Any) -> None:
     (record,) = records("run real-slope")
     (circle,) = records("search real-slope")
-    assert record["factor_of_safety"] == pytest.approx(circle["factor_of_safety"]["bishop"], rel=1e-9)
-    ratio = circle["factor_of_safety"]["bishop"] / circle["factor_of_safety"]["paper"]
+    assert record["factor_of_safety"] == pytest.approx(circle["factors_of_safety"]["bishop"], rel=1e-9)
+    ratio = circle["factors_of_safety"]["bishop"] / circle["factors_of_safety"]["paper"]
     assert record["strength_factor"] == pytest.approx(ratio, rel=1e-9)
     bishop, paper = record["starts"]
     assert (bishop["run_out"], paper["run_out"]) == (record["run_out"], pytest.approx(10.41, abs=0.005))

@@ -8,8 +8,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from slipcircle import Arc, LayeredSection, Scene, Section, Soil, backanalyse, plan, solve
+from slipcircle.derivatives import with_parameter_arrays
+from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import softening
-from tests.campaigns.softening import Softened, at_slip
+from tests.support.along_the_arc import AlongTheArc, at_slip
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 CIRCLE: Any = {"ground": [(-40, 0), (0, 0), (20, 10), (60, 10)], "centre": (2.0, 18.0), "radius": 20.0}
@@ -82,7 +84,7 @@ def test_layers_accelerate_as_their_strength_at_this_slip_says(seed: int) -> Non
         if section.strength in kinds:
             continue
         kinds.add(section.strength)
-        slope = Softened(section)
+        slope = AlongTheArc(section, section)
         for share in (0.0, 0.2, 0.5, 0.9):
             state = motion.at(share * motion.farthest.time)
             moment = SimpleNamespace(rotation=state.rotation, angular_velocity=state.angular_velocity, velocity=1.0)
@@ -113,7 +115,9 @@ def test_laws_that_break_at_the_same_slip_all_pass_their_breaks(end: float) -> N
     linear = {"law": "linear", "length": 0.4}
     soil = Soil(19e3, linear | {"peak": 12e3, "residual": 4e3}, linear | {"peak": 0.08, "residual": 0.05}, name="a")
     section = LayeredSection(layers=[(soil, None)], **CIRCLE)
-    assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(softening.farthest(section)[0], rel=1e-8)
+    assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(
+        AlongTheArc(section, section).motion()[0], rel=1e-8
+    )
 
 
 def test_a_constant_law_is_a_number() -> None:
@@ -171,3 +175,61 @@ def test_a_factor_of_strength_multiplies_the_law_of_cohesion(law: Any) -> None:
     layered = LayeredSection(layers=[(soil, None)], strength="mass", **CIRCLE)
     motion = solve(Scene(layered, None, TURNING, strength_factor=0.9))
     assert motion.run_out == pytest.approx(known.run_out, rel=1e-11)
+
+
+# --- growth with depth -----------------------------------------------------------------------------------------------
+
+GROWING: list[dict[str, Any]] = [
+    {"cohesion": {"cohesion": 3e3, "gradient": 700.0}},
+    {"cohesion": {"cohesion": 3e3, "gradient": 700.0, "datum": 4.0}},
+    {"cohesion": LAW | {"peak": 5e3, "gradient": 700.0}},
+]
+
+
+@pytest.mark.parametrize("effects", GROWING)
+def test_cohesion_of_one_soil_grows_as_that_of_one_layer(effects: dict[str, Any]) -> None:
+    """Below the ground or a height, by a law or without; motion, statics, lanes and derivatives."""
+    section = Section(unit_weight=19e3, **CIRCLE)
+    law = dict(effects["cohesion"])
+    growth = {"cohesion_gradient": law.pop("gradient"), "datum": law.pop("datum", None)}
+    soil = Soil(19e3, law if "law" in law else law["cohesion"], 0.05, name="soil", **growth)
+    layered = Scene(LayeredSection(layers=[(soil, None)], **CIRCLE), None, TURNING)
+    scene = Scene(section, 0.05, TURNING | effects)
+    one, other = solve(scene), solve(layered)
+    assert one.run_out == pytest.approx(other.run_out, rel=1e-12)
+    assert one.factor_of_safety == pytest.approx(float(factors_of_safety(scene)["paper"]), rel=1e-9)
+    assert factors_of_safety(scene)["bishop"] == pytest.approx(factors_of_safety(layered)["bishop"], rel=1e-13)
+    steps = np.array([600.0, 700.0, 800.0])
+    lanes = solve(with_parameter_arrays(scene, {"cohesion.gradient": steps})[0])
+    assert lanes.run_out[1] == pytest.approx(one.run_out, rel=1e-8)
+    slope = one.sensitivity().derivative("run_out", "cohesion.gradient")
+    assert slope == pytest.approx((lanes.run_out[2] - lanes.run_out[0]) / 200.0, rel=2e-2)
+
+
+def test_a_height_is_a_flat_line_and_the_ground_its_own_line() -> None:
+    """Datums of layers: a height, the same as a line, and that of the soil; a line along the ground is the ground."""
+    sand, clay = Soil(19e3, 0.0, 0.3, name="sand"), Soil(19e3, 3e3, 0.04, cohesion_gradient=700.0, name="clay")
+    named = Soil(19e3, 3e3, 0.04, cohesion_gradient=700.0, datum=5.0, name="clay")
+    tops: list[Any] = [5.0, [(-40.0, 5.0), (60.0, 5.0)]]
+    made = [[(sand, None), (clay, tops[0])], [(sand, None), (clay, tops[1])], [(sand, None), (named, 5.0)]]
+    made += [[(clay, None)], [(sand, None), (clay, CIRCLE["ground"])]]
+    found = [solve(Scene(LayeredSection(layers=layers, **CIRCLE), None, TURNING)).run_out for layers in made]
+    assert found[1:3] == pytest.approx([found[0]] * 2, rel=1e-12)
+    assert found[4] == pytest.approx(found[3], rel=1e-12)
+
+
+def test_growth_without_a_ground_or_a_peak_is_refused() -> None:
+    section = Section(unit_weight=19e3, **CIRCLE)
+    arc = Arc(60.0, 3.8, 5.0, 19e3)
+    peakless = LAW | {"peak": 0.0, "gradient": 700.0}
+    for mass, cohesion, words in (
+        (arc, GROWING[0]["cohesion"], "gradient: needs a ground"),
+        (section, peakless, "peak = 0: must be positive"),
+        (section, {"cohesion": 3e3, "gradient": 700.0, "datum": [4.0, 5.0]}, "datum = .*: must be one number"),
+        (section, {"cohesion": 3e3, "gradient": -1.0}, "gradient = -1: must be growth"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            Scene(mass, 0.05, TURNING | {"cohesion": cohesion})
+    foreland = Soil(19e3, 3e3, 0.1, cohesion_gradient=700.0, name="beyond")
+    with pytest.raises(ValueError, match=r"soils.beyond.datum: is missing"):
+        LayeredSection(layers=[(Soil(19e3, name="soil"), None)], foreland=foreland, **CIRCLE)

@@ -11,9 +11,10 @@ from slipcircle import LayeredSection, Scene, Soil, solve
 from slipcircle.ground.ground import circle_through
 from slipcircle.ground.section import Section
 from slipcircle.workbench.stability import family
+from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.factors import factors_by
 from slipcircle.workbench.stability.family import Search
-from slipcircle.workbench.stability.search import at_circle, critical
+from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import Slope, factors_of_safety
 from tests.campaigns import peers_slopes
 from tests.support.along_the_arc import AlongTheArc, random_section
@@ -45,7 +46,7 @@ ARAI_TAGYO = Slope([(0, 15), (18, 15), (48, 35), (80, 35)], 41.65e3, tangent(15)
 )
 def test_published_searches(slope: Slope, method: str, expected: float, circle: tuple[float, ...] | None) -> None:
     found = critical(slope, method)
-    assert found.factor_of_safety[method] == pytest.approx(expected, rel=1e-3)
+    assert found.factors_of_safety[method] == pytest.approx(expected, rel=1e-3)
     _, toe, brow, _ = np.asarray(
         slope.ground
     ).tolist()  # given to three digits; it leaves at the toe and enters the level crest
@@ -61,7 +62,7 @@ def test_published_searches(slope: Slope, method: str, expected: float, circle: 
 def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: str) -> None:
     run = 0.0 if angle == 90 else 10.0 / tangent(angle)
     slope = Slope([(0, 0), (40, 0), (40 + run, 10), (90, 10)], 20e3, 0.0, 20e3)
-    factor = critical(slope, method, exit=(40.0, 40.0)).factor_of_safety[method]
+    factor = critical(slope, method, exit=(40.0, 40.0)).factors_of_safety[method]
     assert factor is not None
     # F = 1 where gamma H/c is Taylor's number, and F is proportional to c: N = F gamma H/c.
     assert factor * 20e3 * 10.0 / 20e3 == pytest.approx(number, rel=1e-4)
@@ -86,7 +87,7 @@ def test_the_course_of_a_search_does_not_depend_on_last_bits(monkeypatch: pytest
 def test_ever_deeper_circles_below_gentle_slopes_without_friction() -> None:
     """F gamma H/c tends to 5.52 (Taylor): here by 1000 slopes' heights of soil."""
     deep = Slope([(-6e4, 0), (0, 0), (10 / tangent(40), 10), (6e4, 10)], 20e3, 0.0, 20e3, base=-1e4)
-    assert critical(deep).factor_of_safety["bishop"] == pytest.approx(0.552, abs=2e-4)
+    assert critical(deep).factors_of_safety["bishop"] == pytest.approx(0.552, abs=2e-4)
     steep = replace(deep, ground=[(-60, 0), (0, 0), (10 / tangent(60), 10), (60, 10)], base=None)
     assert critical(steep).exit == pytest.approx((0.0, 0.0), abs=0.01)  # toe circles above 53 deg, without a base
 
@@ -105,10 +106,10 @@ def test_factors_are_those_of_slices_along_the_arc(pressure: float, on_surcharge
         slope = Slope(section.ground, layers=section.layers, level=section.level, surcharge=section.surcharge, k_h=k_h,
                       k_h_on_surcharge=on_surcharge, pressure=pressure)  # fmt: skip
         found = at_circle(slope, section)
-        bishop = found.factor_of_safety["bishop"]
+        bishop = found.factors_of_safety["bishop"]
         expected = AlongTheArc(slope, found).factors(k_h, bishop or math.nan)
         assert found.negative == pytest.approx(expected.pop("negative"), abs=3e-3)  # counted at 10 points of each piece
-        compared += [(found.factor_of_safety[method], factor) for method, factor in expected.items() if factor > 0.0]
+        compared += [(found.factors_of_safety[method], factor) for method, factor in expected.items() if factor > 0.0]
         shaken = AlongTheArc(replace(slope, k_h_on_surcharge=True), found)
         assert shaken.factors(found.yield_coefficient or math.nan, 1.0)["paper"] == pytest.approx(1.0, rel=1e-12)
     computed, factors = zip(*compared, strict=True)
@@ -119,7 +120,7 @@ def test_factors_are_those_of_slices_along_the_arc(pressure: float, on_surcharge
 @pytest.mark.parametrize(("cohesion", "friction"), [(3e3, ACADS.friction), (30e3, 0.0)])
 def test_a_base_may_lie_at_the_height_of_the_toe(cohesion: float, friction: float) -> None:
     rock, above = (critical(replace(ACADS, cohesion=cohesion, friction=friction, base=y)) for y in (25.0, 25.0 - 1e-6))
-    assert rock.factor_of_safety["bishop"] == pytest.approx(above.factor_of_safety["bishop"], rel=1e-6)
+    assert rock.factors_of_safety["bishop"] == pytest.approx(above.factors_of_safety["bishop"], rel=1e-6)
     Section(ACADS.ground, rock.centre, rock.radius, 20e3, between=rock.between, base=25.0)  # is not refused
 
 
@@ -144,7 +145,7 @@ def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:
     slope = Slope([(-60, 3), (-20, 3), (0, 0), (60, 0)], 1e2, tangent(35), 2e4, k_h=0.9)
     centre, radius = circle_through((-22.0, 3.0), (30.0, 0.0), depth=20.0)
     found = at_circle(slope, Section(slope.ground, centre, float(radius), 1.0))
-    assert [method for method, factor in found.factor_of_safety.items() if factor is None] == ["bishop"]
+    assert [method for method, factor in found.factors_of_safety.items() if factor is None] == ["bishop"]
 
 
 @pytest.mark.parametrize(
@@ -161,7 +162,7 @@ def test_where_the_least_factor_lies_beyond_a_limit_the_circle_is_at_it(
     slope = Slope([(-50, 10), (-20, 10), (0, 0), (50, 0)], 5e3, tangent(20), 19e3, base=-2.0)
     free, found = critical(slope), critical(slope, **{name: limit})
     assert free.centre[1] - free.radius >= -2.0 - 1e-6
-    assert (found.factor_of_safety["bishop"] or 0.0) > (free.factor_of_safety["bishop"] or 9.0)
+    assert (found.factors_of_safety["bishop"] or 0.0) > (free.factors_of_safety["bishop"] or 9.0)
     section = Section(slope.ground, found.centre, found.radius, 19e3, between=found.between)
     at = {"entry": found.entry[0], "exit": found.exit[0], "depth": float(section.depth)}
     assert at[name] == pytest.approx(reached, abs=1e-6)
@@ -200,7 +201,7 @@ def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
 def test_a_search_knows_no_unit(scale: float) -> None:
     ground = scale * np.asarray(ACADS.ground)
     found = critical(replace(ACADS, ground=ground, cohesion=3e3 * scale, base=20 * scale))
-    assert found.factor_of_safety["bishop"] == pytest.approx(0.98504, rel=1e-5)
+    assert found.factors_of_safety["bishop"] == pytest.approx(0.98504, rel=1e-5)
     assert found.centre == pytest.approx((29.54 * scale, 53.64 * scale), rel=1e-3)
 
 
@@ -216,7 +217,7 @@ def test_bishop_s_method_is_too_low_where_its_slices_hang_on_the_base(
     run = 0.0 if slope == 90 else 10 / tangent(slope)
     cut = Slope([(-40, 0), (0, 0), (run, 10), (run + 60, 10)], number * 2e5, tangent(angle), 2e4, base=-20)
     found = critical(cut, exit=(0.0, 0.0))
-    assert found.factor_of_safety["bishop"] == pytest.approx(least, abs=6e-3)
+    assert found.factors_of_safety["bishop"] == pytest.approx(least, abs=6e-3)
     assert found.negative == pytest.approx(share, abs=4e-3)
     assert ("of the arc is under negative effective normal stress" in found.warning) == (share > 0.2)
 
@@ -325,7 +326,7 @@ def test_the_least_yield_coefficient_is_the_k_h_that_makes_the_least_paper_facto
     assert k_y is not None
     assert k_y > 0.0
     shaken = replace(slope, k_h=k_y)
-    assert critical(shaken, "paper").factor_of_safety["paper"] == pytest.approx(1.0, rel=1e-4)
+    assert critical(shaken, "paper").factors_of_safety["paper"] == pytest.approx(1.0, rel=1e-4)
 
 
 CIRCLE: dict[str, Any] = {"centre": (-6.0, 22.0), "radius": 24.0}
@@ -360,7 +361,7 @@ def test_a_circle_has_the_factors_of_its_motion_and_scene(name: str) -> None:
     circle = replace(scene.arc, crack=0.0) if isinstance(scene.arc, LayeredSection) else scene.arc  # of the slope
     found, motion = at_circle(slope, circle), solve(scene)
     assert found.yield_coefficient == pytest.approx(motion.yield_coefficient, rel=1e-9)
-    assert found.factor_of_safety["paper"] == pytest.approx(motion.factor_of_safety, rel=1e-9)
+    assert found.factors_of_safety["paper"] == pytest.approx(motion.factor_of_safety, rel=1e-9)
     by_method = factors_of_safety(scene)
-    for method, factor in found.factor_of_safety.items():
+    for method, factor in found.factors_of_safety.items():
         assert by_method[method] == pytest.approx(factor, rel=1e-9)

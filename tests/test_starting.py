@@ -13,9 +13,10 @@ import pytest
 import slipcircle
 from slipcircle import Arc, Scene, Status, load, solve
 from slipcircle.derivatives import parameters, with_parameter_arrays, with_parameters
-from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.workbench.stability.critical import SlopeScene
 from tests.campaigns import combined
-from tests.support.rays import from_method, random_slopes
+from tests.support.along_the_arc import of_scene
+from tests.support.motions import from_method
 
 # Lodalen 1954 (Sevaldson 1956): 17 m high, 1:2, c' = 10 kPa, phi' = 27 degrees.
 LODALEN = """[ground]
@@ -32,12 +33,6 @@ level_m = [[0, 0], [20, 0], [40, 9], [54, 13], [90, 15]]
 [rotation]
 [centripetal]
 """
-
-
-def test_starts_with_softening_cohesion_and_standing_water(tmp_path: Path) -> None:
-    """A sample of the campaign."""
-    found = list(combined.differences(3, 6, tmp_path))
-    assert max(found) < 1e-10
 
 
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
@@ -68,23 +63,21 @@ def close(one: Any, other: Any) -> None:
 
 
 @pytest.mark.parametrize("seed", [5, 6])
-def test_motions_start_from_bishops_factor_as_plain_integration_does(seed: int, file: Any) -> None:
-    """The strength factor, run-out, duration and peak velocity of random slopes, dry, wet or shaken."""
-    for slope in islice(random_slopes(seed), 3):
-        scene = load(file(slope.file))
-        assert scene.strength_factor == pytest.approx(slope.strength_factor, rel=1e-13)
-        motion = solve(scene)
-        assert motion.status in (Status.RESTS, Status.STAYS)
-        assert slope.bishop(motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
-        if not slope.shaken:
-            assert motion.factor_of_safety == pytest.approx(slope.bishop(), rel=1e-13)
-        found = motion.run_out, motion.duration, motion.peak.velocity
-        assert found == pytest.approx(slope.motion(slope.strength_factor), rel=1e-8)
+def test_motions_start_from_the_factor_of_a_method_as_plain_integration_does(seed: int, tmp_path: Path) -> None:
+    """``python -m tests.campaigns.combined 200`` compares more motions; also yield coefficients and further factors."""
+    for drawn, motion in islice(combined.motions(seed, tmp_path), 2):
+        assert combined.difference(drawn, motion) < combined.BOUND
+        slope = of_scene(motion.plan.scene)
+        assert slope.factor(drawn.start, motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
+        if not drawn.shaken:
+            assert motion.factor_of_safety == pytest.approx(slope.factor(drawn.start), rel=1e-12)
         further = motion.further_factors
-        assert further.residual == pytest.approx(replace(slope, peak=slope.residual).bishop(), rel=1e-12)
-        if motion.arrested and further.at_rest_method:
-            turned = slope.turned(motion.end.rotation)
-            assert (further.at_rest, further.at_rest_method) == (pytest.approx(turned.bishop(), rel=1e-9), "bishop")
+        if further.at_rest_method:
+            at_rest = slope.turned(motion.end.rotation).factor(drawn.start)
+            assert (further.at_rest, further.at_rest_method) == (pytest.approx(at_rest, rel=1e-9), drawn.start)
+        softened = of_scene(motion.plan.scene)
+        softened.slip = np.inf
+        assert further.residual == pytest.approx(softened.factor(drawn.start), rel=1e-12)
 
 
 def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, said: Any) -> None:
@@ -95,7 +88,9 @@ def test_lodalen_runs_half_a_metre_by_bishop_and_four_by_the_paper(file: Any, sa
     by_paper = from_method(scene, "paper")
     assert by_paper.strength_factor == 1.0
     assert solve(by_paper).run_out == pytest.approx(3.98, abs=0.01)
-    assert "0.51 m from Bishop's F = 0.979; 3.98 m from the paper's F =" in " ".join(said("run", path).split())
+    printed = " ".join(said("run", path).split())
+    assert "factor of safety by Bishop's method 0.979" in printed
+    assert "alternative start 3.98 m from the paper's F = 0.841" in printed
     assert (
         solve(load(file(LODALEN.replace('"bishop"', '"bishop"\nstart = "paper"')))).run_out == solve(by_paper).run_out
     )
@@ -116,7 +111,7 @@ def test_the_start_is_by_the_method_of_the_search_unless_named(circle: str, star
     assert isinstance(scene, SlopeScene)
     assert scene.start == start
     assert scene.stability is not None
-    assert solve(scene).factor_of_safety == pytest.approx(scene.stability.factor_of_safety[start], rel=1e-9)
+    assert solve(scene).factor_of_safety == pytest.approx(scene.stability.factors_of_safety[start], rel=1e-9)
 
 
 def test_every_strength_is_multiplied_and_no_other_resistance() -> None:
@@ -184,16 +179,67 @@ def test_without_friction_or_by_the_paper_it_is_exactly_one() -> None:
 
 
 def test_a_scene_of_a_search_in_python_is_that_of_its_file(file: Any) -> None:
+    """Bit for bit, with laws of slip of both strengths, whose values at the start the statics use."""
     text = LODALEN.replace("[rotation]\n[centripetal]\n", "[rotation]\n").replace('"bishop"', '"{}"')
     for method in ("bishop", "paper", "k_y"):
         read: Any = load(file(text.format(method)))
-        made: Any = SlopeScene.of(read.stability, {"rotation": {}})
+        made: Any = read.stability.scene(["rotation"])
         close(made, read)
         assert solve(made).run_out == solve(read).run_out
-    till = [(slipcircle.Soil(19e3, 3e3, 0.3, name="till"), None)]
-    layered: Any = slipcircle.critical(slipcircle.Slope([[0, 0], [20, 0], [40, 10], [90, 10]], layers=till))
-    motion = solve(SlopeScene.of(layered, {"rotation": {}}))
-    assert motion.factor_of_safety == pytest.approx(layered.factor_of_safety["bishop"], rel=1e-12)
+    text = LODALEN.replace("angle_deg = 27", 'law = "linear"\npeak = 0.5\nresidual = 0.4\nlength_m = 2')
+    text = text.replace("cohesion_kPa = 10", 'law = "exponential"\npeak_kPa = 10\nresidual_kPa = 4\nlength_m = 0.5')
+    read = load(file(text))
+    friction = {"law": "linear", "peak": 0.5, "residual": 0.4, "length": 2.0}
+    cohesion = {"law": "exponential", "peak": 10e3, "residual": 4e3, "length": 0.5}
+    slope = replace(read.stability.slope, friction=friction, cohesion=cohesion)
+    found = slipcircle.critical(slope)
+    motion = solve(found.scene(["rotation", "centripetal"]))
+    assert motion.run_out == solve(read).run_out > 1.0
+    at_start = slipcircle.critical(replace(slope, friction=0.5, cohesion=10e3))
+    assert found.factors_of_safety == at_start.factors_of_safety == pytest.approx(motion.factors_of_safety, rel=1e-12)
+    assert (
+        found.factor_of_safety == found.factors_of_safety["bishop"] == pytest.approx(motion.factor_of_safety, rel=1e-12)
+    )
+    assert motion.to_dict()["factors_of_safety"] == motion.factors_of_safety
+    assert motion.to_pandas()["factors_of_safety.bishop"].item() == motion.factors_of_safety["bishop"]
+
+
+def test_a_surcharge_or_a_crack_on_one_soil_moves_with_it() -> None:
+    """As the same soil in a layer; the water in a crack is refused."""
+    ground, law = [[0, 0], [20, 0], [54, 17], [90, 17]], {"law": "linear", "peak": 0.35, "residual": 0.3, "length": 2.0}
+    loads: Any = {"surcharge": [(60.0, 70.0, 2e4, 2e4)], "crack": 1.0}
+    one = slipcircle.Slope(ground, 5e3, law, 19e3, **loads)
+    layers = [(slipcircle.Soil(19e3, 5e3, law, name="soil"), None)]
+    slopes = one, slipcircle.Slope(ground, layers=layers, **loads)
+    motions = [solve(slipcircle.critical(slope).scene(["rotation"])) for slope in slopes]
+    assert motions[0].run_out == motions[1].run_out > 0.0
+    with pytest.raises(ValueError, match=r"crack_water = 0\.5: a crack opens and empties"):
+        slipcircle.critical(replace(one, crack_water=0.5)).scene(["rotation"])
+
+
+@pytest.mark.parametrize(
+    ("strength", "words"),
+    [
+        ({"friction": {"law": "slow", "peak": 0.4}}, "friction.law = 'slow': must be one of constant"),
+        ({"friction": SOFTENING | {"peak": 7.0}}, "friction = 7: must be a friction coefficient"),
+        ({"cohesion": {"law": "linear", "peak": 1e4, "length": 1.0}}, "cohesion: 'residual' is missing"),
+        ({"friction": {"law": "constant", "coefficient": 0.0}}, "cohesion and friction are both 0"),
+    ],
+)
+def test_a_law_of_a_slope_that_no_soil_has_is_one_line(strength: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words) as error:
+        slipcircle.Slope([[0, 10], [10, 0]], unit_weight=19e3, **strength)
+    assert "\n" not in str(error.value)
+
+
+def test_under_shaking_the_factor_is_by_the_method_too() -> None:
+    """The strength factor makes yield coefficients equal there, and the factor of the closure with it another one."""
+    scene: Any = load("shaken-slope")
+    factors = scene.stability.factors_of_safety
+    motion = solve(scene)
+    assert motion.factor_of_safety == pytest.approx(factors["bishop"], rel=1e-12)
+    assert motion.factors_of_safety == pytest.approx(factors, rel=1e-12)
+    assert abs(factors["paper"] * scene.strength_factor / factors["bishop"] - 1.0) > 1e-3
 
 
 def test_a_start_without_a_result_is_a_sentence_or_a_status(file: Any) -> None:

@@ -10,6 +10,7 @@ from scipy import stats
 
 from slipcircle import ensemble, load
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS, described, distribution_of
+from slipcircle.workbench.files.numbers import Uncertain, number_in
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.statistics import (
     BIN_ERROR,
@@ -43,8 +44,15 @@ SCIPY: list[tuple[str, dict[str, float], Any]] = [
 def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -> None:
     p = np.concatenate([[1e-12, 1e-6], np.linspace(0.001, 0.999, 97), [1 - 1e-6]])
     found = distribution_of({"distribution": name} | given)
-    np.testing.assert_allclose(found.ppf(p), wanted.ppf(p), rtol=1e-9)
-    assert found.stats("mv") == pytest.approx(wanted.stats("mv"), rel=1e-9, abs=1e-12)
+    quantiles = wanted.ppf(p)
+    np.testing.assert_allclose(found.ppf(p), quantiles, rtol=1e-9)
+    assert [found.cdf(x) for x in quantiles.tolist()] == pytest.approx(p.tolist(), rel=1e-9, abs=1e-13)
+    assert [found.cdf(x) for x in (-30.0, 30.0)] == pytest.approx([wanted.cdf(x) for x in (-30.0, 30.0)])
+    assert found.support() == wanted.support()
+    number = number_in(load("vaiont"), "friction.angle_deg")
+    assert Uncertain(number, {"distribution": name} | given).moments == pytest.approx(
+        (wanted.mean(), wanted.std()), rel=1e-9, abs=1e-12
+    )
     assert {n for n, _, _ in SCIPY} == set(DISTRIBUTIONS)
 
 

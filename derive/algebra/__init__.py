@@ -1,1 +1,1 @@
-"""From a definition to closed and stable forms, each step proved."""
+"""Symbolic derivation: from definitions to closed and stable forms, each step proved."""

@@ -1,12 +1,12 @@
-"""The paper's two appendices, read as printed, mended, and reduced to one line each by cancellation alone.
+"""The paper's two appendices, parsed as printed, corrected, and reduced to one line each by cancellation alone.
 
-Appendix I prints the integral J_r (2.23) and Appendix II what it calls J_theta (3.13). Everything in them but the two
-arctanh is a rational function of sines and cosines, so that its normal form is what is left of it; what the result
-integrates is found by differentiating it. No result is typed in, none is chosen from a list.
+Appendix I prints the integral J_r (2.23), Appendix II the integral that it calls J_theta (3.13). Apart from two arctanh
+they are rational functions of sines and cosines, which the normal form reduces. The integrand of the result is found by
+differentiation. No result is typed in or selected from a list.
 
-Missing brackets are counted by one rule. A *place* is where the mended text differs from the print, and it counts the
-brackets that were added there; none is ever taken away. A place is *unreadable* if a bracket is without its partner
-as soon as this place alone is left as printed.
+Missing brackets are counted by one rule. A *place* is a difference between the corrected and the printed text, with the
+number of brackets added there. Brackets are never removed. A place is *unreadable* if the brackets do not match when
+this place alone is left as printed.
 """
 
 import re
@@ -22,9 +22,9 @@ from derive.check.proof import ProofError
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
 # --- the print -------------------------------------------------------------------------------------------
-# All round brackets are as printed, the wrong ones included. {a}/{b} is a fraction bar, a^n a raised n, a blank
-# between factors a product; as in any formula on one line, a/b c means (a/b) c. Abbreviated here, and nowhere else,
-# are the functions of one angle and what the arctanh contain: the six terms N, without brackets, and the fraction M.
+# All round brackets are printed, including wrong ones. {a}/{b} is a fraction bar, a^n a raised n, and a blank between
+# factors a product. As usual in a formula on one line, a/b c means (a/b) c. The functions of one angle are abbreviated,
+# and so are the arguments of the arctanh: the six terms N, without brackets, and the fraction M.
 
 SHORT = {
     "N": "c1 ca - c1 ca c2 - s1 sa + s1 sa c2 - s1 ca s2 - c1 sa s2",
@@ -58,7 +58,7 @@ ca s2)
 
 @dataclass(frozen=True)
 class Appendix:
-    """A printed expression, on one line."""
+    """Printed expression on one line."""
 
     name: str
     printed: str = field(repr=False)
@@ -69,13 +69,13 @@ APPENDIX_I, APPENDIX_II = APPENDICES = tuple(
 )
 
 
-# Printed text and its correction: sin(theta_2) divides all six terms, and arctanh applies to the quotient; the
-# division by cos(alpha), written out, is of the whole bracket that opens the print.
+# Printed text and its correction: sin(theta_2) divides all six terms, and arctanh applies to the quotient. The final
+# denominator, cos(alpha) written out, divides the whole expression that begins with the first bracket.
 MENDING = ((r"arctanh\(N\)?/s2\)?", "arctanh((N)/s2)"), (r"(?<!\))(?=/\(-c1 ca c2)", ")"))
 
 
 class Repair(NamedTuple):
-    """A correction of the printed text: its span on one line, the corrected text, and the number of added brackets."""
+    """Correction of the printed text: its span on one line, the corrected text, and the number of added brackets."""
 
     start: int
     end: int
@@ -84,7 +84,7 @@ class Repair(NamedTuple):
 
 
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
-    """All places where the printed text has to be corrected, in order."""
+    """Return all places where the printed text must be corrected, in order."""
     places = []
     for pattern, mended in MENDING:
         for match in re.finditer(pattern, appendix.printed):
@@ -95,7 +95,7 @@ def repairs(appendix: Appendix) -> tuple[Repair, ...]:
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
-    """The printed text, corrected except at the places to be left."""
+    """Return the printed text, corrected except at the places in ``leave``."""
     text = appendix.printed
     for repair in reversed(repairs(appendix)):
         if repair not in leave:
@@ -105,7 +105,7 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
 
 @cache
 def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
-    """Parse the corrected text as an expression in theta_1, theta_2 and alpha; ValueError if that fails."""
+    """Return the corrected text as an expression in theta_1, theta_2 and alpha, or raise ValueError."""
     text = mended_text(appendix, leave)
     if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
         raise ValueError(f"Appendix {appendix.name}: unknown notation {unknown}")
@@ -122,7 +122,7 @@ def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> Expr:
 
 
 def unreadable(appendix: Appendix, repair: Repair) -> bool:
-    """Whether brackets do not match if this one place is left as printed."""
+    """Return whether brackets do not match if this place alone is left as printed."""
     try:
         parse(appendix, (repair,))
     except ValueError:
@@ -140,7 +140,7 @@ def _require(holds: bool, claim: str) -> None:
 
 
 class Step(NamedTuple):
-    """One step: what was done, what proves it, and the resulting expression."""
+    """Step of a reduction: description, proof, and resulting expression."""
 
     text: str
     proof: str
@@ -148,11 +148,12 @@ class Step(NamedTuple):
 
     @property
     def operations(self) -> int:
+        """Number of operations of the expression."""
         return int(count_ops(self.expression))
 
 
 class Proof(NamedTuple):
-    """What an appendix equals: `expression` in (alpha, theta_m), the double integral of `integrand`."""
+    """Reduction of an appendix to `expression` in (alpha, theta_m), the double integral of `integrand`."""
 
     expression: Expr
     integrand: Expr
@@ -160,7 +161,7 @@ class Proof(NamedTuple):
 
     @property
     def operations(self) -> tuple[int, int]:
-        """Operation counts of the printed text and of the one line."""
+        """Numbers of operations of the printed text and of the final line."""
         return self.steps[0].operations, self.steps[-1].operations
 
 
@@ -168,12 +169,13 @@ _SOMEWHERE = {alpha: sp.Rational(1, 2), theta_m: sp.Integer(4)}
 
 
 def integrand(expression: Expr) -> Expr:
-    """Find the r^n w(theta) whose double integral over the segment an expression in alpha and theta_m is.
+    """Return the r^n w(theta) whose double integral over the segment is the expression in alpha and theta_m.
 
-    With g(u, alpha) the integral of r^n w(theta_m + u) over r from cos(alpha)/cos(u) to 1 (2.18), and J that of g over
-    |u| < alpha: g vanishes at both ends; J'/(sin(alpha) cos(alpha)^n) is the integral of w(theta_m + u)/cos(u)^(n+1).
+    Let g(u, alpha) be the integral of r^n w(theta_m + u) over r from cos(alpha)/cos(u) to 1 (2.18), and J the integral
+    of g over |u| < alpha. As g vanishes at both ends, J'/(sin(alpha) cos(alpha)^n) is the integral of
+    w(theta_m + u)/cos(u)^(n+1).
     Differentiated once more, K = J'/sin(alpha) obeys K' + n K tan(alpha) = [w(theta_m + alpha) + w(theta_m - alpha)]
-    / cos(alpha), which is 2 w(theta_m) for a w = p sin + q cos. So n = -K''/(K tan(alpha))', and half the left side is
+    / cos(alpha), which is 2 w(theta_m) for w = p sin + q cos. Hence n = -K''/(K tan(alpha))', and half the left side is
     w. Together with J = K = 0 at alpha = 0 this determines J.
     """
     derivative = expression.diff(alpha) / sin(alpha)
@@ -193,10 +195,10 @@ def integrand(expression: Expr) -> Expr:
 
 @cache
 def simplify(appendix: Appendix) -> Proof:
-    """Reduce an appendix to one line, step by step; the last two steps are this line.
+    """Return the reduction of an appendix to one line, step by step.
 
-    Up to the logarithm's branch the steps are identities: the sum of the two arctanh is artanh of what the sum of
-    their arguments gives, plus k i pi with an integer k. k = 0 is the real integral.
+    Up to the branch of the logarithm the steps are identities. The sum of the two arctanh is the artanh of
+    (X_1 + X_2)/(1 + X_1 X_2) plus k i pi with an integer k, and k = 0 is the real integral.
     """
     printed = parse(appendix)
     artanhs = sorted(printed.atoms(atanh), key=default_sort_key)
@@ -226,11 +228,11 @@ def simplify(appendix: Appendix) -> Proof:
 
 
 def real_arithmetic_fails(appendix: Appendix) -> Rel:
-    """Prove for which arcs the arctanh arguments leave (-1, 1), so that real arithmetic gives NaN.
+    """Return the proved condition under which the arctanh arguments leave (-1, 1), so that real arithmetic gives NaN.
 
-    1 - X^2 is 2 cos(alpha) cos(theta_m)/(1 + cos(theta_1)) for one of the arguments X, and with theta_2 for the other:
-    with 0 < alpha < pi/2 both fail together, and exactly where cos(theta_m) <= 0, that is for every dip
-    psi = 3 pi/2 - theta_m from 0 to pi. (At equality the arguments are -1 and 1, and the sum is inf - inf.)
+    1 - X^2 equals 2 cos(alpha) cos(theta_m)/(1 + cos(theta_1)) for one argument X, and the same with theta_2 for the
+    other. For 0 < alpha < pi/2 both therefore fail together if and only if cos(theta_m) <= 0, that is for every dip
+    psi = 3 pi/2 - theta_m from 0 to pi. At equality the arguments are -1 and 1, and the sum is inf - inf.
     """
     arguments = [x.args[0].subs(_ENDS) for x in parse(appendix).atoms(atanh)]
     ratios = {trig_normal(2 * cos(alpha) * cos(theta_m) / (1 - x**2)) for x in arguments}

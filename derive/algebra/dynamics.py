@@ -1,7 +1,6 @@
-"""From the balance laws (3.1)-(3.8) to the equation of motion (3.16), and to its solution for every sign of a and b.
+"""Equation of motion (3.16), derived from the balance laws (3.1)-(3.8), and its solution for all signs of a and b.
 
-The solution is found by making the Riccati equation linear, omega = y'/(b y) with y'' = a b y, and proved by
-substitution.
+The substitution omega = y'/(b y) makes the Riccati equation linear, y'' = a b y. The solution is proved by insertion.
 """
 
 from functools import cache
@@ -19,10 +18,10 @@ omega_star, rate_star, sigma_mean = symbols("omega_star rate_star sigma_mean", r
 
 @cache
 def balance() -> dict[str, Expr]:
-    """Right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), from the balance laws, by their numbers.
+    """Return the right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), by number.
 
-    Nothing is assumed beyond what the paper assumes: the radial balance as a scalar sum (2.1), the uniform normal
-    stress (2.9), (3.5), and Coulomb friction (1.14).
+    The assumptions are the paper's: the radial balance as a scalar sum (2.1), the uniform normal stress (2.9), (3.5),
+    and Coulomb friction (1.14).
     """
     omega = omega_star * sqrt(g / R)  # (2.21)
     # Radial balance (2.5) with the mean stress (2.9); r = R r* scales the integrals by R**2 and R**3 (2.16).
@@ -52,7 +51,7 @@ def balance() -> dict[str, Expr]:
 
 @cache
 def solution() -> dict[str, Expr]:
-    """The solution of (3.16), for a b > 0 and continued to any sign: omega = y'/(b y)."""
+    """Return the solution of (3.16) for a b > 0, continued to any sign: omega = y'/(b y)."""
     k = Symbol("k", positive=True)  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     y = cosh(k * t) + b * omega_0 * sinh(k * t) / k
     ways = {

@@ -1,7 +1,7 @@
-"""A definition becomes a closed form: inner integral, centred angle, odd part dropped, outer integral.
+"""Integration of a definition to its closed form: inner integral, centred angle, odd part dropped, outer integral.
 
-No closed form is typed in. Each antiderivative is differentiated back symbolically before it is used, and the
-result is compared with quadrature of the raw double integrand, in r and theta over the uncentred chord (2.6).
+No closed form is typed in. Each antiderivative is differentiated symbolically before it is used, and the result is
+compared with quadrature of the original double integrand in r and theta over the uncentred chord (2.6).
 """
 
 from dataclasses import dataclass
@@ -41,7 +41,10 @@ PSI = Symbol("psi", real=True)
 
 
 def logs_to_artanh(expression: Expr) -> Expr:
-    """Write log(s - 1) as log(s + 1) - 2 artanh(s), which omits an imaginary constant; log(s + 1) then cancels."""
+    """Return an expression with log(s - 1) replaced by log(s + 1) - 2 artanh(s), so that log(s + 1) cancels.
+
+    The replacement omits an imaginary constant.
+    """
     for log in sorted(expression.atoms(sp.log), key=default_sort_key):
         s = log.args[0] + 1
         log_above = sp.log(s + 1)
@@ -100,7 +103,7 @@ def _check_continuity(primitive: Expr, integrand: Expr, x: Symbol, half_width: s
 
 @dataclass(frozen=True)
 class Derivation:
-    """The derivation of a moment from its definition to its closed form."""
+    """Derivation of a moment from its definition to its closed form."""
 
     moment: Moment
     amplitude: Expr  # closed form in alpha, positive
@@ -109,13 +112,13 @@ class Derivation:
 
     @property
     def closed(self) -> Expr:
-        """The whole integral, in alpha and psi."""
+        """Complete integral in alpha and psi."""
         return self.amplitude * self.direction
 
 
 @cache
 def derive(moment: Moment) -> Derivation:
-    """Integrate one definition, proving each step."""
+    """Return the derivation of a moment, with each step proved."""
     name = moment.name
     inner = antiderivative(moment.weight, r)
     inner = inner.subs(r, 1) - inner.subs(r, CHORD)
@@ -141,14 +144,14 @@ def derive(moment: Moment) -> Derivation:
 
 
 def shortest(expression: Expr) -> Expr:
-    """The equivalent form with the fewest operations among those that SymPy's rules give."""
+    """Return the equivalent form with the fewest operations among the results of SymPy's rules."""
     normal = trig_normal(expression)
     candidates = [normal, simplify(normal), factor_terms(normal)]
     return min(candidates, key=lambda e: (count_ops(e), default_sort_key(e)))
 
 
 def closed_forms() -> dict[str, Expr]:
-    """Closed forms of the base quantities in alpha, by the names of their functions."""
+    """Return closed forms of the base quantities in alpha, by the names of their functions."""
     forms = {moment.kernel[0]: derive(moment).amplitude for moment in MOMENTS}
     forms[RESISTANCE.name] = RESISTANCE.form
     return forms
@@ -156,12 +159,12 @@ def closed_forms() -> dict[str, Expr]:
 
 @cache
 def _gauss(bits: int) -> list[tuple[mpf, mpf]]:
-    """Gauss-Legendre nodes and weights on [-1, 1]; six are exact for r**11."""
+    """Return Gauss-Legendre nodes and weights on [-1, 1]; six nodes are exact for r**11."""
     return GaussLegendre(mpmath.mp).calc_nodes(2, bits)
 
 
 def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpf:
-    """The original double integral to so many digits by nested Gauss-Legendre quadrature, over the uncentred chord."""
+    """Return the original double integral by nested Gauss-Legendre quadrature over the uncentred chord."""
     function = lambdify((r, theta), weight, "mpmath")
     with workdps(digits + 15):
         first = mpf(theta_1_value)
@@ -181,7 +184,7 @@ def quadrature(weight: Expr, theta_1_value: object, alpha_value: object, digits:
 
 
 def compare(derivation: Derivation, digits: int) -> str:
-    """Compare a closed form with quadrature of its definition at two arcs; the greatest relative difference."""
+    """Return the greatest relative difference between a closed form and quadrature of its definition, as text."""
     moment = derivation.moment
     closed = derivation.closed.subs(PSI, 3 * pi / 2 - theta_1 - alpha)
     function = lambdify((theta_1, alpha), closed, "mpmath")

@@ -1,4 +1,4 @@
-"""Proofs that two forms are equal: numerical refutation, and a normal form of sines and cosines."""
+"""Proofs that two forms are equal, by numerical refutation and a normal form of sines and cosines."""
 
 from sympy import (
     QQ,
@@ -28,7 +28,7 @@ from derive.check.proof import ProofError
 
 
 def refute(expression: Expr, claim: str) -> None:
-    """Raise `ProofError` if an expression is not zero at one point, before SymPy tries to simplify it for minutes."""
+    """Raise `ProofError` if an expression is not zero at one point, before SymPy spends minutes on simplifying it."""
     symbols = sorted(expression.free_symbols, key=default_sort_key)
     point = {x: Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
     value = N(expression, 30, subs=point)
@@ -54,11 +54,14 @@ def prove_rational(expression: Expr, claim: str) -> None:
 
 
 def trig_normal(expression: Expr) -> Expr:
-    """Canonical form of a rational function in sines, cosines and artanh: sin**2 -> 1 - cos**2, no sine below."""
+    """Return the canonical form of a rational function in sines, cosines and artanh.
+
+    It satisfies sin**2 = 1 - cos**2 and has no sines in denominators.
+    """
     expression = expand_trig(expression)
     functions = sorted(expression.atoms(sin, cos, atanh), key=default_sort_key)
     unknowns = {f: Dummy(str(f)) for f in functions}
-    cosine_of = {}  # the sines whose cosine occurs too
+    cosine_of = {}  # cosine of each sine, if both occur
     for f in functions:
         cosine = cos(f.args[0])
         if isinstance(f, sin) and cosine in unknowns:
@@ -71,7 +74,7 @@ def trig_normal(expression: Expr) -> Expr:
 
     top, bottom = map(reduced, fraction(together(expression.subs(unknowns))))
     for sine in cosine_of:
-        if bottom.has(sine):  # multiplied by its conjugate, it is free of this sine
+        if bottom.has(sine):  # multiplication by the conjugate removes this sine
             conjugate = bottom.subs(sine, -sine)
             top = reduced(top * conjugate)
             bottom = reduced(bottom * conjugate)

@@ -1,9 +1,9 @@
-"""Functions that are not computed as they are defined, above all a function minus its leading Taylor terms.
+"""Functions with separate definitions and computations, above all a function minus its leading Taylor terms.
 
-Where a formula cancels, a function f is near its Taylor head and the heads drop out by algebra. What is left is
-``Remainder(f, n, x)`` = (f(x) - its terms below x**n)/x**n, which has a series of its own and does not cancel.
-Each such function knows its definition (`unfold` puts it back), so that a stable form is proved equal to a closed
-form, and how it is computed (`lower`), so that a `Program` can be made of it.
+Where a formula cancels, a function f is close to its leading Taylor terms, which cancel by algebra. The rest is
+``Remainder(f, n, x)`` = (f(x) - its terms below x**n)/x**n, which has its own series and does not cancel. Each such
+function has a definition, which `unfold` inserts to prove a stable form equal to a closed form, and a method `lower`,
+which expresses its computation for a `Program`.
 """
 
 from functools import cache
@@ -36,33 +36,36 @@ X = Symbol("x_", real=True)
 
 
 class Select(Function):
-    """``Select(x, y, p, q)`` is p where x < y, else q. Unlike a Piecewise, SymPy never folds it or its guards away."""
+    """Function ``Select(x, y, p, q)``, which is p where x < y and otherwise q.
+
+    Unlike Piecewise, SymPy never simplifies it.
+    """
 
     nargs = 4
 
 
 class Horner(Function):
-    """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
+    """Polynomial by its argument and its coefficients, lowest first. SymPy never expands it."""
 
 
 class Exp(Function):
-    """exp, which SymPy does not turn into a power."""
+    """Exponential function that SymPy does not convert to a power."""
 
 
 class Primitive(Function):
-    """A function with a definition and a separate way to compute it."""
+    """Function with a definition and a separate computation."""
 
     def definition(self) -> Expr:
-        """Its definition."""
+        """Return the definition."""
         raise NotImplementedError
 
     def lower(self) -> Expr:
-        """How it is computed."""
+        """Return the expression by which the function is computed."""
         raise NotImplementedError
 
 
 def unfold(expression: Expr) -> Expr:
-    """Replace every primitive by its definition, and Horner's schemes by polynomials."""
+    """Return an expression with every primitive replaced by its definition and Horner's schemes by polynomials."""
 
     def polynomial(x: Expr, *coefficients: Expr) -> Expr:
         return Add(*(c * x**n for n, c in enumerate(coefficients)))
@@ -74,7 +77,7 @@ def unfold(expression: Expr) -> Expr:
 
 
 class HalfTan(Primitive):
-    """tan(x/2) for 0 <= x <= pi/2, as sin x/(1 + cos x)."""
+    """Function tan(x/2) for 0 <= x <= pi/2, computed as sin x/(1 + cos x)."""
 
     nargs = 1
 
@@ -86,14 +89,14 @@ class HalfTan(Primitive):
         return x * Remainder(sin, 1, x) / (1 + cos(x))
 
 
-# The Taylor series of a remainder is summed for the sine as far as anybody asks, to pi, and for artanh up to a seam;
-# its definition is computed beyond, with the end at 1 moved into the numbers.
+# The Taylor series of a remainder is summed up to pi for the sine, and up to a seam for artanh. Beyond the seam the
+# definition is computed, with its argument limited to the largest double below 1.
 SEAM = Rational(2, 5)
 LAST = 1 - EPS
 
 
 class Remainder(Primitive):
-    """(f(x) - its Taylor terms below x**n)/x**n, of an odd function f and an odd n."""
+    """Function (f(x) - its Taylor terms below x**n)/x**n of an odd function f and an odd n."""
 
     nargs = 3
 
@@ -102,7 +105,7 @@ class Remainder(Primitive):
 
     @property
     def parts(self) -> tuple[Expr, int, Expr]:
-        """f as an expression in `X`, n and x."""
+        """Function f as an expression in `X`, and n and x."""
         f, n, x = self.args
         return f.expr, int(n), x
 
@@ -112,9 +115,9 @@ class Remainder(Primitive):
         return ((f - head) / X**n).subs(X, x)
 
     def series(self) -> list[Rational]:
-        """Its Taylor coefficients in x**2.
+        """Return its Taylor coefficients in x**2.
 
-        Enough terms that the first neglected one is below an eighth of 2**-53 of the leading one.
+        The first neglected term is below an eighth of 2**-53 of the leading term.
         """
         f, n, _ = self.parts
         terms = list(taylor(f)[n::2])
@@ -138,7 +141,7 @@ class Remainder(Primitive):
 
 @cache
 def taylor(f: Expr) -> tuple[Rational, ...]:
-    """Taylor coefficients at 0 from SymPy's ring of power series, which lacks artanh."""
+    """Return Taylor coefficients at 0 from SymPy's ring of power series, which lacks artanh."""
     f = f.replace(atanh, lambda x: (log(1 + x) - log(1 - x)) / 2)
     terms = rs_series(f, X, 60).as_expr().as_poly(X)
     return tuple(terms.coeff_monomial(X**k) for k in range(60))

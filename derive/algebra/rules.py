@@ -1,8 +1,8 @@
-"""From a closed form to one without cancellation, by an ordered list of named rules, each step proved.
+"""Transformation of a closed form to a form without cancellation, by named rules in order, each step proved.
 
 The closed forms of an arc are polynomials in alpha, sin alpha, cos alpha and artanh(sin alpha). In a thin arc they are
-small differences of these. Angle and artanh are written as a head, which is a rational function of
-tau = tan(alpha/2), plus a remainder; the heads cancel by algebra, and what is left is a sum without cancellation.
+small differences of these functions. Angle and artanh are written as a rational function of tau = tan(alpha/2) plus a
+remainder. The rational functions cancel by algebra, and the rest is a sum without cancellation.
 """
 
 import time
@@ -45,14 +45,14 @@ from derive.declare.symbols import alpha
 TAU, _Y, _H = symbols("tau y_ artanh_", real=True)
 _SINE = 2 * TAU / (1 + TAU**2)
 _COSINE = (1 - TAU**2) / (1 + TAU**2)
-# Remainders of the angle and of artanh after the rules: times alpha**3 and tau**3.
+# Remainders of the angle and of artanh after the rules, multiplied by alpha**3 and tau**3.
 ANGLE_REST = -4 * alpha**3 * Remainder(sin, 3, 2 * alpha)
 ARTANH_REST = 2 * TAU**3 * Remainder(atanh, 3, TAU)
 
 
 @dataclass(frozen=True)
 class Step:
-    """A rule that was applied: operations of the expression before and after, and seconds, its proof included."""
+    """Application of a rule: operations of the expression before and after, and seconds including the proof."""
 
     rule: str
     operations: tuple[int, int]
@@ -61,7 +61,7 @@ class Step:
 
 @dataclass(frozen=True)
 class StableForm:
-    """A closed form as alpha**power ``reduced``, which does not cancel and is finite and not zero at 0."""
+    """Closed form as alpha**power times ``reduced``, which does not cancel and is finite and nonzero at 0."""
 
     power: int
     reduced: Expr
@@ -69,11 +69,12 @@ class StableForm:
 
     @property
     def form(self) -> Expr:
+        """Complete expression."""
         return alpha**self.power * self.reduced
 
 
 def _bare_angle(expression: Expr) -> Expr:
-    """R1, on alpha where it stands alone: sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3."""
+    """Return R1 applied to bare alpha: sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3."""
     functions = sorted(expression.atoms(Function), key=default_sort_key)
     unknowns = {f: Dummy() for f in functions}
     back = {unknown: f for f, unknown in unknowns.items()}
@@ -82,12 +83,12 @@ def _bare_angle(expression: Expr) -> Expr:
 
 
 def _artanh(expression: Expr) -> Expr:
-    """R2: artanh(sin(alpha)) = 2 tau + 2 tau^3 E(tau), E(x) = (artanh x - x)/x^3."""
+    """Return R2 applied: artanh(sin(alpha)) = 2 tau + 2 tau^3 E(tau), E(x) = (artanh x - x)/x^3."""
     return expand(expression.subs(atanh(sin(alpha)), 2 * TAU + ARTANH_REST))
 
 
 def _half_angle(expression: Expr) -> Expr:
-    """R3: sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2); what cancels, cancels here."""
+    """Return R3 applied, with cancellation: sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2)."""
     expression = expression.subs({sin(alpha): _SINE, cos(alpha): _COSINE})
     factors = _by_remainder(expression)
     return Add(*(sp.factor(cancel(factor)) * rest for rest, factor in factors.items()))
@@ -98,9 +99,9 @@ RULES: dict[str, Callable[[Expr], Expr]] = {"angle": _bare_angle, "artanh": _art
 
 @cache
 def stable(closed: Expr) -> StableForm:
-    """The form without cancellation of a polynomial in alpha, sin, cos and artanh(sin alpha), each step proved.
+    """Return the form without cancellation of a polynomial in alpha, sin, cos and artanh(sin alpha), each step proved.
 
-    The heads of angle and artanh are split off where they cancel, that is where the terms vanish more slowly at 0 than
+    Angle and artanh are split only if their leading parts cancel, that is if the terms vanish more slowly at 0 than
     their sum.
     """
     expression = expand(expand_trig(closed))
@@ -125,13 +126,13 @@ def stable(closed: Expr) -> StableForm:
 
 
 def _in_tau(expression: Expr) -> Expr:
-    """In the angle, its artanh and tau: the only functions that remain are remainders."""
+    """Return an expression in the angle, its artanh and tau, in which only remainders are left as functions."""
     expression = expression.subs(atanh(sin(alpha)), _H)
     return expression.subs({sin(alpha): _SINE, cos(alpha): _COSINE})
 
 
 def _by_remainder(expression: Expr) -> dict[Expr, Expr]:
-    """The factor of each product of angle, artanh and remainders; factors are rational in tau."""
+    """Return the factor, rational in tau, of each product of angle, artanh and remainders."""
     factors: dict[Expr, Expr] = defaultdict(lambda: Integer(0))
     for term in Add.make_args(expand(expression)):
         factor, rest = term.as_independent(alpha, _H, Remainder)
@@ -140,7 +141,7 @@ def _by_remainder(expression: Expr) -> dict[Expr, Expr]:
 
 
 def _orders(expression: Expr) -> list[int]:
-    """The power of alpha with which each term vanishes at 0."""
+    """Return the power of alpha with which each term vanishes at 0."""
     orders = []
     for rest, factor in _by_remainder(_in_tau(expression)).items():
         top, bottom = fraction(cancel(factor))
@@ -156,12 +157,12 @@ def _orders(expression: Expr) -> list[int]:
 
 
 def _lowest(polynomial: Expr) -> int:
-    """Its lowest power of tau."""
+    """Return the lowest power of tau in a polynomial."""
     return min(powers[0] for powers in Poly(polynomial, TAU).monoms())
 
 
 def _reduced(expression: Expr, power: int) -> Expr:
-    """The expression over alpha**power, for computing: tau**shift is (tau/alpha)**shift alpha**shift.
+    """Return the expression over alpha**power for computation, where tau**shift is (tau/alpha)**shift alpha**shift.
 
     With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c).
     """
@@ -170,7 +171,7 @@ def _reduced(expression: Expr, power: int) -> Expr:
         top, bottom = fraction(cancel(factor))
         shift = _lowest(top) - _lowest(bottom)
         product = rest * alpha ** (shift - power) * Remainder(sin, 1, alpha) ** shift
-        one_plus_c = -shift  # its exponent
+        one_plus_c = -shift  # exponent of 1 + c
         for polynomial, sign in ((top, 1), (bottom, -1)):
             factors, exponent = _of_tau_squared(polynomial, sign)
             product *= factors
@@ -180,10 +181,10 @@ def _reduced(expression: Expr, power: int) -> Expr:
 
 
 def _of_tau_squared(polynomial: Expr, sign: int) -> tuple[Expr, int]:
-    """A polynomial over its lowest power of tau, to the power ``sign``, and an exponent of 1 + cos(alpha) to be added.
+    """Return a polynomial over its lowest power of tau, to the power ``sign``, and an exponent of 1 + cos(alpha).
 
-    1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a factor, as of what vanishes at pi/2,
-    (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    1/(1 + tau**2) = (1 + c)/2, and a factor 1 - tau**2, which vanishes at pi/2, gives (1 - tau**2)/(1 + tau**2) = c.
+    Other polynomials in tau**2 use Horner's scheme.
     """
     over_lowest = (polynomial / TAU ** _lowest(polynomial)).expand()
     product, factors = factor_list(over_lowest.subs(TAU, sqrt(_Y)), _Y)
@@ -204,10 +205,10 @@ def _of_tau_squared(polynomial: Expr, sign: int) -> tuple[Expr, int]:
 
 
 def prove_equal(one: Expr, other: Expr, claim: str) -> None:
-    """Prove two forms equal on (0, pi/2).
+    """Prove that two forms are equal on (0, pi/2).
 
-    Half angles are written in tau = tan(alpha/2), a bijection of (0, pi/2) onto (0, 1); artanh(sin alpha) is
-    2 artanh(tau), proved by their derivatives and their common value at 0.
+    Half angles are written in tau = tan(alpha/2), a bijection of (0, pi/2) onto (0, 1). artanh(sin alpha) is
+    2 artanh(tau), as their derivatives and their values at 0 agree.
     """
     prove_zero(diff(atanh(_SINE) - 2 * atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
     prove_zero(_in_tau(unfold(HalfTan(alpha).lower())) - TAU, "tan(alpha/2) as it is computed")

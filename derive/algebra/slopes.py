@@ -1,19 +1,20 @@
-"""Real slopes: the mass between an arc and a ground of straight edges, and the balance of the slices above an arc.
+"""Real slopes: the mass between an arc and a ground of straight edges, and the balance of slices above an arc.
 
-Lengths are over R, from the centre of the circle, y up. The region is what an arc cuts off below a ground; it is
-integrated one edge at a time, as the ring between the edge and the arc that is seen from the centre under the same
-angle. An edge from P1 to P2 = P1 + e lies on a line at the distance p = P1 x e/d from the centre, d = |e|; t = P.e/d
-is measured along it from the foot of the perpendicular, so that rho^2 = p^2 + t^2 and dtheta = p dt/rho^2.
+Lengths are divided by R, the origin is the centre of the circle, and y points upwards. The region between ground and
+arc is integrated one edge at a time, as the ring between the edge and the arc that subtends the same angle at the
+centre. An edge from P1 to P2 = P1 + e lies on a line at the distance p = P1 x e/d from the centre, with d = |e|.
+t = P.e/d is measured along it from the foot of the perpendicular, so that rho^2 = p^2 + t^2 and dtheta = p dt/rho^2.
 
-Two forms of the same integral, of which the run time takes one by a stated rule (``REACH``):
+The runtime selects one of two forms of the same integral by a stated rule (``REACH``):
 
 closed
-    Sector minus triangle. The sector is at most about 16 times the ring where d > (r1 + r2)/4, so nothing cancels.
+    Sector minus triangle. For d > (r1 + r2)/4 the sector is at most about 16 times the ring, so that little cancels.
 rings
-    Quadrature along the edge over g = 1 - rho^2, which is (1-s) g1 + s g2 + s (1-s) d^2, a sum of positive terms: no
-    digit is lost however thin the mass. The only singularities are those of 1/rho, at the distance |(P1 + P2)/2| of the
-    edge's middle in the complex plane. Where d <= (r1 + r2)/4 this is at least 3.87 half lengths of the edge, and
-    Gauss' rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
+    Quadrature along the edge over g = 1 - rho^2 = (1-s) g1 + s g2 + s (1-s) d^2, a sum of positive terms, so that no
+    digit is lost however thin the mass. The only singularities, of 1/rho, are at the distance |(P1 + P2)/2| from the
+    middle of the edge in the complex plane. For d <= (r1 + r2)/4 this distance is at least 3.87 half lengths of the
+    edge, and the error of Gauss' rule with ``NODES`` nodes is about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the
+    greatest value.
 """
 
 import sympy as sp
@@ -50,7 +51,7 @@ from derive.declare.symbols import alpha, r, theta
 
 REACH = Rational(1, 4)
 NODES = 10
-# Integrands over r and theta: of the area, of the two inertias, and of the weights as vectors.
+# Integrands over r and theta: area, both moments of inertia, and the weights as vectors.
 WEIGHTS = {
     "area": r,
     "polar": r**2,
@@ -60,7 +61,7 @@ WEIGHTS = {
     "moment_x": r**2 * cos(theta),
     "moment_y": r**2 * sin(theta),
 }
-# Moments of the paper among them, and their values as the mass turns by phi: J cos(phi) - slope sin(phi).
+# Moments of the paper among them. As the mass turns by phi they become J cos(phi) - slope sin(phi).
 MEANS = {
     "polar_moment": ("polar", 1),
     "moment_of_inertia": ("inertia", 1),
@@ -80,15 +81,15 @@ def _rho(t: Expr) -> Expr:
 
 
 def _split(weight: Expr) -> tuple[int, Expr]:
-    """n and the direction of a weight r**(n - 1) direction(theta), whose integral over r from 0 is r**n/n direction."""
+    """Return n and the direction of a weight r**(n - 1) direction(theta), with radial integral r**n/n direction."""
     n = int(degree(weight, r)) + 1
     return n, weight / r ** (n - 1)
 
 
 def triangles() -> dict[str, Expr]:
-    """Integrals over the triangle between the centre and an edge, in p, t1, t2, tau and L, by the weight's name.
+    """Return integrals over the triangle between the centre and an edge, in p, t1, t2, tau and L, by the weight's name.
 
-    Inner integral, parameter t, term by term over t from t1 to t2; each whole is differentiated back.
+    The inner integral is integrated term by term over t from t1 to t2, and each sum is differentiated to prove it.
     """
     # A point of the edge's line: (tau_y, -tau_x) points from the centre to the line, where p > 0.
     rho = _rho(_T)
@@ -110,15 +111,15 @@ def triangles() -> dict[str, Expr]:
 
 
 def _along_edge(term: Expr) -> Expr:
-    """The integral of one term over t from t1 to t2."""
+    """Return the integral of one term over t from t1 to t2."""
     factor, rest = term.as_independent(_T)
     if rest == 1:
         return factor * (_T2 - _T1)
     return factor * _PRIMITIVES[simplify(rest)]
 
 
-# Integrals over t from t1 to t2 with their differences of near equals divided out: r2 - r1 and t2 r2 - t1 r1 are small
-# for short edges. They are proved where they are used.
+# Integrals over t from t1 to t2 without differences of nearly equal numbers, since r2 - r1 and t2 r2 - t1 r1 are small
+# for short edges. `triangles` proves them.
 _D = _T2 - _T1
 _TOTAL = _T1 + _T2
 _SUM = _rho(_T1) + _rho(_T2)
@@ -132,7 +133,7 @@ _PRIMITIVES = {
 
 
 def closed() -> tuple[Expr, ...]:
-    """Sector minus triangle for each of ``WEIGHTS``, in x, y, e_x, e_y and the angle from P1 to P2."""
+    """Return sector minus triangle for each of ``WEIGHTS``, in x, y, e_x, e_y and the angle from P1 to P2."""
     x2 = X + E_X
     y2 = Y + E_Y
     d = sqrt(E_X**2 + E_Y**2)
@@ -165,9 +166,10 @@ def closed() -> tuple[Expr, ...]:
 
 
 def rings() -> tuple[Expr, ...]:
-    """(1 - rho^n)/n over rho^2, for n of area, polar, inertia; then over rho^3, for those of radial and moment; in g.
+    """Return (1 - rho^n)/n over rho^2 for area, polar and inertia, and over rho^3 for radial and moment, in g.
 
-    Times P1 x e they are what a ring grows by along the edge, ds; the last two times the point itself.
+    Multiplied by P1 x e they are the growth of a ring along the edge, ds. The last two are also multiplied by the
+    point.
     """
     rho = sqrt(1 - G)
     area = G / 2
@@ -190,8 +192,8 @@ def rings() -> tuple[Expr, ...]:
 
 
 # --- the slices ------------------------------------------------------------------------------------------------------
-# At beta from straight below the centre, positive down-slope (right): the arc is at (sin, -cos), and the slice above it
-# has the height h and the width cos dbeta. Stresses are over gamma R, so its weight is h cos dbeta.
+# beta is measured from straight below the centre, positive down-slope (right). The arc is at (sin, -cos), and the slice
+# above it has the height h and the width cos dbeta. Stresses are divided by gamma R, so that its weight is h cos dbeta.
 
 SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = symbols(
     "sine cosine height pressure cohesion mu k_h factor", real=True
@@ -202,10 +204,10 @@ _CIRCLE = {SINE**2: 1 - COSINE**2}
 
 
 def slices() -> dict[str, Expr]:
-    """Integrands over beta, from the balance of one slice, by name: `generated.slopes` says what each is.
+    """Return integrands over beta from the balance of one slice, by name. `generated.slopes` describes each.
 
-    N and S are the normal and shear force over dbeta: force = N outward + S along. Of the ordinary method the forces
-    between slices have no component along the radius, of Bishop's none along the vertical.
+    N and S are the normal and shear force over dbeta: force = N outward + S along. In the ordinary method the forces
+    between slices have no component along the radius, in Bishop's method no vertical component.
     """
     weight = HEIGHT * COSINE
     force = Matrix([K_H * weight, -weight])
@@ -219,7 +221,7 @@ def slices() -> dict[str, Expr]:
     radial = expand(radial.subs(_CIRCLE))
     normal = solve(radial, _N)[0]
     strength = COHESION + (_N - PRESSURE) * MU
-    # Of the weight along the radius, -y/rho and x/rho over a strip: their integrals over y, where drho = y/rho dy.
+    # Radial component of the weight, -y/rho and x/rho over a strip, integrated over y, where drho = y/rho dy.
     strip = _strip(-_Y / _RHO, -_RHO)
     tilted_strip = _strip(1 / _RHO, -log(_RHO - _Y))
     prove_zero(strength.subs({_N: normal, MU: 0}) - COHESION, "without friction the strength is the cohesion: ordinary")
@@ -233,7 +235,7 @@ def slices() -> dict[str, Expr]:
 
 
 def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
-    """Bishop's strength, c + N' mu = strength/lever, and effective normal stress, from the vertical balance."""
+    """Return Bishop's strength, c + N' mu = strength/lever, and effective normal stress, from the vertical balance."""
     vertical = solve(balance[1].subs(_S, strength / FACTOR), _N)[0]
     lever = COSINE - SINE * MU / FACTOR
     mobilised = (COHESION + MU * (HEIGHT - PRESSURE)) * COSINE
@@ -245,7 +247,7 @@ def _bishop(balance: Matrix, strength: Expr) -> dict[str, Expr]:
 
 
 def _strip(integrand: Expr, primitive: Expr) -> Expr:
-    """The integral over y from the arc up to the ground, ``distance`` from the centre; its primitive is proved."""
+    """Return the integral over y from the arc to the ground at the given distance, after proving its primitive."""
     slope = diff(primitive, _Y) + diff(primitive, _RHO) * _Y / _RHO
     prove_zero(slope - integrand, f"{primitive} over a strip")
     at_ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)
@@ -254,9 +256,9 @@ def _strip(integrand: Expr, primitive: Expr) -> Expr:
 
 
 def head() -> Expr:
-    """Integral of a line's height above the arc, from where it is a height, at a sine and a cosine, over an angle more.
+    """Return the integral of a line's height above the arc over an angle, from height, sine and cosine at the start.
 
-    Each term is small where the angle or the height is, so that neither thin masses nor steep lines cancel.
+    Each term is small where the angle or the height is small, so that neither thin masses nor steep lines cancel.
     """
     bent = 2 * sin(ANGLE / 2) ** 2
     defect = -(ANGLE**3) * Remainder(sin, 3, ANGLE)
@@ -264,7 +266,7 @@ def head() -> Expr:
 
 
 def prove() -> list[str]:
-    """Prove the basis of the forms above; the claims."""
+    """Prove the basis of the forms above, and return the claims."""
     claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
@@ -272,7 +274,7 @@ def prove() -> list[str]:
 
 
 def _of_edges() -> dict[str, Expr]:
-    """L and dtheta along an edge; 1 - rho^2 is a sum of positive terms inside the circle."""
+    """Return claims about L and dtheta along an edge, and about 1 - rho^2 as a sum of positive terms."""
     ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))  # L is computed from it
     s, g1, g2 = symbols("s g1 g2", real=True)
     x = X + s * E_X
@@ -287,7 +289,7 @@ def _of_edges() -> dict[str, Expr]:
 
 
 def _of_moments() -> dict[str, Expr]:
-    """The declared moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
+    """Return claims that the declared moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
     claims = {}
     for moment in MOMENTS:
         weight = moment.weight
@@ -303,7 +305,7 @@ def _of_moments() -> dict[str, Expr]:
 
 
 def _of_one_chord() -> dict[str, Expr]:
-    """That the slices of the mass under one straight chord give the paper's closed forms."""
+    """Return claims that slices of the mass under one straight chord give the paper's closed forms."""
     forms = slices()
     middle, u = symbols("beta_m u", real=True)
     height = (cos(BETA - middle) - cos(alpha)) / cos(middle)
@@ -325,7 +327,7 @@ def _of_one_chord() -> dict[str, Expr]:
 
 
 def _of_heads() -> dict[str, Expr]:
-    """That `head` is the integral of a line's height above the arc."""
+    """Return claims that `head` is the integral of a line's height above the arc."""
     low = Symbol("low", real=True)
     integral = unfold(head())
     above = HEIGHT + SLOPE * (sin(low + ANGLE) - sin(low)) + cos(low + ANGLE) - cos(low)
@@ -337,10 +339,10 @@ def _of_heads() -> dict[str, Expr]:
 
 
 def _of_layers() -> dict[str, Expr]:
-    """That layers add: boundary by boundary, each with the unit weight below it less that above it.
+    """Return claims that layers add, boundary by boundary, each with the increase of unit weight across it.
 
-    Over a vertical line through three layers, with any primitive F of what is integrated: a moment is linear in the
-    weight. Where a layer is absent two of the heights are equal.
+    The proof uses a vertical line through three layers and any primitive F of the integrand, since a moment is linear
+    in the weight. If a layer is absent, two heights are equal.
     """
     primitive = Function("F")
     tops = symbols("y1 y2 y3", real=True)
@@ -363,9 +365,9 @@ def _of_layers() -> dict[str, Expr]:
 
 
 def _of_strips() -> dict[str, Expr]:
-    """Normal stress of strips on the arc after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
+    """Return claims about the normal stress of strips after a rotation: n = A cos(phi) - B sin(phi) + P omega^2.
 
-    A strip turns with the mass by phi, which lowers the dip, and so does the place on the arc that carries it.
+    A strip and the point of the arc below it turn with the mass by phi, which decreases the dip.
     """
     down = Matrix([0, -1])
     position = Matrix([_RHO * sin(BETA), -_RHO * cos(BETA)])

@@ -1,1 +1,1 @@
-"""Certificates: error bounds proved from the definition, trusting nothing of the generator."""
+"""Certificates: error bounds proved from the definition, independent of the generator."""

@@ -1,15 +1,15 @@
-"""The checker: proves the error bound of a straight-line float64 program on the whole domain, rounding included.
+"""Proof of the error bound of a straight-line float64 program on the whole domain, including rounding.
 
-It reads plain data (`generated/certificates/*.json`) and uses the standard library and python-flint only, for correct
-rounding (`derive.check.midpoints`) sums and products of NumPy's, too; of the generator it knows nothing: each
-certificate states the definition of its kernel, which `derive.check.truth` reads. Per box of alpha,
+The checker reads plain data (`generated/certificates/*.json`) and uses only the standard library and python-flint, and
+NumPy sums and products for correct rounding (`derive.check.midpoints`). It is independent of the generator: each
+certificate states the definition of its kernel, which `derive.check.truth` reads. In each box of alpha,
 
     |computed - exact| <= |P - F| + sum_i sup |dP/dn_i| d_i + half an ulp,
 
-where P is the program in real arithmetic (Taylor models), n_i the rounding error of operation i with its bound d_i, and
-the derivatives are taken backwards through the program in ball arithmetic, over all alpha of the box and all errors
-within their bounds (mean value theorem, so that nothing of higher order is dropped). Exact operations have no n_i, and
-an operation that computes the rounding error of another one *is* that n_i, so compensation counts.
+where P is the program in real arithmetic (Taylor models) and n_i the rounding error of operation i with its bound d_i.
+The derivatives are computed backwards through the program in ball arithmetic, over all alpha of the box and all errors
+within their bounds (mean value theorem, so that no terms of higher order are neglected). Exact operations have no n_i.
+An operation that computes the rounding error of another operation *is* that n_i, so that compensation is recognised.
 """
 
 import heapq
@@ -40,11 +40,11 @@ from derive.check.records import (
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
 from derive.check.truth import TOP, working
 
-VANISHING = 2.0**-352  # below, every kernel is less than 2**-1055
+VANISHING = 2.0**-352  # below this alpha every kernel is less than 2**-1055
 
 
 def ulp(x: float) -> float:
-    """Unit in the last place of an exact value x >= 0, exponents unbounded: the smaller one at a power of two."""
+    """Return the unit in the last place of an exact value x >= 0, the smaller unit at powers of two."""
     mantissa, exponent = math.frexp(x)
     if x:
         return math.ldexp(1.0, exponent - 53 - (mantissa == 0.5))
@@ -52,11 +52,11 @@ def ulp(x: float) -> float:
 
 
 def in_units(tier: str, distance: float, last: float, smallest: float, least: float = 0.0) -> float:
-    """The error on a box in the unit of its tier; ``least`` is the least ulp.
+    """Return the error on a box in the unit of its tier; ``least`` is the least ulp.
 
     |rounded - exact| is at most the distance before the last rounding plus half an ulp *of the exact value*, if that
-    distance is at most one ulp: where the exact value lies below a power of two and the number to be rounded above it,
-    the power of two is the nearest double.
+    distance is at most one ulp. If the exact value lies below a power of two and the number to be rounded above it, the
+    power of two is the nearest double.
     """
     if not smallest > 0 and not least > 0:
         return math.inf  # the box is too wide
@@ -69,9 +69,9 @@ def in_units(tier: str, distance: float, last: float, smallest: float, least: fl
 
 
 def below_underflow(record: Record, whole: float) -> float:
-    """A bound below UNDERFLOW, where s**-3 times the least number is not negligible.
+    """Return a bound below UNDERFLOW, where s**-3 times the least number is not negligible.
 
-    One window for each s down to VANISHING, and there the absolute error.
+    There is one window for each s down to VANISHING, where the absolute error is bounded.
     """
     tier = record["tier"]
     if len(record["definition"]) > 1:
@@ -81,7 +81,7 @@ def below_underflow(record: Record, whole: float) -> float:
     upper_half = [(i / 32, (i + 1) / 32) for i in range(16, 32)]
 
     def bound(s: float, boxes: list[tuple[float, float]]) -> float:
-        """On alpha = s xi, xi in these boxes."""
+        """Return the bound for alpha = s xi, with xi in these boxes."""
         window = near.window(s, s)
         least = TINY / s / s / s
         worst = 0.0
@@ -102,7 +102,7 @@ def below_underflow(record: Record, whole: float) -> float:
 
 
 def error(record: Record, part: Patch, lower: float, upper: float) -> float:
-    """A bound on the error on one box, in the unit of its tier; infinite if the box is too wide."""
+    """Return a bound on the error on one box in the unit of its tier, infinite if the box is too wide."""
     try:
         return in_units(record["tier"], *part.error(lower, upper))
     except Unbounded:
@@ -110,7 +110,7 @@ def error(record: Record, part: Patch, lower: float, upper: float) -> float:
 
 
 def by_claim(record: Record) -> dict[str, list[Patch]]:
-    """The patches that each claim is about: beyond pi/4, and up to it."""
+    """Return the patches of each claim, beyond pi/4 and up to it."""
     claims: dict[str, list[Patch]] = {"bound": [], "bound_to_quarter_pi": []}
     for part in patches(record):
         below = part.top or part.upper <= QUARTER
@@ -119,7 +119,7 @@ def by_claim(record: Record) -> dict[str, list[Patch]]:
 
 
 class Box(NamedTuple):
-    """A box of a patch, by its number; ordered by its bound, the greatest first."""
+    """Box of a patch, ordered by its bound, the greatest first."""
 
     minus_bound: float
     number: int
@@ -130,10 +130,10 @@ class Box(NamedTuple):
 def halve(
     record: Record, parts: list[Patch], wanted: float = 0.0, halvings: float = math.inf
 ) -> tuple[float, list[tuple[float, float]]]:
-    """The bound proved on these patches, and the worst boxes of alpha, at most 16, the worst first.
+    """Return the bound proved on these patches, and at most 16 boxes of alpha with the greatest bounds, in order.
 
-    The worst box is halved, again and again, until the bound is within ``wanted``, or so often, or as long as the box
-    is more than next to nothing.
+    The box with the greatest bound is halved until the bound is at most ``wanted``, ``halvings`` is reached, or the box
+    is too narrow.
     """
 
     def box(number: int, lower: float, upper: float) -> Box:
@@ -158,7 +158,7 @@ def halve(
 
 
 def _worst_of_each(boxes: list[Box]) -> list[Box]:
-    """The worst box of each patch; of these the 16 worst."""
+    """Return the worst box of each patch, at most 16."""
     by_patch = {}
     for box in sorted(boxes, reverse=True):
         by_patch[box.number] = box
@@ -166,19 +166,23 @@ def _worst_of_each(boxes: list[Box]) -> list[Box]:
 
 
 def _in_alpha(part: Patch, box: Box) -> tuple[float, float]:
-    """A box of alpha; of a window, which stands for every power of two, near 2**-10."""
+    """Return a box of alpha, for a window, which represents every power of two, near 2**-10."""
     scale = 2.0**-10 if part.top else 1.0
     return box.lower * scale, box.upper * scale
 
 
 def prove(record: Record) -> float:
-    """Prove what the record claims, on the whole domain; the bound that was proved, which is not above the claimed one.
+    """Prove the claims of a record on the whole domain, and return the proved bound, at most the claimed one.
 
-    ``bound`` is claimed from UNDERFLOW on, ``bound_to_quarter_pi`` up to pi/4 only, ``bound_underflow`` below. Of the
-    tiers best and float32 they are in ulp of the exact value, and the ulp is never less than the format's least number;
-    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074). That the
-    double of tier float32 is rounded correctly is proved by `derive.check.midpoints`. Raises `ProofError` with the
-    name of a check: digest, seal, witness, assumptions, program, zero, bound, underflow or goal.
+    ``bound`` is claimed above UNDERFLOW, ``bound_to_quarter_pi`` up to pi/4, and ``bound_underflow`` below UNDERFLOW.
+    In the tiers best and float32 the unit is the ulp of the exact value, at least the format's least number. In the
+    tiers 1e-10 and 1e-6 bounds are relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074).
+    `derive.check.midpoints` proves that the double of tier float32 is rounded correctly.
+
+    Raises
+    ------
+    ProofError
+        With the name of a failed check: digest, seal, witness, assumptions, program, zero, bound, underflow or goal.
     """
     if record["sha256"] != digest(record):
         raise rejected("digest", record, digest(record), record["sha256"])
@@ -202,7 +206,7 @@ def prove(record: Record) -> float:
 
 
 def _check_program(record: Record) -> None:
-    """That its tier is known, that operations use earlier ones only, and that a base quantity is 0 at 0."""
+    """Check that the tier is known, that operations use earlier results only, and that a base quantity is 0 at 0."""
     if record["tier"] not in TIERS:
         raise ValueError(f"no tier is called {record['tier']}")
     for i, (_, args, _) in enumerate(record["operations"]):
@@ -210,7 +214,7 @@ def _check_program(record: Record) -> None:
             raise ValueError("an operation uses a later one")
     with working(ROUNDING_BITS):
         values, _ = rounding.forward(specialise(record, 0.0, 0.0), arb(0))
-    if len(record["definition"]) == 1 and not values[-1] == 0:  # of a quotient 0 is inside the domain like any other
+    if len(record["definition"]) == 1 and not values[-1] == 0:  # a quotient is nonzero at 0
         raise rejected("zero", record, f"{values[-1]} at alpha = 0", 0)
 
 
@@ -223,12 +227,12 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
 
 
 def checked_together(records: list[Record]) -> list[tuple[str, bool]]:
-    """What `checked` says of records whose hard inputs may be the same."""
+    """Return `checked` for records that may share hard inputs."""
     return list(map(checked, records))
 
 
 def checked(record: Record) -> tuple[str, bool]:
-    """The outcome and the time of a record's proof as a line, and whether it is accepted."""
+    """Return the outcome and the time of a record's proof as a line, and whether the record is accepted."""
     start = time.perf_counter()
     tier = record["tier"]
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"
@@ -248,7 +252,7 @@ def checked(record: Record) -> tuple[str, bool]:
 
 
 def prove_all() -> bool:
-    """Prove every certificate and print a table; true if none is rejected."""
+    """Prove every certificate, print a table, and return whether all are accepted."""
     records = read() + read(both_ends=True)
     start = time.perf_counter()
     accepted = bool(records)

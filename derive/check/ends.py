@@ -1,16 +1,17 @@
-"""Functions of both ends of an arc: their operations around a certified function of alpha, and what these lose.
+"""Functions of both ends of an arc: operations around a certified function of alpha.
 
-With alpha = (theta_2 - theta_1)/2 and psi = 3 pi/2 - theta_m, theta_m = (theta_1 + theta_2)/2, a certificate states
-C(alpha) cos(psi), C(alpha) sin(psi) or C(alpha) tan(psi), C being one or two statements of `derive.check.truth`.
+With alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - theta_m and theta_m = (theta_1 + theta_2)/2, a certificate states
+C(alpha) cos(psi), C(alpha) sin(psi) or C(alpha) tan(psi), where C consists of one or two statements of
+`derive.check.truth`.
 
-2 theta_m - n pi, n even for cos(psi) = -sin(theta_m) and odd for sin(psi) = -cos(theta_m), is the sum of both ends
-and of n times four parts of pi, n times the first three being exact. It is had as b + low by passes of error-free
-sums (Ogita, Rump and Oishi 2005), however little is left of it. To first order in low and in what alpha has lost,
+2 theta_m - n pi, with n even for cos(psi) = -sin(theta_m) and odd for sin(psi) = -cos(theta_m), is the sum of both ends
+and of n times four parts of pi, where n times the first three parts is exact. Passes of error-free sums (Ogita, Rump
+and Oishi 2005) compute it as b + low, however small it is. To first order in low and in the rounding error of alpha,
 
     C(alpha) sin((b + low)/2) = C (b + low k(b/2) + b (lost/d) 3 k(alpha))/2 sinc(b/2),   k(x) = x cot(x),
 
-d = 2 alpha, as C rises nearly like sin(alpha)**3. Errors are relative, of the exact ends, plus 2**-1000 for what
-underflows. Standard library and python-flint only.
+with d = 2 alpha, as C rises nearly like sin(alpha)**3. Errors are relative with respect to the exact ends, plus
+2**-1000 for underflow. The module uses the standard library and python-flint only.
 """
 
 import math
@@ -21,14 +22,14 @@ from typing import Any
 
 from derive.check.truth import TOP, Definition
 
-LIMIT = 2.0**16  # of an end, rad: ten thousand turns
+LIMIT = 2.0**16  # greatest end, rad: ten thousand turns
 PASSES = 3
 TURN = 0.5 / math.pi
-# Of sinc's Taylor series.
+# Number of terms of sinc's Taylor series.
 TERMS = {"best": 12, "1e-10": 8, "1e-6": 6}
-# x cot(x) in x**2.
+# Coefficients of x cot(x) in powers of x**2.
 COTANGENT = (1.0, -1 / 3, -1 / 45, -2 / 945, -1 / 4725)
-# pi; all parts but the last have 37 bits.
+# Parts of pi; all but the last have 37 bits.
 PI = (3.1415926535846666, 5.1266883031679116e-12, 2.1125998133888136e-23, 8.671810130123781e-35)
 
 
@@ -37,13 +38,13 @@ PI = (3.1415926535846666, 5.1266883031679116e-12, 2.1125998133888136e-23, 8.6718
 
 @dataclass(frozen=True)
 class Step:
-    """A value on a list of operations, as certificates list them; arithmetic appends to it."""
+    """Value on a list of operations, as in certificates. Arithmetic appends to the list."""
 
     operations: list[list[Any]]
     place: int = 0
 
     def put(self, kind: str, *others: Any, value: str | None = None) -> "Step":
-        """Append an operation on this and other steps or numbers, or find the equal one that is there."""
+        """Return the step of an operation on this and other steps or numbers, appended unless it exists."""
         places = [self.place]
         for x in others:
             if isinstance(x, Step):
@@ -67,12 +68,12 @@ class Step:
 
 
 def two_sum(a: Step, b: Step) -> tuple[Step, Step]:
-    """fl(a + b) and its rounding error."""
+    """Return fl(a + b) and its rounding error."""
     return a + b, a.put("lost", b)
 
 
 def horner(x: Step, coefficients: tuple[float, ...]) -> Step:
-    """The polynomial with these coefficients, lowest first."""
+    """Return the polynomial with these coefficients, lowest first."""
     *others, second, last = coefficients
     result = x * last + second
     for c in reversed(others):
@@ -81,7 +82,7 @@ def horner(x: Step, coefficients: tuple[float, ...]) -> Step:
 
 
 def sinc(x: Step, terms: int) -> Step:
-    """sin(x)/x."""
+    """Return sin(x)/x."""
     taylor = []
     for k in range(terms):
         size = 1 / math.factorial(2 * k + 1)
@@ -90,12 +91,12 @@ def sinc(x: Step, terms: int) -> Step:
 
 
 def cotangent(x: Step) -> Step:
-    """x cot(x), nearly."""
+    """Return an approximation of x cot(x)."""
     return horner(x * x, COTANGENT)
 
 
 def passed(terms: list[Step]) -> list[Step]:
-    """Their sum, nearly, after what it loses."""
+    """Return the rounding errors of a sum, followed by the sum."""
     total = terms[0]
     losses = []
     for term in terms[1:]:
@@ -105,7 +106,7 @@ def passed(terms: list[Step]) -> list[Step]:
 
 
 def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
-    """b and low k(b/2); sin(psi) if odd, else cos(psi), is sin((b + low)/2) times this sign, here 1/2 or -1/2."""
+    """Return b, low k(b/2) and a sign by which sin((b + low)/2) becomes sin(psi) if odd, otherwise cos(psi)."""
     half = (one + two) * TURN
     if odd:
         half = half - 0.5
@@ -131,7 +132,7 @@ def reduced(one: Step, two: Step, odd: bool) -> tuple[Step, Step, Step]:
 
 
 def share(one: Step, two: Step) -> tuple[Step]:
-    """What the rounding of d = theta_2 - theta_1 is to C(alpha), over it."""
+    """Return the relative change of C(alpha) by the rounding error of d = theta_2 - theta_1."""
     d = two - one
     alpha = (d * 0.5).put("min", TOP)
     lost = two.put("lost", one.put("neg"))
@@ -140,15 +141,15 @@ def share(one: Step, two: Step) -> tuple[Step]:
 
 
 def both() -> tuple[Step, Step]:
-    """The ends, on a list of their own."""
+    """Return the ends on a new list of operations."""
     one = Step([["input", [], "theta_1"], ["input", [], "theta_2"]])
     return one, Step(one.operations, 1)
 
 
 def result(definition: Definition, tier: str, part: str) -> Step:
-    """A function of both ends, on its operations; ``part`` is what they call for C(alpha).
+    """Return a function of both ends on its operations; ``part`` names the function that computes C(alpha).
 
-    ``integer`` rounds to the nearest one, ties to even, and ``lost`` is the rounding error of a sum.
+    ``integer`` rounds to the nearest integer, ties to even, and ``lost`` is the rounding error of a sum.
     """
     one, two = both()
     direction = definition[-1]
@@ -165,7 +166,7 @@ def result(definition: Definition, tier: str, part: str) -> Step:
 
 
 def turned(one: Step, two: Step, odd: bool, tier: str, share: Step | None = None) -> tuple[Step, Step, Step]:
-    """b with what low and alpha's rounding add to it, its sinc, and the sign."""
+    """Return b corrected by low and the rounding of alpha, its sinc, and the sign."""
     b, carried, sign = reduced(one, two, odd)
     if share is not None:
         carried = carried + b * share

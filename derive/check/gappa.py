@@ -1,8 +1,8 @@
-"""A second opinion on rounding: Gappa (Daumas and Melquiond 2010), a program by others that proves such bounds.
+"""Independent bounds on rounding by Gappa (Daumas and Melquiond 2010).
 
-A script asks for the relative distance between a program's value and that of the same operations in real arithmetic,
-for every double from 2**-320 to pi/2. How far the latter is from the exact function stays the checker's (`certify`).
-Gappa knows sums and products; pieces, logarithms and compensated sums of the best tiers are beyond it.
+A script requests the relative distance between a program's value and the same operations in real arithmetic, for every
+double from 2**-320 to pi/2. The checker (`certify`) bounds the distance of the latter from the exact function. Gappa
+supports sums and products, but not the pieces, logarithms and compensated sums of the best tiers.
 """
 
 import re
@@ -19,15 +19,15 @@ from derive.check.records import TIERS, Record, read
 from derive.check.truth import TOP
 
 FOLDER = Path("build") / "gappa"
-CUTS = 64  # of the domain, cubically closer towards pi/2, where rationals have lost most
+CUTS = 64  # parts of the domain, cubically denser towards pi/2, where rational functions lose most
 HALVINGS = 200
 FORMULAS = {"add": "{} + {}", "sub": "{} - {}", "mul": "{} * {}", "div": "{} / {}", "neg": "-{}", "fma": "{} * {} + {}"}
-END = re.compile(r"\{(-?[\d.]+(?:e-?\d+)?), ")  # of an interval, to six digits
+END = re.compile(r"\{(-?[\d.]+(?:e-?\d+)?), ")  # end of an interval, to six digits
 MARGIN = 1.001  # for these digits, and as the errors are relative to the program's value, not the exact one
 
 
 def script(record: Record) -> str:
-    """The question to Gappa; ValueError where the program has an operation without a formula."""
+    """Return the script for Gappa, or raise ValueError if the program has an operation without a formula."""
     lines = ["@double = float<ieee_64, ne>;"]
     for place, (kind, args, value) in enumerate(record["operations"]):
         if kind in FORMULAS:
@@ -46,7 +46,10 @@ def script(record: Record) -> str:
 
 
 def asked(record: Record, text: str) -> float:
-    """Gappa's bound on the relative error by rounding; infinity if it has none. The script stays in FOLDER."""
+    """Return Gappa's bound on the relative rounding error, infinity without a bound.
+
+    The script is written to FOLDER.
+    """
     FOLDER.mkdir(parents=True, exist_ok=True)
     name = "-".join([record["kernel"], record["tier"], record["form"]])
     (FOLDER / f"{name}.g").write_text(text, encoding="utf-8")
@@ -56,7 +59,7 @@ def asked(record: Record, text: str) -> float:
 
 
 def approximation(record: Record) -> float:
-    """The checker's bound of a program that does not round, in the unit of its tier; at most that of one that does."""
+    """Return the checker's bound of a program without rounding, in the unit of its tier."""
     parts = []
     for part in patches(record):
         exact = tuple(node._replace(rounds=False, floor=0.0) for node in part.tape)
@@ -66,7 +69,7 @@ def approximation(record: Record) -> float:
 
 
 def compared(record: Record) -> tuple[str, bool]:
-    """A row of the table, and whether Gappa proves what the tier promises."""
+    """Return a row of the table, and whether Gappa proves the goal of the tier."""
     tier = record["tier"]
     name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6} {record['bound']:>9.4g}"
     try:
@@ -80,7 +83,7 @@ def compared(record: Record) -> tuple[str, bool]:
 
 
 def compare() -> bool:
-    """Print the table; whether Gappa proves all tiers but the best, or is not there to be asked."""
+    """Print the table, and return whether Gappa proves all tiers but the best, or is not installed."""
     if shutil.which("gappa") is None:
         print("skipped: gappa is not installed; on Debian and Ubuntu type: sudo apt install gappa")
         return True

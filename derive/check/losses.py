@@ -1,4 +1,4 @@
-"""Certificates of functions of both ends of an arc: bounds on what the operations of `derive.check.ends` lose.
+"""Certificates of functions of both ends of an arc: bounds on the errors of the operations of `derive.check.ends`.
 
 Part of the checker (`certify`): standard library and python-flint only.
 """
@@ -23,20 +23,21 @@ HALF_ULP = 2.0**-53
 
 
 def distance(n: int, bits: int) -> arb:
-    """Of n pi from the nearest multiple of 2**-bits."""
+    """Return the distance of n pi from the nearest multiple of 2**-bits."""
     scaled = arb.pi() * n * arb(2) ** bits
     return abs(scaled - (scaled + arb(0.5)).floor()) / arb(2) ** bits
 
 
 @cache
 def reduction_loss() -> float:
-    """A bound on the relative error of b + low, for both ends within LIMIT and at most pi (1 + 4 eps) apart.
+    """Return a bound on the relative error of b + low, for ends within LIMIT and at most pi (1 + 4 eps) apart.
 
-    Of m terms whose sizes add up to S a pass leaves the sum Sigma as the last one, nearly, and others that add up to
-    at most g S, g = (m - 1) 2**-53: after it, S is at most Sigma + 2 g S. The ratio S/Sigma is bounded by how near the
-    ends' sum can come to n pi. For n = 0 it is a multiple of the smaller end's last place. From |n| = 2 on, with less
-    than 1 between them, both ends are above 1, and their sum is a multiple of 2**-52. For |n| = 1 that holds of one;
-    of the other too down to 2**-106 if it is above 2**-54, and below it changes the distance by no more than itself.
+    A pass over m terms whose absolute values add up to S leaves approximately the sum Sigma as the last term, and
+    others whose absolute values add up to at most g S, with g = (m - 1) 2**-53. After it, S is at most Sigma + 2 g S.
+    The ratio S/Sigma is bounded by how near the sum of the ends can come to n pi. For n = 0 the sum is a multiple of
+    the smaller end's last place. For |n| >= 2 both ends are above 1, as they differ by at most pi, and their sum is a
+    multiple of 2**-52. For |n| = 1 this is true for one end. If the other end is above 2**-54, it is a multiple of
+    2**-106. Below 2**-54 it changes the distance by no more than itself.
     """
     most = math.ceil(2 * LIMIT / math.pi) + 2
     widest = max(Fraction(part).numerator.bit_length() for part in PI[:-1])
@@ -65,7 +66,7 @@ def reduction_loss() -> float:
 
 
 def traced(function: Callable[[Step], Step]) -> Tape:
-    """The operations of a function of one number in [0, TOP], for the analysis of rounding."""
+    """Return the operations of a function of one number in [0, TOP], for the analysis of rounding."""
     start = Step([["input", [], "x"]])
     output = function(start).place
     return specialise({"operations": start.operations, "output": output}, 0.0, TOP)
@@ -73,7 +74,7 @@ def traced(function: Callable[[Step], Step]) -> Tape:
 
 @cache
 def sinc_loss(tier: str) -> float:
-    """A bound on the relative error of sinc on [0, TOP]: of its series, and of rounding box by box."""
+    """Return a bound on the relative error of sinc on [0, TOP], by truncation and by rounding box by box."""
     terms = TERMS[tier]
     tape = traced(partial(sinc, terms=terms))
     end = 1.571  # above pi/2
@@ -94,7 +95,7 @@ def sinc_loss(tier: str) -> float:
 
 @cache
 def cotangent_loss() -> float:
-    """A bound on the error of x cot(x) on [0, TOP], that of rounding in it."""
+    """Return a bound on the error of x cot(x) on [0, TOP], including rounding."""
     tape = traced(cotangent)
     worst = 0.0
     with working(BITS):
@@ -107,7 +108,7 @@ def cotangent_loss() -> float:
 
 @cache
 def slope_gap(statement: str) -> float:
-    """A bound on |alpha C'/C - 3 k(alpha)|.
+    """Return a bound on |alpha C'/C - 3 k(alpha)|.
 
     The chord's end moves: C' = 2 sin(alpha) T_n for r^n cos u (`truth`). As alpha cos(alpha)^n <= T_n <= alpha, they
     are within 3 (cos(alpha)^-(n + 2) - 1) of each other, which serves on the first segment.
@@ -132,7 +133,7 @@ def slope_gap(statement: str) -> float:
 
 
 def boxes(lower: float, upper: float) -> Iterator[arb]:
-    """An interval in 64 parts."""
+    """Yield an interval in 64 parts."""
     width = (upper - lower) / 64
     points = [lower + k * width for k in range(64)]
     for ends in pairwise([*points, upper]):
@@ -140,7 +141,7 @@ def boxes(lower: float, upper: float) -> Iterator[arb]:
 
 
 def relative(definition: Definition, tier: str, part: float) -> float:
-    """A bound on the relative error, ``part`` being that of C(alpha)."""
+    """Return a bound on the relative error, where ``part`` is the bound for C(alpha)."""
     *statements, direction = definition
     gaps = sum(map(slope_gap, statements))
     excess = (8 * HALF_ULP * LIMIT) ** 2  # of b beyond pi, where n is rounded: a half turn's sine is flat
@@ -155,7 +156,7 @@ def relative(definition: Definition, tier: str, part: float) -> float:
 
 
 def certificate(kernel: str, definition: Definition, tier: str, form: str, part: Record) -> Record:
-    """The certificate of a function of both ends, from that of its function of alpha."""
+    """Return the certificate of a function of both ends from the certificate of its function of alpha."""
     *statements, _ = definition
     if statements != part["definition"]:
         raise ProofError(f"{kernel}: definition of its part", part["definition"], statements)
@@ -181,9 +182,14 @@ def certificate(kernel: str, definition: Definition, tier: str, form: str, part:
 
 
 def prove(record: Record, parts: Iterable[Record]) -> float:
-    """Prove what a record claims, given proved certificates of functions of alpha; the bound that was proved.
+    """Prove the claims of a record from proved certificates of functions of alpha, and return the proved bound.
 
-    It must state the operations of `ends`. Raises `ProofError` with the name of a check: part, bound or program.
+    The record must contain the operations of `ends`.
+
+    Raises
+    ------
+    ProofError
+        With the name of a failed check: part, bound or program.
     """
     called = [value for kind, _, value in record["operations"] if kind == "call"]
     serving = [part for part in parts if [part["sha256"]] == called]

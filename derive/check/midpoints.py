@@ -1,9 +1,9 @@
 """Correct rounding to float32: a program's double and the exact value lie on the same side of every midpoint.
 
-A double at most w from the exact value F rounds as F does, unless a midpoint of two neighbours in float32 is within w
-of F. The inputs where one is, hard to round (Lefevre and Muller 2001), are found among all: on a block of consecutive
-inputs (n + t) h, F over half an ulp is a polynomial in the integer t, of which the remainder modulo 2 matters: 1 is a
-midpoint. At these inputs the program is run, and F enclosed by more digits.
+A double within w of the exact value F rounds like F, unless a midpoint of two neighbours in float32 is within w of F.
+All inputs with such a midpoint, which are hard to round (Lefevre and Muller 2001), are found. On a block of consecutive
+inputs (n + t) h, F over half an ulp is a polynomial in the integer t, and it is near a midpoint if its remainder modulo
+2 is near 1. At these inputs the program is run, and F is enclosed with more digits.
 
 Part of the checker (`certify`): standard library, python-flint, and NumPy for the polynomials.
 """
@@ -24,17 +24,17 @@ from derive.check.rounding import above, below
 from derive.check.truth import BITS, SEGMENTS, TOP, Model, Segment, working
 
 SIGNIFICANDS = range(2**23, 2**24)
-BLOCK = 2**14  # inputs looked at together
+BLOCK = 2**14  # inputs per block
 DEGREE = 6
 WIDTH = TIERS["float32"].other * 2.0**-29  # in ulp of float32
-SLACK = 2.0**-34  # in half ulps: what is left out of the polynomials, and their rounding
-DIGITS = 500  # bits, of which closed forms lose less than 110
+SLACK = 2.0**-34  # error of the polynomials by truncation and rounding, in half ulps
+DIGITS = 500  # precision in bits; closed forms lose less than 110 bits
 LEAST = -150  # the exponent of half of the least float32
 
 
 @cache
 def hard_inputs(statement: str) -> tuple[float, ...]:
-    """Every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more."""
+    """Return every float32 in (0, pi/2] whose exact value is within WIDTH ulp of a midpoint, and some more."""
     with working(BITS):
         (nearest, *_) = SEGMENTS
         model = truth.kernel(statement, nearest)
@@ -54,7 +54,7 @@ def hard_inputs(statement: str) -> tuple[float, ...]:
 
 
 def _near(statement: str, h: float, start: int, stop: int) -> Iterator[float]:
-    """Those of the inputs n h, start <= n < stop: of the block, or of its halves where that is undecided."""
+    """Yield such inputs n h with start <= n < stop, from the block or from its halves if it is undecided."""
     if stop - start == 1:
         yield start * h
         return
@@ -77,7 +77,7 @@ POWERS = np.stack([T**k for k in range(DEGREE + 1)])
 
 
 def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) -> list[float] | None:
-    """F((middle + t) h) over half an ulp, modulo 2, by powers of t; None where it is not that to within SLACK."""
+    """Return F((middle + t) h) over half an ulp, modulo 2, by powers of t, or None if its error exceeds SLACK."""
     lowest = start * h
     highest = (stop - 1) * h
     around = [s for s in SEGMENTS if s.lower <= lowest and highest <= s.upper]
@@ -105,7 +105,7 @@ def _polynomial(statement: str, h: float, start: int, middle: int, stop: int) ->
 
 
 def _about(statement: str, segment: Segment, x: float, h: float, radius: int) -> tuple[arb_poly, arb]:
-    """F(x + t h) as a polynomial in t, and a ball around zero for what that leaves out where |t| <= radius."""
+    """Return F(x + t h) as a polynomial in t, and a ball around zero that encloses its error for |t| <= radius."""
     model: Model = truth.kernel(statement, segment)
     offset = arb(x) - segment.centre
     reach = radius * arb(h)
@@ -121,7 +121,7 @@ def _about(statement: str, segment: Segment, x: float, h: float, radius: int) ->
 
 
 def _half_ulp(value: float) -> float:
-    """Half a unit in the last place of float32, at a value that is not negative."""
+    """Return half a unit in the last place of float32 at a non-negative value."""
     _, exponent = math.frexp(value)
     return math.ldexp(1.0, max(exponent - 25, LEAST))
 
@@ -129,7 +129,12 @@ def _half_ulp(value: float) -> float:
 def prove(record: Record) -> None:
     """Prove that the double of a program is rounded correctly at every float32, and that its hard inputs are stated.
 
-    That its bound is proved is assumed. Raises `ProofError` with the name of the check: rounding or hard.
+    The bound of the record must have been proved.
+
+    Raises
+    ------
+    ProofError
+        With the name of the failed check: rounding or hard.
     """
     stated = record["hard"]
     found = hard(record)
@@ -138,7 +143,7 @@ def prove(record: Record) -> None:
 
 
 def hard(record: Record) -> list[str]:
-    """The significands of the inputs that the bound leaves undecided; at each of these the program rounds correctly."""
+    """Return the significands of the inputs that the bound leaves undecided, after checking the rounding at each."""
     (statement,) = record["definition"]
     significands = set()
     for x in (*hard_inputs(statement), TOP):  # the float32 next to pi/2 lies above it and is clipped
@@ -157,7 +162,7 @@ def hard(record: Record) -> list[str]:
 
 
 def _rounds_to(exact: arb, value: Any, margin: float = 0.0) -> bool:
-    """Whether a float32 is the nearest, by more than a margin: whether the midpoints on its sides enclose."""
+    """Return whether a float32 is the nearest to an exact value by more than a margin."""
     middle = float(value)
     below_it = float(np.nextafter(value, np.float32(-9)))
     above_it = float(np.nextafter(value, np.float32(9)))
@@ -177,7 +182,7 @@ MEANING: dict[str, Callable[..., Any]] = {
 
 
 def run(record: Record, x: float) -> float:
-    """The output at an input, every operation rounded once."""
+    """Return the output of a program at an input, with every operation rounded once."""
     values: list[float] = []
     for kind, args, constant in record["operations"]:
         if kind == "input":

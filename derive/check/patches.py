@@ -1,4 +1,4 @@
-"""The domain in patches: on each a tape of the program, and Taylor models of its difference from the exact function.
+"""Division of the domain into patches, each with a tape of the program and Taylor models of its error.
 
 Part of the checker (`certify`): standard library and python-flint only.
 """
@@ -16,13 +16,13 @@ from derive.check.records import Record
 from derive.check.rounding import ROUNDING_BITS, TINY, UP, VALUE, Node, Tape, Unbounded, above, below, specialise
 from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
 
-SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
-UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
+SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1], and one window represents every power of two s
+UNDERFLOW = 2.0**-320  # below, products may underflow, and another bound applies
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 
 
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
-    """Parts of [lower, upper], both ends included, no double left out, each with one tape."""
+    """Return parts of [lower, upper], both ends included and no double omitted, each with one tape."""
     inside = sorted(c for c in _cuts(record) if lower < c < upper)
     todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise([lower, *inside, upper])]
     todo.append((upper, upper))
@@ -46,7 +46,7 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
 
 
 def _cuts(record: Record) -> set[float]:
-    """Where to cut first, a guess from the constants that are compared too: what is undecided is halved."""
+    """Return initial cuts, guessed from the constants in comparisons. Undecided pieces are halved later."""
     cuts = {QUARTER, *(k / 16 for k in range(26))}
     operations = record["operations"]
     for kind, args, value in operations:
@@ -60,7 +60,7 @@ def _cuts(record: Record) -> set[float]:
 
 
 def ideal(tape: Tape, centre: arb) -> list[arb]:
-    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
+    """Return Taylor coefficients of the program in real arithmetic for every point of the ball ``centre`` at once."""
     values: list[Any] = []
     for node in tape:
         if node.kind == "x":
@@ -68,7 +68,7 @@ def ideal(tape: Tape, centre: arb) -> list[arb]:
         elif node.kind in VALUE:
             operands = (values[a] for a in node.args)
             values.append(VALUE[node.kind](*operands))
-        else:  # a constant, or an error, which there is none of
+        else:  # a constant, or an error, which is 0 in real arithmetic
             constant = node.value if node.kind == "const" else 0
             values.append(arb_series([arb(constant)]))
     return truth.coefficients(values[-1])
@@ -76,7 +76,7 @@ def ideal(tape: Tape, centre: arb) -> list[arb]:
 
 @dataclass(frozen=True)
 class Patch:
-    """A piece of the domain within a segment: what bounds the error on any box of it.
+    """Piece of the domain within a segment, with the data that bound the error on any box of it.
 
     ``difference`` is (P - F) times the denominator of F, if it has one; on the first segment ``difference`` and
     ``above`` are divided by alpha**order. In a window (top > 0) a box is one of xi, and alpha = s xi, s <= top.
@@ -93,7 +93,10 @@ class Patch:
     top: float = 0.0
 
     def error(self, lower: float, upper: float) -> tuple[float, float, float]:
-        """At most |before the last rounding - exact| and the last rounding's error, at least |exact|; over s**order."""
+        """Return bounds on the error before the last rounding and on the last rounding, and a lower bound on the value.
+
+        All are divided by s**order.
+        """
         with working(ROUNDING_BITS):
             x = ball(lower, upper)
             total, last = rounding.rounding_sum(self.tape, x)
@@ -114,7 +117,7 @@ class Patch:
             return distance, last, smallest
 
     def remainder(self) -> float:
-        """Of the series of the difference, over the value at the centre."""
+        """Return the remainder of the series of the difference over the value at the centre."""
         with working(BITS):
             centre = self.segment.centre
             distances = (abs(arb(x) - centre).upper() for x in (self.lower, self.upper))
@@ -124,13 +127,13 @@ class Patch:
             return float(rest.upper()) if rest.is_finite() else math.inf
 
     def window(self, top: float, bottom: float) -> "Patch":
-        """For every alpha = s xi, s in [bottom, top] a power of two, xi in [1/2, 1]."""
+        """Return the patch for every alpha = s xi, with s in [bottom, top] a power of two and xi in [1/2, 1]."""
         tape = scaled(self.tape, self.order, top, bottom)
         return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
 
 
 def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
-    """Models of the program and of the exact function, and of what lies between them."""
+    """Return a patch with models of the program, of the exact function, and of their difference."""
     first, *others = (truth.kernel(statement, segment) for statement in definition)
     second = None
     if others:
@@ -151,7 +154,7 @@ def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, up
 
 
 def _times_denominator(computed: Model, first: Model, second: Model, t: arb) -> Model:
-    """(P - F1/F2) F2 = P F2 - F1, with the remainders of all three in one."""
+    """Return (P - F1/F2) F2 = P F2 - F1, with the remainders of all three combined."""
     computed_rest, first_rest, second_rest = (
         model.last * arb(0, 1) * t.abs_upper() ** model.power for model in (computed, first, second)
     )
@@ -161,7 +164,7 @@ def _times_denominator(computed: Model, first: Model, second: Model, t: arb) -> 
 
 
 def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
-    """One patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
+    """Yield one patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
     narrow = upper - lower < 2.0**-10 * (TOP - lower)
     try:
         whole = patch(definition, tape, segment, lower, upper)
@@ -180,7 +183,7 @@ def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: fl
 
 
 def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
-    """The domain, or a part: a window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
+    """Yield the patches of the domain, or of a part: a window for small alpha, then pieces on segments."""
     definition = record["definition"]
     if lower < SMALL:
         near = near_zero(record)
@@ -195,17 +198,17 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
 
 
 def near_zero(record: Record) -> Patch:
-    """The patch [0, SMALL], whose windows stand for powers of two."""
+    """Return the patch [0, SMALL], whose windows represent powers of two."""
     tape = specialise(record, 0.0, SMALL)
     return patch(record["definition"], tape, SEGMENTS[0], 0.0, SMALL)
 
 
 def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
-    """The tape over xi in [1/2, 1], for alpha = s xi with any power of two s in [bottom, top] at once.
+    """Return the tape over xi in [1/2, 1] for alpha = s xi with any power of two s in [bottom, top] at once.
 
-    Every value has a degree k, and is s**k times the value on the new tape; rounding scales with it, underflow is at
-    most TINY/2 bottom**-k. Where degrees meet in a sum, or would exceed that of the result, factors s**j are taken as
-    unknown between 0 and top**j.
+    Every value has a degree k, and is s**k times the value on the new tape. Rounding scales with it, and underflow is
+    at most TINY/2 bottom**-k. If different degrees are added, or a degree exceeds the result's, factors s**j are
+    treated as unknown between 0 and top**j.
     """
     scaling = _Scaling(top, bottom)
     for node in tape:
@@ -216,7 +219,7 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
 
 
 class _Scaling:
-    """The tape that `scaled` makes, the degrees of its values, and where the old values are on it."""
+    """Tape of `scaled`, with the degrees of its values and the new positions of old values."""
 
     def __init__(self, top: float, bottom: float) -> None:
         self.top = top
@@ -251,7 +254,7 @@ class _Scaling:
         self.place.append(self.put(node._replace(args=tuple(args)), degree))
 
     def put(self, node: Node, degree: int) -> int:
-        """Append a value of a degree, with what may underflow of it."""
+        """Append a value of a degree, with its possible underflow."""
         floor = TINY
         for _ in range(degree):
             floor /= self.bottom  # in steps: bottom**-degree overflows
@@ -260,7 +263,7 @@ class _Scaling:
         return len(self.tape) - 1
 
     def lower(self, i: int, degree: int) -> int:
-        """The value with its degree lowered, a power of s being taken as unknown."""
+        """Return the value with a lower degree, where the power of s is treated as unknown."""
         by = self.degrees[i] - degree
         if not by:
             return i

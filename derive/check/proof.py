@@ -1,10 +1,8 @@
-"""The exception of failed checks."""
+"""Exception for failed checks."""
 
 
 class ProofError(Exception):
-    """A claim does not hold: the quantity and the check (``"polar_moment: bound of tier best"``), the value found, the
-    value required, and the name of the check, by which callers distinguish them.
-    """
+    """Failed check of a claim: the claim, the value found, the value required, and the name of the check."""
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
         # All four, so that it can be pickled.

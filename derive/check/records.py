@@ -1,4 +1,4 @@
-"""Certificates as plain data: the tiers and their goals, what a record's digest covers, and where the files are."""
+"""Certificates as plain data: tiers and their goals, digests, and files."""
 
 import hashlib
 import json
@@ -12,13 +12,13 @@ Record = dict[str, Any]
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
 ENDS = 3e-15  # relative error of a function of both ends in its best tier
-SINGLE_ENDS = 0.505  # error in ulp of float32 of one in float32
-LOG_ULPS = 4  # what np.log is assumed to keep
+SINGLE_ENDS = 0.505  # error of a function of both ends in float32, in ulp
+LOG_ULPS = 4  # assumed error of np.log
 
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier of accuracy: the unit of its bounds and what they promise; of float32 before the result is rounded."""
+    """Tier of accuracy: the unit of its bounds and its goals. Bounds of float32 are before the result is rounded."""
 
     unit: str
     fused: float
@@ -26,7 +26,7 @@ class Tier:
     quotient: float  # fused
 
     def goal(self, record: Record) -> float:
-        """The largest bound that a certificate may have."""
+        """Return the greatest bound that a certificate may have."""
         if of_both_ends(record):  # the part may take all that its own goal allows
             return {"best": ENDS, "float32": SINGLE_ENDS}.get(record["tier"], 2 * self.other)
         if record["form"] != "fused":
@@ -45,13 +45,13 @@ TIERS = {
 
 
 def rejected(check: str, record: Record, found: object, wanted: object) -> ProofError:
-    """The error of a certificate that fails a check."""
+    """Return the error of a certificate that fails a check."""
     words = " ".join(str(record[key]) for key in ("tier", "form"))
     return ProofError(f"{record['kernel']}: {check} of tier {words}", found, wanted, check)
 
 
 def check_goals(record: Record) -> None:
-    """Raise `ProofError` where a bound is above what its tier promises, or below the error of the worst input seen."""
+    """Raise `ProofError` if a bound exceeds the goal of its tier, or is below the error of the worst known input."""
     seen = record.get("witness", {}).get("error", 0.0)
     if not seen <= record["bound"]:
         raise rejected("witness", record, f"an error of {seen:.4g}", f"at most {record['bound']:.4g}")
@@ -61,13 +61,13 @@ def check_goals(record: Record) -> None:
 
 
 def digest(record: Record) -> str:
-    """sha256 of what is certified: kernel, definition, tier, form, operations and output."""
+    """Return the sha256 of kernel, definition, tier, form, operations and output."""
     certified = [record[key] for key in ("kernel", "definition", "tier", "form", "operations", "output")]
     return hashlib.sha256(json.dumps(certified, separators=(",", ":")).encode()).hexdigest()
 
 
 def seal(record: Record) -> Record:
-    """Return a record with the sha256 of all its other fields, which shows that a claim or a bound was changed."""
+    """Return a record with the sha256 of all its other fields, which reveals any change of a claim or a bound."""
     fields = {key: value for key, value in record.items() if key != "seal"}
     text = json.dumps(fields, sort_keys=True, separators=(",", ":"))
     return fields | {"seal": hashlib.sha256(text.encode()).hexdigest()}
@@ -80,24 +80,24 @@ def assumptions(record: Record) -> list[str]:
 
 
 def of_both_ends(record: Record) -> bool:
-    """Whether it is of a function of both ends of an arc, such as C(alpha) cos(psi)."""
+    """Return whether a record certifies a function of both ends of an arc, such as C(alpha) cos(psi)."""
     return str(record["definition"][-1]).endswith("psi")
 
 
 def unit(record: Record) -> str:
-    """The unit of its bound: of both ends, that of the best tier is relative, too."""
+    """Return the unit of a record's bound. The best tier of functions of both ends is relative."""
     if of_both_ends(record):
         return "ulp of float32" if record["tier"] == "float32" else "relative"
     return TIERS[record["tier"]].unit
 
 
 def promised(record: Record) -> tuple[float, str]:
-    """The bound of what is returned, and its unit: half an ulp where that is rounded correctly."""
+    """Return the bound of the returned value and its unit, half an ulp where it is rounded correctly."""
     return (0.5, "ulp of float32") if "hard" in record else (record["bound"], unit(record))
 
 
 def read(folder: Path = FOLDER, both_ends: bool = False) -> list[Record]:
-    """The records of all certificate files, of functions of alpha or of both ends."""
+    """Return the records of all certificate files, for functions of alpha or of both ends."""
     records: list[Record] = []
     for path in sorted(folder.glob("*.json")):
         records += json.loads(path.read_text("utf-8"))["certificates"]

@@ -1,8 +1,8 @@
-"""A program on a box of alpha: no comparisons left, exact steps and compensations recognised, rounding bounded.
+"""Program on a box of alpha: comparisons decided, exact steps and compensations recognised, rounding bounded.
 
-Part of the checker (`certify`): standard library and python-flint only. Ranges of computed values are balls, the
-bound on a rounding error is half an ulp of the largest value in the range, and the derivatives of the result by every
-rounding error are taken backwards over those ranges.
+Part of the checker (`certify`): standard library and python-flint only. Ranges of computed values are balls. The bound
+on a rounding error is half an ulp of the largest value in the range. The derivatives of the result with respect to
+every rounding error are computed backwards over these ranges.
 """
 
 import math
@@ -21,19 +21,20 @@ ROUNDING_BITS = 80  # precision of the balls
 UP = 1 + 2.0**-40
 DOWN = 1 - 2.0**-40
 TINY = 2.0**-1074
-PRODUCTS = ("mul", "div", "fma", "error", "log")  # what may underflow; sums are exact there
+PRODUCTS = ("mul", "div", "fma", "error", "log")  # operations that may underflow; small sums are exact
 
 
 class Unbounded(Exception):
-    """No finite bound on this box, or a comparison or an exponent differs within it."""
+    """Missing finite bound on a box, or a comparison or an exponent that varies within it."""
 
 
 class Node(NamedTuple):
-    """One operation on a tape, in one of the kinds of a program or one of these.
+    """Operation on a tape, of a kind of the program or of one of the following kinds.
 
-    x is alpha; ``error``, with one argument, is the rounding error of that product times ``value``, with two, that of
-    the second times ``value`` less that of the first; ``scale`` multiplies by something between 0 and ``value``. An
-    operation that is always exact does not round; if it is a product, it may still underflow, by less than ``floor``.
+    ``x`` is alpha. ``error`` with one argument is the rounding error of that product times ``value``. With two
+    arguments it is the rounding error of the second times ``value``, minus the rounding error of the first. ``scale``
+    multiplies by a number between 0 and ``value``. An operation that is always exact does not round. An exact product
+    may still underflow by less than ``floor``.
     """
 
     kind: str
@@ -46,8 +47,8 @@ class Node(NamedTuple):
 Tape = tuple[Node, ...]
 Line = tuple[Fraction, Fraction]  # values of an affine function of alpha at both ends of the box
 
-# What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
-# and these.
+# Result of each operation on balls or series, and its derivatives with respect to the operands, with None for 1, from
+# its value and the operands.
 VALUE: dict[str, Callable[..., Any]] = {
     "fma": lambda a, b, c: a * b + c,
     "mul": operator.mul,
@@ -69,17 +70,17 @@ SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
 
 
 def above(x: arb) -> float:
-    """A bound on its size."""
+    """Return an upper bound on the absolute value."""
     return float(x.abs_upper()) * UP
 
 
 def below(x: arb) -> float:
-    """A lower bound on its size."""
+    """Return a lower bound on the absolute value."""
     return float(x.abs_lower()) * DOWN
 
 
 def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
-    """Range of the exact result of one operation on ranges; that of an error term is its bound."""
+    """Return the range of the exact result of an operation on ranges. The range of an error term is its bound."""
     if node.kind == "const":
         return arb(node.value)
     if node.kind == "error":
@@ -92,7 +93,7 @@ def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
 
 
 def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
-    """Bound on the rounding error of an operation with this range, in round-to-nearest."""
+    """Return a bound on the rounding error of an operation with this range, in round-to-nearest."""
     if exact == 0:
         return 0.0
     if not node.rounds:
@@ -114,7 +115,7 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
 
 
 def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
-    """Ranges of all computed values for alpha in x, and bounds on their rounding errors."""
+    """Return ranges of all computed values for alpha in x, and bounds on their rounding errors."""
     values: list[arb] = []
     noise: list[float] = []
     for node in tape:
@@ -129,7 +130,7 @@ def _append(node: Node, exact: arb, values: list[arb], noise: list[float]) -> No
 
 
 def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
-    """For alpha in x: bounds on what all roundings but the last one do to the result, and on the last one."""
+    """Return bounds on the effect of all roundings but the last on the result, and on the last rounding."""
     values, noise = forward(tape, x)
     last = len(tape) - 1
     total = 0.0
@@ -157,10 +158,10 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
 
 
 class _Specialise:
-    """Makes the tape of a program on [lower, upper]: decides comparisons, finds what is exact and what compensates.
+    """Builder of the tape of a program on [lower, upper], which decides comparisons and finds exact operations.
 
-    Of a node that is an exact affine function of alpha, both ends of the range are known exactly; others have the ball
-    of `forward`. ``grid`` is k where all values are known to be multiples of 2**k.
+    For exact affine functions of alpha both ends of the range are known exactly. Other nodes have the ball of
+    `forward`. ``grid`` is k if all values are known to be multiples of 2**k.
     """
 
     def __init__(self, record: Record, lower: float, upper: float) -> None:
@@ -174,7 +175,7 @@ class _Specialise:
         self.done: dict[int, int] = {}
 
     def run(self, output: int) -> Tape:
-        """The live operations only, the output last."""
+        """Return the tape of the operations that contribute to the output, which is last."""
         last = self.visit(output)
         if self.tape[last].kind == "log":
             raise ValueError("the last operation must be one that is rounded correctly")
@@ -192,7 +193,7 @@ class _Specialise:
         return self.done[i]
 
     def _visit(self, kind: str, args: Sequence[int], value: Any) -> int:
-        """Append the operation; its place on the tape."""
+        """Append an operation and return its position on the tape."""
         if kind == "input":
             return self.put(Node("x"))
         if kind == "const":
@@ -219,7 +220,7 @@ class _Specialise:
         return self.put(self.compensation(node) or node)
 
     def less(self, i: int, j: int) -> bool:
-        """Whether one node is below another on the whole range, or nowhere."""
+        """Return whether one node is below another on the whole range, or raise `Unbounded` if it varies."""
         low, high = self.range(i)
         other_low, other_high = self.range(j)
         if high < other_low:
@@ -229,7 +230,7 @@ class _Specialise:
         return False
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
-        """All values of a node lie between these."""
+        """Return bounds on all values of a node."""
         line = self.affine[i]
         if line is not None:
             return min(line), max(line)
@@ -239,7 +240,7 @@ class _Specialise:
         return fraction(values.lower()), fraction(values.upper())
 
     def exponent(self, i: int) -> int:
-        """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
+        """Return the k with 3/4 <= value 2**-k < 3/2 on the whole range."""
         low, high = self.range(i)
         k = 0
         if low >= Fraction(1, 2**1022):
@@ -251,7 +252,7 @@ class _Specialise:
         return k
 
     def put(self, node: Node) -> int:
-        """Append a node; exact ones are marked."""
+        """Append a node, marked if it is exact, and return its position."""
         line, grid, exact = self._shape(node)
         rounds = not exact and node.kind not in ("x", "const", "neg")
         node = node._replace(rounds=rounds)
@@ -268,7 +269,7 @@ class _Specialise:
         return len(self.tape) - 1
 
     def _shape(self, node: Node) -> tuple[Line | None, int, bool]:
-        """An affine form, a grid of the exact result, and whether that is always a double (exponents unbounded)."""
+        """Return an affine form, a grid of the exact result, and whether it is always a double."""
         kind = node.kind
         if kind == "x":
             lower = float(self.ends[0])
@@ -296,7 +297,7 @@ class _Specialise:
         return line if grid >= -1074 else None, grid, exact
 
     def _line(self, node: Node) -> Line | None:
-        """The result at both ends if all operands are affine; of two factors, one has to be constant."""
+        """Return the result at both ends if all operands are affine. One of two factors must be constant."""
         lines = []
         for a in node.args:
             if (line := self.affine[a]) is None:
@@ -308,7 +309,7 @@ class _Specialise:
         return first, second
 
     def compensation(self, node: Node) -> Node | None:
-        """The node as the rounding error of another one, if that is what it computes."""
+        """Return the node as the rounding error of another operation, if it computes one, otherwise None."""
         if node.kind not in ("fma", "sub"):
             return None
         *factors, c = node.args
@@ -335,13 +336,13 @@ class _Specialise:
 
 
 def _grid(c: Fraction) -> int:
-    """The largest k with c a multiple of 2**k."""
+    """Return the largest k for which c is a multiple of 2**k."""
     if c == 0:
         return 2000
     return (c.numerator & -c.numerator).bit_length() - c.denominator.bit_length()
 
 
 def specialise(record: Record, lower: float, upper: float) -> Tape:
-    """The tape of the program for alpha in [lower, upper]."""
+    """Return the tape of the program for alpha in [lower, upper]."""
     with working(ROUNDING_BITS):
         return _Specialise(record, lower, upper).run(record["output"])

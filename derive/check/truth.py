@@ -1,13 +1,13 @@
-"""The exact functions in ball arithmetic: Taylor models with rigorous remainders on [0, pi/2], from the definitions.
+"""Exact functions in ball arithmetic: Taylor models with rigorous remainders on [0, pi/2], from the definitions.
 
-Standard library and python-flint only: this belongs to the checker (`certify`), which trusts nothing of what the
-generator computed. A certificate says what its kernel is by one statement, or by two for a quotient::
+Part of the checker (`certify`), which is independent of the generator: standard library and python-flint only. A
+certificate defines its kernel by one statement, or by two statements for a quotient::
 
     r^2          the integral of r^2 dr du over the mass, cos(alpha)/cos(u) <= r <= 1, -alpha <= u <= alpha
-    r^2 cos u    of r^2 cos(u) dr du
+    r^2 cos u    the integral of r^2 cos(u) dr du
     2 alpha f    (3.14): twice alpha times the depth of the chord f = 1 - cos(alpha) (2.12)
 
-With T_k = cos(alpha)^k int_0^alpha du/cos(u)^k the inner integral leaves, for r^n and for r^n cos u,
+With T_k = cos(alpha)^k int_0^alpha du/cos(u)^k the inner integral gives, for r^n and for r^n cos u,
 
     2/(n + 1) (alpha - T_(n+1))    and    2/(n + 1) (sin(alpha) - cos(alpha) T_n),
 
@@ -28,17 +28,17 @@ from typing import Any
 from flint import arb, arb_poly, arb_series, ctx, fmpq, fmpq_series
 
 TOP = float.fromhex("0x1.921fb54442d18p+0")  # the double nearest to pi/2, and below it
-TERMS = 36  # of every Taylor series; the term that follows bounds the remainder
+TERMS = 36  # terms of every Taylor series; the following term bounds the remainder
 BITS = 180
 CUBE = 3  # every base quantity is alpha**3 times a function that is analytic and not zero at 0
 LEVER = "2 alpha f"
 WEIGHT = re.compile(r"r\^(\d+)( cos u)?")
 
-Definition = Sequence[str]  # one statement, or those of a numerator and a denominator
+Definition = Sequence[str]  # one statement, or the statements of numerator and denominator
 
 
 def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
-    """A base quantity of a = alpha, s = sin(a), c = cos(a) and h = artanh(s): numbers or series."""
+    """Return a base quantity from a = alpha, s = sin(a), c = cos(a) and h = artanh(s), as numbers or series."""
     if statement == LEVER:
         return 2 * a * (1 - c)
     match = WEIGHT.fullmatch(statement)
@@ -52,7 +52,7 @@ def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
 
 
 def folded(order: int, a: Any, s: Any, c: Any, h: Any) -> Any:
-    """T_order, as `exactly` takes its arguments."""
+    """Return T_order from the arguments of `exactly`."""
     depth, term = (1, c * h) if order % 2 else (0, a)
     while depth < order:
         depth += 2
@@ -62,7 +62,7 @@ def folded(order: int, a: Any, s: Any, c: Any, h: Any) -> Any:
 
 @contextmanager
 def working(bits: int, terms: int = TERMS + 1) -> Iterator[None]:
-    """Precision of balls and length of series; both are global in python-flint."""
+    """Set the precision of balls and the length of series, which are global in python-flint, within a context."""
     before = ctx.prec, ctx.cap
     ctx.prec = bits
     ctx.cap = terms
@@ -73,39 +73,39 @@ def working(bits: int, terms: int = TERMS + 1) -> Iterator[None]:
 
 
 def number(x: float | Fraction) -> arb:
-    """The number itself, or the ball around it at the precision in force."""
+    """Return the number itself, or a ball around it at the current precision."""
     return arb(fmpq(*Fraction(x).as_integer_ratio()))
 
 
 def fraction(x: arb) -> Fraction:
-    """The number that a ball of no width is."""
+    """Return the value of a ball of radius 0."""
     mantissa, exponent = x.man_exp()
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def ball(lower: float | arb, upper: float | arb) -> arb:
-    """The ball over [lower, upper]."""
+    """Return the ball over [lower, upper]."""
     low = arb(lower)
     high = arb(upper)
     return arb((low + high) / 2, (high - low) / 2)
 
 
 def value(definition: Definition, alpha: arb) -> arb:
-    """The value of a definition on a ball 0 < alpha < pi/2, at the precision in force; it cancels near 0."""
+    """Return a definition on a ball 0 < alpha < pi/2 at the current precision. It cancels near 0."""
     s, c = alpha.sin_cos()
     h = -((arb.pi() / 2 - alpha) / 2).tan().log()
     return reduce(truediv, (exactly(statement, alpha, s, c, h) for statement in definition))
 
 
 def limit(definition: Definition) -> arb:
-    """Its value at pi/2, where the factor of the logarithm vanishes."""
+    """Return a definition at pi/2, where the factor of the logarithm vanishes."""
     half_pi = arb.pi() / 2
     values = (exactly(statement, half_pi, arb(1), arb(0), arb(0)) for statement in definition)
     return reduce(truediv, values)
 
 
 def _taylor(statement: str, centre: arb) -> list[arb]:
-    """Taylor coefficients of a base quantity, for every point of the ball ``centre`` at once."""
+    """Return Taylor coefficients of a base quantity for every point of the ball ``centre`` at once."""
     a = arb_series([centre, 1])
     s, c = a.sin_cos()
     # artanh(sin a) = -ln tan((pi/2 - a)/2), and its derivative is 1/cos a.
@@ -115,7 +115,7 @@ def _taylor(statement: str, centre: arb) -> list[arb]:
 
 
 def coefficients(series: Any) -> list[arb]:
-    """All TERMS + 1 coefficients of a series or of a constant, as balls."""
+    """Return all TERMS + 1 coefficients of a series or of a constant, as balls."""
     if isinstance(series, arb):
         series = arb_series([series])
     taylor = [arb(series[k]) for k in range(TERMS + 1)]
@@ -126,7 +126,7 @@ def coefficients(series: Any) -> list[arb]:
 
 @cache
 def at_zero(statement: str) -> list[fmpq]:
-    """Exact Taylor coefficients at 0; that the first three vanish is checked in rational arithmetic."""
+    """Return exact Taylor coefficients at 0, after checking in rational arithmetic that the first three vanish."""
     with working(BITS):
         a = fmpq_series([0, 1])
         s = a.sin()
@@ -140,27 +140,28 @@ def at_zero(statement: str) -> list[fmpq]:
 
 @dataclass(frozen=True)
 class Segment:
-    """A part [lower, upper] of the domain, and the centre of its Taylor series; the first one's is 0."""
+    """Part [lower, upper] of the domain, and the centre of its Taylor series, which is 0 for the first segment."""
 
     lower: float
     upper: float
 
     @property
     def centre(self) -> float:
+        """Centre of the Taylor series."""
         middle = (self.lower + self.upper) / 2 if self.lower else 0.0
-        return middle if middle < self.upper else self.lower  # next to the last double
+        return middle if middle < self.upper else self.lower  # near the last double
 
 
 @dataclass(frozen=True)
 class Model:
-    """f(centre + t) = main(t) + last(t) t**power, with last(t) in the ball ``last`` for all t of the segment."""
+    """Taylor model f(centre + t) = main(t) + last(t) t**power, with last(t) in the ball ``last`` on the segment."""
 
     main: arb_poly
     last: arb
     power: int
 
     def __call__(self, t: arb) -> arb:
-        """Enclosure over the ball t, by the Taylor coefficients at its middle."""
+        """Return an enclosure over the ball t from the Taylor coefficients at its middle."""
         middle = t.mid()
         main = self.main(arb_poly([middle, 1]))(t - middle)
         rest = arb(0, 1) * t.abs_upper() ** self.power if self.power else 1
@@ -175,7 +176,7 @@ def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:
 
 
 def _segments() -> tuple[Segment, ...]:
-    """[0, 1/4], then ever shorter towards the logarithm at pi/2: a fixed share of the distance to it; TOP alone."""
+    """Return [0, 1/4], segments whose length is a fixed fraction of the distance to pi/2, and TOP."""
     segments = [Segment(0.0, 0.25)]
     lower = 0.25
     last = math.nextafter(TOP, 0.0)
@@ -192,7 +193,7 @@ SEGMENTS = _segments()
 
 @cache
 def kernel(statement: str, segment: Segment) -> Model:
-    """Taylor model of a base quantity on a segment; over alpha**3 on the first one."""
+    """Return the Taylor model of a base quantity on a segment, divided by alpha**3 on the first segment."""
     with working(BITS):
         fat = _taylor(statement, ball(segment.lower, segment.upper))
         if segment.lower == 0:

@@ -1,1 +1,1 @@
-"""From expressions to programs, their evaluation with IEEE rounding, and their text."""
+"""Conversion of expressions to programs, their evaluation with IEEE rounding, and their text."""

@@ -1,4 +1,4 @@
-"""A `Program` becomes NumPy source: plain operators and calls, so that another library's arrays may pass through."""
+"""NumPy source of a `Program`: plain operators and calls, so that arrays of other libraries may be passed."""
 
 import re
 import runpy
@@ -17,7 +17,7 @@ from derive.code.text import WIDTH, Language, Part, Reader, statements
 
 @dataclass(frozen=True)
 class Function:
-    """A public function besides its program: the texts of its docstring, and its tiers."""
+    """Public function: its program, the texts of its docstring, and its tiers."""
 
     program: Program
     summary: str
@@ -25,10 +25,10 @@ class Function:
     equation: str
     parameters: tuple[tuple[str, str], ...]
     returns: str
-    domain: str  # in words
+    domain: str  # description
     accuracy: str
     given: tuple[float, ...]  # arguments of the example
-    tiers: Mapping[str, Program]  # what NumPy runs at each tier
+    tiers: Mapping[str, Program]  # NumPy program of each tier
 
 
 PYTHON = Language(
@@ -45,7 +45,7 @@ HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
-    """The text of a template, with what its marks stand for; one that stands for lines has a line of its own."""
+    """Return the text of a template with its marks replaced. A mark for lines occupies a line of its own."""
     text = (TEMPLATES / name).read_text("utf-8")
     for mark, value in (marks or {}).items():
         line = "\n" * value.endswith("\n")
@@ -54,7 +54,7 @@ def filled(name: str, marks: Mapping[str, str] | None = None) -> str:
 
 
 class PythonText:
-    """The private functions of a module; each is read back after it is written, and may call those before it."""
+    """Private functions of a module. Each is read back after it is written, and may call earlier functions."""
 
     def __init__(self) -> None:
         self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
@@ -62,9 +62,9 @@ class PythonText:
         self.parts: list[Part] = []
 
     def body(self, program: Program, name: str = "", space: str = "np") -> str:
-        """The function that computes a program, one output or a tuple of them.
+        """Return the function that computes a program, with one output or a tuple.
 
-        ``space`` is the name of the module of array functions; if it is not NumPy's own, callers may pass another.
+        ``space`` is the name of the module of array functions. If it is not ``np``, callers may pass another module.
         """
         name = f"_{name or program.name}"
         passed = () if space == "np" else (space,)
@@ -107,7 +107,7 @@ def numpydoc(
     examples: Sequence[str] = (),
     width: int = 112,
 ) -> str:
-    """The docstring of a function; parameters are named, typed and described."""
+    """Return the docstring of a function. Parameters have a name, a type and a description."""
     listed = [line for name, kind, words in parameters for line in (f"{name} : {kind}", f"    {words}")]
     lines = [
         f'"""{summary}',
@@ -134,14 +134,14 @@ def numpydoc(
 
 
 def example(p: Program, place: str, given: Sequence[float]) -> tuple[str, ...]:
-    """A call and what it prints, of several results the first: so few digits are the same on every processor."""
+    """Return a call and its printed result, with few enough digits to be equal on every processor."""
     first = "[0]" * (len(p.outputs) > 1)
     call = f"{p.name}({', '.join(map(str, given))}){first}"
     return (f">>> from {place} import {p.name}", f'>>> print(f"{{{call}:.6f}}")', f"{float(p.run(*given)):.6f}")
 
 
 def function(f: Function, text: PythonText) -> str:
-    """A public function: the text of each tier, signature, numpydoc docstring; `_compiled` chooses the tier."""
+    """Return a public function: the text of each tier, and its signature and docstring."""
     name = f.program.name
     inputs = f.program.inputs
     parameters = [(x, "array_like", words) for x, words in f.parameters]
@@ -169,18 +169,18 @@ def function(f: Function, text: PythonText) -> str:
 
 
 def identifier(kernel: str, tier: str) -> str:
-    """Name of a kernel's tier in source: ``polar_moment_1e_10``."""
+    """Return the name of a kernel's tier in source: ``polar_moment_1e_10``."""
     return f"{kernel}_{tier}".replace("-", "_").rstrip("_")
 
 
 def _fill(line: str, width: int = 112) -> str:
-    """Wrap a docstring line, keeping its indent."""
+    """Return a docstring line wrapped with its indent."""
     indent = line[: len(line) - len(line.lstrip())]
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def module(docstring: str, functions: Sequence[Function], parts: Sequence[Program]) -> str:
-    """The module of the certified functions, after the parts that they call."""
+    """Return the module of the certified functions, preceded by the parts that they call."""
     text = PythonText()
     code = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
     code += "".join("\n\n" + text.body(p, space="xp") for p in parts)
@@ -189,7 +189,7 @@ def module(docstring: str, functions: Sequence[Function], parts: Sequence[Progra
 
 
 def stub(functions: Sequence[Function]) -> str:
-    """The types of the certified functions, apart: with them `help` has no line for a signature."""
+    """Return the types of the certified functions as a stub, so that `help` shows no line for a signature."""
     code = 'F = TypeVar("F", np.float64, np.float32, np.float16)\n__all__: list[str]\n'
     code += "TEXTS: dict[str, dict[str, Text]]\n"
     for f in functions:
@@ -203,7 +203,7 @@ def stub(functions: Sequence[Function]) -> str:
 
 
 def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
-    """Return types of arguments, `out`, `where` and result: of numbers, of arrays and numbers, of anything else."""
+    """Yield types of arguments, `out`, `where` and result for numbers, for arrays and numbers, and otherwise."""
     yield ["float"] * count, "None", "bool", "np.float64"
     for k in range(count):
         before = ["float"] * k
@@ -213,11 +213,11 @@ def _overloads(count: int) -> Iterator[tuple[list[str], str, str, str]]:
     yield ["ArrayLike"] * count, "Out", "ArrayLike", "Any"
 
 
-_GIVEN = {"theta_1": 5.0, "theta_2": 6.0, "alpha": 0.5}  # where the appendices have a value
+_GIVEN = {"theta_1": 5.0, "theta_2": 6.0, "alpha": 0.5}  # arguments at which the appendices are real
 
 
 def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: str) -> str:
-    """A module of bare formulas, each with its source: no domain, no types, no checks, and no warnings."""
+    """Return a module of bare formulas, each with its source, without domain, types, checks or warnings."""
     documented = []
     for p, source in programs:
         lines = [
@@ -230,9 +230,9 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: s
 
 
 def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "", before: str = "") -> str:
-    """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
+    """Return a module of functions for callers that respect the domain: arrays or floats, without checks.
 
-    ``code`` comes before them, and a decorator ``before`` each.
+    ``code`` precedes them, and each has the decorator ``before``.
     """
     text = PythonText()
     for p, doc in programs:
@@ -257,7 +257,7 @@ IMPORTS = (
 
 
 def _module(docstring: str, names: list[str], code: str) -> str:
-    """The whole text, with imports of what it uses, and tables of the coefficients that it uses more than once."""
+    """Return the complete text, with the imports that it needs, and tables of coefficients that occur repeatedly."""
     series = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code))
     data = ""
     for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1):
@@ -273,7 +273,7 @@ def _module(docstring: str, names: list[str], code: str) -> str:
 
 
 def _imports(code: str) -> str:
-    """The imports of the names that occur in the code, strings left aside."""
+    """Return the imports of the names that occur in the code outside strings."""
     without_strings = re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)
     used = set(re.findall(r"\w+", without_strings))
     imports = []
@@ -291,7 +291,7 @@ _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:
 
 
 def wrapped(text: str) -> str:
-    """The text with lines of at most 120 columns: longer ones, calls and data, break after commas and in strings."""
+    """Return the text with lines of at most 120 columns. Longer lines break after commas and in strings."""
     lines: list[str] = []
     for line in text.split("\n"):
         lines += _wrap(line) if len(line) > 120 and '"""' not in line else [line]

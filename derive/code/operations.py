@@ -1,10 +1,10 @@
-"""The operations of programs: one table says how each is written in Python and in C, and what it means exactly.
+"""Operations of programs: their text in Python and C, and their exact meaning, in one table.
 
-In a template ``{0}`` is the first operand; C is written of one number, and of vectors of lanes. ``binds`` says how
-tightly the text holds together (a comparison 0, a sum 1, a product 2, a sign 3, a call 9) and ``needs`` how tightly
-each operand has to. What has no template in a language has no place there. What it means is done on whole arrays,
-as every machine rounds it: NumPy's own operations are those of IEEE, and the fused multiply-add, which NumPy lacks,
-is made of them without error.
+In a template ``{0}`` is the first operand. C has templates for single numbers and for vectors of lanes. ``binds`` is
+the precedence of the text (comparison 0, sum 1, product 2, sign 3, call 9), and ``needs`` the precedence that each
+operand requires. An operation without a template is not available in that language. The meaning applies to arrays and
+rounds as every machine does. NumPy's operations follow IEEE 754, and the fused multiply-add, which NumPy lacks, is
+composed of them without error.
 """
 
 from collections.abc import Callable
@@ -25,24 +25,24 @@ _THREE_QUARTERS = 0x3FE8000000000000  # bits of 0.75: the significand lies in [0
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """fl(a + b) and its rounding error; also for operations collected for a program."""
+    """Return fl(a + b) and its rounding error, also for operations collected for a program."""
     total = a + b
     of_b = total - a
     return total, (a - (total - of_b)) + (b - of_b)
 
 
 def _halves(x: Floats) -> tuple[Floats, Floats]:
-    """Veltkamp splitting: a high and a low part whose products are exact."""
+    """Return the Veltkamp splitting of x into a high and a low part whose products are exact."""
     scaled = 134217729.0 * x  # 2**27 + 1
     high = scaled - (scaled - x)
     return high, x - high
 
 
 def fma(a: Floats, b: Floats, c: Floats) -> Floats:
-    """a b + c, rounded once.
+    """Return a b + c, rounded once.
 
-    The sum of the product's two halves and c, first rounded to odd (Boldo and Melquiond); of fractions where a part
-    would underflow.
+    It is the sum of the product's two halves and c, first rounded to odd (Boldo and Melquiond). If a part would
+    underflow, fractions are used.
     """
     a, b, c = np.broadcast_arrays(a, b, c)
     product = a * b
@@ -66,7 +66,7 @@ def fma(a: Floats, b: Floats, c: Floats) -> Floats:
 
 
 def _to_odd(a: Floats, b: Floats) -> Floats:
-    """a + b rounded to odd: the exact sum, or of its two neighbours the one with an odd last bit."""
+    """Return a + b rounded to odd: the exact sum, or its neighbour with an odd last bit."""
     rounded, lost = two_sum(a, b)
     bits = rounded.view(np.int64)
     towards_sum = np.where((lost > 0) == (rounded > 0), 1, -1)
@@ -76,12 +76,12 @@ def _to_odd(a: Floats, b: Floats) -> Floats:
 
 
 def exponent(x: Floats) -> Floats:
-    """k of x = significand 2**k, for a normal x > 0."""
+    """Return k of x = significand 2**k for a normal x > 0."""
     return ((x.view(np.int64) - _THREE_QUARTERS) >> 52).astype(np.float64)
 
 
 def significand(x: Floats) -> Floats:
-    """x 2**-k, in [0.75, 1.5)."""
+    """Return x 2**-k, in [0.75, 1.5)."""
     bits = x.view(np.int64)
     k = (bits - _THREE_QUARTERS) >> 52
     scaled = bits - (k << 52)
@@ -90,7 +90,7 @@ def significand(x: Floats) -> Floats:
 
 @dataclass(frozen=True)
 class Operation:
-    """One kind of operation, or one function that is called; ``symbol`` is SymPy's class."""
+    """Kind of operation, or function that is called; ``symbol`` is SymPy's class."""
 
     python: str
     c: str

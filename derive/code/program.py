@@ -1,7 +1,7 @@
-"""The intermediate program: a straight-line list of operations, made from SymPy, walked by every emitter.
+"""Intermediate program: a straight-line list of operations, built from SymPy and read by every emitter.
 
-An operation names its operands by index. Constants are the doubles nearest to the exact numbers they stand for.
-The order of operations follows from the expression alone, never from a hash.
+An operation refers to its operands by index. Constants are the doubles nearest to the exact numbers. The order of
+operations follows from the expression alone, never from a hash.
 """
 
 from collections import Counter
@@ -25,7 +25,7 @@ _SYMBOLS = {operation.symbol: name for name, operation in OPERATIONS.items()} | 
 
 @dataclass(frozen=True, slots=True)
 class Op:
-    """One operation, of `OPERATIONS`, an input or a constant; its operands' indices; the input's name or the value."""
+    """Operation of `OPERATIONS`, input or constant, with the indices of its operands, and a name or a value."""
 
     kind: str
     args: tuple[int, ...] = ()
@@ -34,7 +34,7 @@ class Op:
 
 @dataclass(frozen=True)
 class Program:
-    """A named straight-line program with one output or several."""
+    """Straight-line program with a name and one or several outputs."""
 
     name: str
     inputs: tuple[str, ...]
@@ -42,13 +42,13 @@ class Program:
     outputs: tuple[int, ...]
 
     def operations(self) -> Counter[str]:
-        """Number of operations of each kind, without inputs and constants."""
+        """Return the number of operations of each kind, without inputs and constants."""
         return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
 
     def run(self, *args: Any) -> Any:
-        """The first output at arrays of inputs, each operation rounded once to float64.
+        """Return the first output for arrays of inputs, with each operation rounded once to float64.
 
-        It is the same on any machine, except for library functions of NumPy such as the logarithm.
+        The result is the same on every machine, except for NumPy library functions such as the logarithm.
         """
 
         def make(op: Op, operands: list[Any]) -> Any:
@@ -65,7 +65,7 @@ T = TypeVar("T")
 
 
 def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) -> list[T]:
-    """The outputs of a program, with values made by ``make`` from each operation and its operands."""
+    """Return the outputs of a program, where ``make`` computes each value from an operation and its operands."""
     values: list[T] = []
     for op in p.ops:
         if op.kind == "input":
@@ -76,14 +76,14 @@ def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) 
 
 
 class Builder:
-    """Collects the operations on `Value`; equal ones are merged."""
+    """Collector of operations on `Value`, in which equal operations are merged."""
 
     def __init__(self) -> None:
         self.ops: list[Op] = []
         self.index: dict[Op, int] = {}
 
     def put(self, kind: str, *operands: Any, value: str | float | None = None) -> "Value":
-        """Append an operation on values and numbers, or find the equal one that is there."""
+        """Return the value of an operation on values and numbers, appended unless it exists."""
         args = tuple(self.value(x).place for x in operands)
         key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # -0.0 is a key, too
         if key not in self.index:
@@ -92,19 +92,19 @@ class Builder:
         return Value(self, self.index[key])
 
     def value(self, x: Any) -> "Value":
-        """A number becomes a constant."""
+        """Return a value. A number becomes a constant."""
         if isinstance(x, Value):
             return x
         return self.put("const", value=float(x))
 
     def inline(self, p: Program, inputs: Mapping[str, "Value"]) -> list["Value"]:
-        """Append the operations of a program; its outputs."""
+        """Append the operations of a program and return its outputs."""
         return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
 
 
 @dataclass(frozen=True, eq=False)
 class Value(NDArrayOperatorsMixin):
-    """The result of an operation; Python's operators and NumPy's functions of it append further operations."""
+    """Result of an operation. Python operators and NumPy functions of it append further operations."""
 
     builder: Builder
     place: int
@@ -123,7 +123,7 @@ class Value(NDArrayOperatorsMixin):
 
 
 class _Lowering(Builder):
-    """SymPy's expressions become operations."""
+    """Conversion of SymPy expressions to operations."""
 
     def __init__(self, inputs: tuple[str, ...]) -> None:
         super().__init__()
@@ -188,7 +188,7 @@ class _Lowering(Builder):
         for x in sorted(e.args, key=default_sort_key):
             base, exponent = x.as_base_exp()
             if x.is_Rational and x.p == 1 and x.q & (x.q - 1):
-                under.append(Integer(x.q))  # a third is a division by 3: one rounding
+                under.append(Integer(x.q))  # a third is a division by 3, with one rounding
             elif x.is_Pow and x.exp.could_extract_minus_sign():
                 under.append(1 / x)
             elif base.is_Symbol and exponent.is_Integer:
@@ -206,7 +206,7 @@ class _Lowering(Builder):
         return result
 
     def _joined(self, kind: str, parts: Sequence[Expr]) -> Value:
-        """All of them by one operation, from the left."""
+        """Return all parts combined by one operation from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
     def _horner(self, e: Horner) -> Value:
@@ -218,7 +218,7 @@ class _Lowering(Builder):
         return result
 
     def _power(self, base: Expr, exponent: Expr) -> Value:
-        """A power of half an integer; by squaring, as `pow` is slow and a library call."""
+        """Return a power with half an integer as exponent, by squaring, since `pow` is a slow library call."""
         if exponent.could_extract_minus_sign():
             return self.value(1.0) / self.add(base**-exponent)
         if not (2 * exponent).is_Integer:
@@ -240,10 +240,10 @@ class _Lowering(Builder):
 
 
 def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr] | None = None) -> Program:
-    """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
+    """Return the program of SymPy expressions in the symbols named by ``inputs``, in the order of its arguments.
 
-    Stable primitives are lowered as they are met; equal subexpressions are computed once. ``let`` gives intermediate
-    values by symbol, in order; one may replace an input of the same name from there on.
+    Stable primitives are lowered, and equal subexpressions are computed once. ``let`` contains intermediate values by
+    symbol, in order, which may replace an input of the same name.
     """
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
@@ -256,7 +256,7 @@ def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Sym
 
 
 def without_dead(p: Program) -> Program:
-    """The same program without the operations that no output needs."""
+    """Return the program without operations that no output needs."""
     needed = set(p.outputs)
     for index in range(len(p.ops) - 1, -1, -1):
         if index in needed:
@@ -270,7 +270,7 @@ def without_dead(p: Program) -> Program:
 
 
 def operations(counts: Mapping[str, int]) -> str:
-    """Counts as one line, basic operations first: ``12 mul, 11 add, 1 div, 1 cos``."""
+    """Return counts as one line, basic operations first: ``12 mul, 11 add, 1 div, 1 cos``."""
     basic = [k for k in ("mul", "add", "sub", "div", "fma", "neg", "min", "max", "less", "select") if counts.get(k)]
     calls = sorted(k for k in counts if k not in basic)
     return ", ".join(f"{counts[k]} {k}" for k in basic + calls)

@@ -1,7 +1,7 @@
-"""A program as text that a reader follows: named values, polynomials by their coefficients, parts called by name.
+"""Readable text of a program: named values, polynomials by their coefficients, and calls of named parts.
 
-What is written is read back: the text, run on operands that record what is done to them, must give the operations of
-the program, and no others.
+The text is read back: executed on operands that record operations, it must reproduce the operations of the program and
+no others.
 """
 
 import textwrap
@@ -14,34 +14,34 @@ from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
 from derive.code.program import ROUND, Builder, Op, Program, walk
 
-WIDTH = 116  # of a statement, including its indent
-INLINE = 72  # a value that is used once is written where it is used, up to this length
+WIDTH = 116  # width of a statement, including its indent
+INLINE = 72  # greatest length of a value that is written where it is used once
 
 
 @dataclass(frozen=True)
 class Language:
-    """How Python or C writes a statement, a number and a polynomial."""
+    """Notation of statements, numbers and polynomials in Python or C."""
 
     templates: str  # the field of an `Operation`
     statement: str
     number: Callable[[float], str]
-    polynomial: str  # of {x}, {degree} and {coefficients}
+    polynomial: str  # with {x}, {degree} and {coefficients}
     space: str = ""
-    passed: tuple[str, ...] = ()  # arguments of every call of a part, after those of the program
-    integer: str = ""  # rounding to an integer, where the language has a function for it
-    several: str = ""  # a call with more results than one: {names}, {function}, {arguments}, {places} of results
+    passed: tuple[str, ...] = ()  # further arguments of every call of a part
+    integer: str = ""  # rounding to an integer, if the language has a function for it
+    several: str = ""  # call with several results: {names}, {function}, {arguments}, {places} of results
 
 
 @dataclass(frozen=True)
 class Part:
-    """A program that others contain, under the name by which they call it, if its first output needs all inputs."""
+    """Program contained in others, and the name of its function. Its first output must need all inputs."""
 
     name: str
     program: Program
 
 
 class Call(NamedTuple):
-    """A call of a part: its name, and which values its arguments and its results are."""
+    """Call of a part: its name, and the indices of its arguments and results."""
 
     function: str
     arguments: tuple[int, ...]
@@ -49,7 +49,7 @@ class Call(NamedTuple):
 
 
 class _Text:
-    """The statements of a program: ``lines``, and the text of each value with its precedence."""
+    """Statements of a program in ``lines``, and the text of each value with its precedence."""
 
     def __init__(self, program: Program, language: Language, parts: Sequence[Part]) -> None:
         self.program = program
@@ -74,7 +74,7 @@ class _Text:
                 self._name(i)
 
     def _uses(self) -> Counter[int]:
-        """How often each value that is needed is written, calls and polynomials being written as such."""
+        """Return how often each needed value is written, where calls and polynomials are written as such."""
         ops = self.program.ops
         uses = Counter(self.program.outputs)
         called = set[Call]()
@@ -93,7 +93,7 @@ class _Text:
         return uses
 
     def _expression(self, i: int) -> tuple[str, int]:
-        """The text of a value, and its precedence."""
+        """Return the text of a value and its precedence."""
         op = self.program.ops[i]
         if op.kind == "input":
             return str(op.value), 9
@@ -117,7 +117,7 @@ class _Text:
         return ", ".join([*(self.text[a][0] for a in call.arguments), *self.language.passed])
 
     def _several(self, call: Call) -> None:
-        """The statement of a call with several results, which have names, at the first one that is met."""
+        """Append the statement of a call with several results, which have names, at its first occurrence."""
         if call.results[0] in self.text:
             return
         names = []
@@ -128,7 +128,7 @@ class _Text:
         self.lines.append(self.language.several.format(**parts, places=", ".join(f"&{x}" for x in names)))
 
     def _polynomial(self, x: int, coefficients: Sequence[float]) -> str:
-        """Horner's scheme by its coefficients; its argument has a name."""
+        """Return a polynomial by its coefficients, after naming its argument."""
         if not self.text[x][0].isidentifier():
             self._name(x)
         numbers = ", ".join(self.language.number(c) for c in coefficients)
@@ -136,7 +136,7 @@ class _Text:
         return self.language.polynomial.format(x=self.text[x][0], degree=degree, coefficients=numbers)
 
     def _operation(self, op: Op) -> str:
-        """An operation on the texts of its operands, in brackets where they bind less tightly than it needs."""
+        """Return an operation on the texts of its operands, with brackets where their precedence requires them."""
         operation = OPERATIONS[op.kind]
         template = getattr(operation, self.language.templates)
         if not template:
@@ -148,7 +148,7 @@ class _Text:
         return str(template.format(*operands, space=self.language.space))
 
     def _new_name(self, i: int) -> str:
-        """A name for a value: polynomials are p1, p2, ..., and the rest t1, t2, ..."""
+        """Return a new name for a value: p1, p2, ... for polynomials and t1, t2, ... for other values."""
         name = self.names.get(i)
         if not name:
             letter = "p" if i in self.polynomials else "t"
@@ -163,7 +163,7 @@ class _Text:
         return name
 
     def _name(self, i: int) -> None:
-        """Give a value a name, and a statement."""
+        """Give a value a name and a statement."""
         text = self.text[i][0]
         name = self._new_name(i)
         line = self.language.statement.format(name=name, text=text)
@@ -175,7 +175,7 @@ class _Text:
 
 
 def _known(program: Program) -> dict[int, str]:
-    """Names of what a kernel of alpha is made of."""
+    """Return the conventional names of values in a kernel of alpha."""
     ops = program.ops
     names: dict[int, str] = {}
     for i, op in enumerate(ops):
@@ -197,7 +197,7 @@ def _known(program: Program) -> dict[int, str]:
 
 
 def _squared(name: str) -> str:
-    """The name of a square: x_2 of x, x_4 of x_2."""
+    """Return the name of a square: x_2 of x, x_4 of x_2."""
     base, _, power = name.partition("_")
     if not power:
         return f"{base}_2"
@@ -207,7 +207,7 @@ def _squared(name: str) -> str:
 
 
 def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
-    """Horner's schemes with three coefficients or more, by value: argument and coefficients, lowest first."""
+    """Return Horner's schemes with at least three coefficients by value: argument and coefficients, lowest first."""
     uses = Counter(i for op in program.ops for i in op.args)
     schemes = {}
     for i in range(len(program.ops)):
@@ -218,7 +218,7 @@ def _polynomials(program: Program) -> dict[int, tuple[int, list[float]]]:
 
 
 def seam(program: Program) -> tuple[float, int, int] | None:
-    """Where the result is a choice between two pieces: where they meet, and which values they are."""
+    """Return the seam and both values of a result that is a choice between two pieces, otherwise None."""
     output = program.ops[program.outputs[0]]
     if output.kind != "select" or len(program.outputs) > 1:
         return None
@@ -231,7 +231,7 @@ def seam(program: Program) -> tuple[float, int, int] | None:
 
 
 def _integers(program: Program) -> dict[int, int]:
-    """Values rounded to integers by adding and subtracting a large constant, by the value they are rounded from."""
+    """Return values that are rounded to integers by adding and subtracting a large constant, with their arguments."""
     ops = program.ops
     rounded = {}
     for i, op in enumerate(ops):
@@ -247,7 +247,7 @@ def _integers(program: Program) -> dict[int, int]:
 
 
 def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:
-    """The argument and the coefficients where this is Horner's scheme, each of whose steps is used only by the next."""
+    """Return argument and coefficients if a value is Horner's scheme whose steps are used only by the next step."""
     ops = program.ops
     coefficients = []
     x = None
@@ -273,7 +273,7 @@ def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list
 
 
 def _calls(program: Program, parts: Sequence[Part]) -> dict[int, Call]:
-    """The calls of parts by their results; of several parts, the first."""
+    """Return the calls of parts by their results. If several parts match, the first is used."""
     calls: dict[int, Call] = {}
     places = {op: i for i, op in enumerate(program.ops)}
     for i in range(len(program.ops)):
@@ -285,7 +285,7 @@ def _calls(program: Program, parts: Sequence[Part]) -> dict[int, Call]:
 
 
 def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Call | None:
-    """The call of a part whose first result is value i of the program, of which all results are values."""
+    """Return the call of a part whose first result is value i of the program, if all its results are values."""
     bound: dict[int, int] = {}  # which value of the program each value of the part is
 
     def same(i: int, k: int) -> bool:
@@ -311,20 +311,20 @@ def _call(program: Program, places: Mapping[Op, int], i: int, part: Part) -> Cal
 
 
 def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:
-    """The statements that compute a program, and the text of each output."""
+    """Return the statements that compute a program, and the text of each output."""
     writer = _Text(program, language, parts)
     return writer.lines, [writer.text[i][0] for i in program.outputs]
 
 
 @dataclass
 class Reader:
-    """Written text, run on operands that record operations; functions read once can be called."""
+    """Executor of written text on operands that record operations. Functions that have been read can be called."""
 
     scope: dict[str, Any]
     builder: Builder = field(default_factory=Builder)
 
     def check(self, program: Program, name: str, text: str) -> None:
-        """Raise `ProofError` unless the text, a function of Python, does the program's operations and no others."""
+        """Raise `ProofError` unless a Python function performs exactly the operations of the program."""
         exec(text, self.scope)
         inputs = {x: self.builder.put("input", value=x) for x in program.inputs}
         results = self.scope[name](*inputs.values())

@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from derive.declare.limits import LIMITS, PREFIXES
+
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
     "Theta J_r J_theta lambda A mu omega omega_2", real=True
@@ -32,26 +34,6 @@ DEGREE = 7  # of the pieces of tabulated functions
 _ZERO = sp.Integer(0)
 _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
-# Limits of plausible numbers by unit: values beyond are in a wrong unit or mistyped.
-LIMITS = {
-    "": (1e-12, 1e12),
-    "m": (1e-13, 1e20),
-    "s": (1e-12, 1e18),
-    "m/s": (1e-18, 3e8),
-    "m/s^2": (1e-13, 1e15),
-    "N/m^3": (1e-3, 1e9),
-    "Pa": (1e-9, 1e15),
-    "Pa s": (1e-12, 1e20),
-    "Pa/K": (1e-9, 1e15),
-    "J/m^3 K": (1e-3, 1e15),
-}
-# Ranges that soils have by unit, and SI values of other units in which a number beyond them may have been meant.
-USUAL = {"N/m^3": (5e3, 1e5), "Pa": (50.0, 1e8)}
-LEAST = {"N/m^3": 1e3, "Pa": 50.0}  # less is questioned whatever the other units, but for 0
-PREFIXES = {"": 1.0, "k": 1e3, "M": 1e6}  # of the units in which scene files write numbers
-OTHER_UNITS = {"N/m^3": {"kN/m^3": 1e3, "kg/m^3": 9.81}, "Pa": {"kPa": 1e3, "MPa": 1e6}}
-QUESTIONED_FRICTION = 2.0  # more is questioned: was that an angle?
-USUAL_FRICTION = (0.0174550649282176, 10.0)  # tan(1 deg): less was an angle in rad; more was one in deg
 
 
 @dataclass(frozen=True)
@@ -62,8 +44,8 @@ class Parameter:
     stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
     effect's other parameters, by their names. An ``optional`` one may be omitted. ``kind`` is "number", "list" (of
     numbers), "series" (a number, or a function of time), "rotation" (the same of the rotation, which the section
-    gives), "text", "name" (a text or a number), "flag" or one of several words, "this|that". What has no ``key``
-    cannot be written in a file.
+    gives), "fixed" (a number that does not vary), "text", "name" (a text or a number), "flag" or one of several words,
+    "this|that". What has no ``key`` cannot be written in a file.
     """
 
     name: str
@@ -80,7 +62,7 @@ class Parameter:
     @property
     def bounds(self) -> tuple[float, float]:
         """Open bounds; those of its unit, `LIMITS`, where declared ones say no more than its sign."""
-        if not self.key or self.kind not in ("number", "list", "series"):
+        if not self.key or self.kind not in ("number", "list", "series", "fixed"):
             return self.lower, self.upper
         least, most = LIMITS[self.unit]
         return least if self.lower == 0.0 else max(self.lower, -most), min(self.upper, most)
@@ -90,7 +72,7 @@ class Parameter:
         """SI units in one of the key's; 0 if the key does not end in the unit."""
         if not self.unit or not self.key:
             return 1.0
-        unit = re.sub("[/ ]", "_", self.unit).replace("^", "")
+        unit = "Pa" if self.unit == "Pa/m" else re.sub("[/ ]", "_", self.unit).replace("^", "")  # per_m_kPa
         written = re.search(f"_([kM]?){unit}$", self.key)
         return PREFIXES[written[1]] if written else 0.0
 
@@ -232,8 +214,8 @@ LAWS = (
         equation="1.14"),
 )  # fmt: skip
 
-_COHESION, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
-    "cohesion pore_ratio pore_pressure water drag viscosity", real=True
+_COHESION, _DEPTH, _RATIO, _PRESSURE, WATER, _DRAG, _VISCOSITY = sp.symbols(
+    "cohesion growing_cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
 K_H, K_V, _EXCESS, _KAPPA, _STANDING = sp.symbols("k_h k_v excess kappa standing_water", real=True)
 # Of the soils along an arc, over Theta*. What turns with the mass are numbers, the others functions of the rotation.
@@ -249,7 +231,8 @@ _REMAINING, _REMAINING_SLOPE, _REMAINING_INERTIA, _REMAINING_LIFT = sp.symbols(
 # Of one soil with a law of slip of its own: its coefficient, its share of the normal force at the start, and what the
 # normal force on its stretches exceeds this share by, over Theta*.
 SOIL_MU, COHESION_LAW, SOIL_TURNING, SOIL_SLOPE = sp.symbols("soil_mu cohesion_law soil_turning soil_slope", real=True)
-_SHARE, _SOIL_INERTIA, _SOIL_LIFT, _SOFTENED = sp.symbols("soil_share soil_inertia soil_lift soft_share", real=True)
+_SHARE, _SOIL_INERTIA, _SOIL_LIFT = sp.symbols("soil_share soil_inertia soil_lift", real=True)
+_SOFTENED, _SOFTENED_DEPTH, _GRADIENT = sp.symbols("soft_share soft_depth gradient", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
@@ -301,8 +284,14 @@ EFFECTS = (
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "the slip surface has strength without normal stress", (
         Parameter("cohesion", "Pa", "shear strength without normal stress", "cohesion_kPa",
-                  _COHESION, STRENGTH * VALUE / REFERENCE),),
-           equation="3.11", resistance=LAMBDA * _COHESION),
+                  _COHESION, STRENGTH * VALUE / REFERENCE),
+        Parameter("gradient", "Pa/m", "growth of the cohesion per metre below datum_m, by default 0",
+                  "cohesion_per_m_kPa", optional=True),
+        Parameter("datum", "m", "y below which the cohesion grows, by default the ground before the slide", "datum_m",
+                  lower=-_INFINITY, optional=True, kind="fixed"),
+        Parameter("depth", "m", "mean depth of the slip surface below this height, or below the ground", "",
+                  _DEPTH, STRENGTH * VALUE * _GRADIENT / REFERENCE, optional=True, kind="rotation")),
+           equation="3.11", resistance=LAMBDA * (_COHESION + _DEPTH)),
     Effect("drag", "turbulent resistance, which grows with the square of the speed", (
         Parameter("xi", "m/s^2", "turbulence coefficient of Voellmy", "xi_m_s2",
                   _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA), lower=0.0),),
@@ -387,8 +376,10 @@ SECTION_EFFECTS = (
            normal_load=THETA * _SOIL_PRESS * SOIL_MU / SLIP_MU,
            pressure=THETA / LAMBDA * _SOIL_LIFT * SOIL_MU / SLIP_MU, friction=_SHARE * SOIL_MU),
     Effect("softening_cohesion", "strength without normal stress changes with slip", (
-        _of_section("moment", "moment of 1 Pa", _SOFTENED, "rotation", _STRONG),), equation="3.11",
-           resistance=THETA * _SOFTENED * COHESION_LAW),
+        _of_section("moment", "moment of 1 Pa", _SOFTENED, "rotation", _STRONG),
+        _optional("gradient", "moment of the growth of 1 Pa per metre", key=""),
+        _of_section("depth", "mean depth, m", _SOFTENED_DEPTH, "rotation", _STRONG * _GRADIENT)), equation="3.11",
+           resistance=THETA * (_SOFTENED + _SOFTENED_DEPTH) * COHESION_LAW),
 )  # fmt: skip
 ALL_EFFECTS = (*EFFECTS, *SECTION_EFFECTS)
 

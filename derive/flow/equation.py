@@ -1,4 +1,4 @@
-"""The equation of motion in plain symbols and in LaTeX, term by term, from the declarations of effects and laws."""
+"""Equation of motion in plain symbols and in LaTeX, term by term, from the declarations of effects and laws."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -12,7 +12,7 @@ from derive.declare.symbols import in_words
 
 
 class Term(NamedTuple):
-    """A term of a quantity in the equation of motion, or its definition, in plain symbols and in LaTeX."""
+    """Term of a quantity in the equation of motion, or its definition, in plain symbols and in LaTeX."""
 
     quantity: str
     formula: str
@@ -21,7 +21,7 @@ class Term(NamedTuple):
 
 PHI, DIRECTION = sp.symbols("phi s", real=True)
 DRIVE, STRESS, PRESSURE, RESISTANCE = sp.symbols("M sigma u T", real=True)
-# Quantities of the equation: what they are, and their LaTeX.
+# Quantities of the equation: meaning and LaTeX.
 QUANTITIES = {
     "M": ("moment that drives", "M"),
     "sigma": ("mean normal stress on the slip surface, over sigma_ref", r"\sigma"),
@@ -29,7 +29,8 @@ QUANTITIES = {
     "mu": ("friction coefficient", r"\mu"),
     "T": ("moment that resists beside friction", "T"),
 }
-# Of a slip surface in several soils: the same of each soil i, and what stands for a number of the whole surface.
+# For a slip surface in several soils: quantities of each soil i, and their replacements for numbers of the whole
+# surface.
 _FRICTION = Symbol("max(0, sum l_i mu_i (sigma_i - u_i))")
 SOIL_QUANTITIES = {
     "M": QUANTITIES["M"],
@@ -84,7 +85,7 @@ _LATEX = {
 
 
 def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
-    """A term from its expression; of one of several soils, by its symbols."""
+    """Return a term from its expression, with the symbols of one of several soils if ``by_soil``."""
     slopes = {
         THETA * declared.DRIVING_MOMENT_SLOPE: Symbol("J_theta'"),
         THETA * declared.NORMAL_LOAD_SLOPE: Symbol("J_r'"),
@@ -100,28 +101,28 @@ def term(quantity: str, e: Expr, by_soil: bool = False) -> Term:
 
 
 def balance(by_soil: bool = False) -> Term:
-    """(3.11) with (2.20): the rate of the angular velocity, where s is the sign of omega, in the time t sqrt(g/R)."""
+    """Return (3.11) with (2.20): the rate of the angular velocity in the time t sqrt(g/R); s is the sign of omega."""
     normal = Max(0, STRESS - PRESSURE, evaluate=False)
     friction = _FRICTION if by_soil else MU * normal
     shown = term("Theta domega/dt", DRIVE - DIRECTION * (LAMBDA * friction + RESISTANCE))
     return shown._replace(formula=shown.formula.replace("Max(", "max("))
 
 
-Terms = tuple[tuple[str, Expr], ...]  # of quantities, before they are words
+Terms = tuple[tuple[str, Expr], ...]  # quantities with expressions
 GRAVITY: Terms = (("M", declared.J_THETA), ("sigma", declared.J_R / LAMBDA))
 # Cohesion and water of soils.
 SOILS: Terms = (("u_i", Symbol("p_i")), ("T", LAMBDA * Symbol("sum l_i c_i")))
 
 
 def position(rotates: bool) -> Terms:
-    """The components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or the initial ones."""
+    """Return the components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or initially."""
     start = {q: Symbol(f"{name.rstrip(chr(39))}0{chr(39) * name.count(chr(39))}") for q, name in COMPONENTS.items()}
     angle = PHI if rotates else sp.Integer(0)
     return tuple((name, start[q] * cos(angle) - BY_PSI[q].subs(start) * sin(angle)) for q, name in COMPONENTS.items())
 
 
 def of_effect(effect: declared.Effect) -> Terms:
-    """Terms that an effect adds to each quantity, one by one, and the rates of its states."""
+    """Return the terms of an effect, one by one, and the rates of its states."""
     adds = {
         "M": effect.driving_moment,
         "sigma": effect.stress + effect.normal_load / LAMBDA,
@@ -134,7 +135,7 @@ def of_effect(effect: declared.Effect) -> Terms:
 
 
 def of_law(law: declared.Law) -> tuple[Term, ...]:
-    """The friction coefficient of a law; for a table or a Python function, its arguments."""
+    """Return the friction coefficient of a law. For a table or a Python function only its argument is named."""
     if law.coefficient is not None:
         return (term("mu", law.coefficient),)
     (argument,) = law.depends_on
@@ -142,7 +143,7 @@ def of_law(law: declared.Law) -> tuple[Term, ...]:
 
 
 def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
-    """What gravity and each effect add; "frozen" is the position without rotation."""
+    """Return the terms of gravity and of each effect; "frozen" is the position without rotation."""
     every = {"gravity": GRAVITY, "frozen": position(False)}
     every |= {effect.name: of_effect(effect) for effect in EFFECTS}
     shown = {name: tuple(term(q, e, by_soil) for q, e in added) for name, added in every.items()}
@@ -150,22 +151,22 @@ def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
 
 
 def laws() -> dict[str, tuple[Term, ...]]:
-    """The friction coefficient of each law."""
+    """Return the friction coefficient of each law."""
     every = {law.name: of_law(law) for law in LAWS}
     return every | {"callable": (Term("mu", "mu(slip)", r"\mu(\mathrm{slip})"),)}
 
 
 def text() -> str:
-    """The block of `generated/flow.py`."""
+    """Return the block of `generated/flow.py`."""
     typed = "dict[str, tuple[tuple[str, str, str], ...]]"
     return (
         "# The equation of motion: quantity, formula and LaTeX.\n"
         f"BALANCE = {tuple(balance())!r}\n"
-        f"# Its quantities: what they are, and their LaTeX.\n{_table('EQUATION_QUANTITIES', QUANTITIES)}"
-        f"# Its numbers that every scene has.\n{_table('COEFFICIENTS', COEFFICIENTS)}"
-        "# What gravity, each effect and each law add to it.\n"
+        f"# Its quantities: meaning and LaTeX.\n{_table('EQUATION_QUANTITIES', QUANTITIES)}"
+        f"# Its numbers in every scene.\n{_table('COEFFICIENTS', COEFFICIENTS)}"
+        "# Terms of gravity, of each effect and of each law.\n"
         f"{_table(f'TERMS: {typed}', _as_tuples(terms() | laws()))}"
-        "# The same where several soils lie along the slip surface.\n"
+        "# The same for several soils along the slip surface.\n"
         f"SOIL_BALANCE = {tuple(balance(True))!r}\n{_table('SOIL_QUANTITIES', SOIL_QUANTITIES)}"
         f"{_table('SOIL_COEFFICIENTS', SOIL_COEFFICIENTS)}{_table(f'SOIL_TERMS: {typed}', _as_tuples(terms(True)))}"
         f"{_table('LATEX', _LATEX)}\n"
@@ -177,5 +178,5 @@ def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]
 
 
 def _table(name: str, rows: Mapping[str, Any]) -> str:
-    """A dictionary as text, a row a line."""
+    """Return a dictionary as text with one row per line."""
     return f"{name} = {{\n" + "".join(f"    {key!r}: {value!r},\n" for key, value in rows.items()) + "}\n"

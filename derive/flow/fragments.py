@@ -1,4 +1,4 @@
-"""The declared effects and laws, and the balance itself, lowered to the fragments from which programs are assembled."""
+"""Fragments of programs: the declared effects and laws, and the balance itself, lowered to operations."""
 
 from collections.abc import Sequence
 from functools import cache
@@ -52,36 +52,39 @@ INPUTS = {
     "resistance_factor": "lambda/Theta*",
     "polar_moment": "I_p*/Theta*",
 }
-# What effects add to, over Theta*: the moments that drive and resist, lambda sigma* that presses, lambda u* that lifts.
+# Quantities of the balance over Theta*: driving and resisting moment, lambda sigma* (pressing) and lambda u* (lifting).
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
-# The same of soils with friction laws of their own, times mu.
+# The same for soils with separate friction laws, multiplied by mu.
 SOIL_SUMS = {"pressing": "soil_pressing", "lifting": "soil_lifting"}
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
 NORMAL = cell("normal")
 FRICTION = cell("friction")
-# In the rate of a state these count in full: there is no base to subtract.
+# Quantities that occur in full in the rate of a state, without base.
 TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
-# A Python function of slip, which the runtime turns into pieces.
+# A Python function of slip, which the runtime samples as pieces.
 CALLABLE = Law("callable", "a function of the slip, in pieces", (Parameter("slip", "m", "", ""),), degree=DEGREE)
 
 
-# Quantities that change sign in a mirror, in which the slope falls the other way.
+# Quantities that change sign in a mirror image, where the slope falls to the other side.
 ODD = {DRIVING_MOMENT, NORMAL_LOAD_SLOPE, TURNING_SLOPE, REMAINING_SLOPE, SOIL_SLOPE, K_H}
 
 
 def seen(q: Symbol) -> Symbol:
-    """A component of the weight at the start of the phase, with the sign that it has in the direction of travel."""
+    """Return a component of the weight at the start of the phase, with its sign in the direction of travel."""
     return cell(f"{q}_0")
 
 
 def sign(q: Symbol) -> Expr:
-    """Factor of a component in a reversed direction of travel: J_theta and the slope of J_r are odd in psi."""
+    """Return the factor of a component in a reversed direction of travel.
+
+    J_theta and the slope of J_r are odd in psi.
+    """
     return DIRECTION if q in ODD else ONE
 
 
 def position() -> dict[Symbol, tuple[Expr, Increment]]:
-    """The weight's components at the start of a phase and their increments, which are zero for a frozen mass.
+    """Return the weight's components at the start of a phase and their increments, zero for a frozen mass.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
     """
@@ -96,7 +99,7 @@ def position() -> dict[Symbol, tuple[Expr, Increment]]:
 
 
 def scaled(e: Expr) -> Expr:
-    """A moment over Theta*, in the functions of the position and the parameters alone."""
+    """Return a moment over Theta* in terms of the position and the parameters alone."""
     over_theta = {
         J_THETA: THETA * DRIVING_MOMENT,
         J_R: THETA * NORMAL_LOAD,
@@ -108,7 +111,10 @@ def scaled(e: Expr) -> Expr:
 
 
 def quantities(effect: Effect) -> dict[str, Expr]:
-    """Terms that an effect adds to the balance; those of one soil are times mu, by which `soils` divides."""
+    """Return the terms of an effect in the balance.
+
+    Terms of one soil are multiplied by mu, by which `soils` divides.
+    """
     adds = {
         "driving": scaled(effect.driving_moment),
         "resisting": scaled(effect.resistance),
@@ -122,7 +128,7 @@ def quantities(effect: Effect) -> dict[str, Expr]:
 
 
 def odd(effect: Effect) -> set[Symbol]:
-    """Parameters that change sign in a mirror image in which only the drive does; `ProofError` if there are none."""
+    """Return the parameters that change sign in a mirror image in which only the drive does, or raise `ProofError`."""
     symbols = effect.symbols.keys()
     free = sorted(symbols - ODD, key=str)
     for chosen in chain.from_iterable(combinations(free, n) for n in range(len(free) + 1)):
@@ -132,7 +138,7 @@ def odd(effect: Effect) -> set[Symbol]:
 
 
 def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
-    """Whether only the drive changes sign if these parameters do."""
+    """Return whether only the drive changes sign if these parameters do."""
     mirror = {x: -x for x in ODD.union(chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
@@ -142,7 +148,7 @@ def _symmetric(effect: Effect, chosen: Sequence[Symbol]) -> bool:
 
 
 def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
-    """Quantities that may change during a phase: base and increment by symbol."""
+    """Return base and increment, by symbol, of quantities that may change during a phase."""
     speed = (ZERO, series("omega"))
     variables = position()
     variables |= {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
@@ -165,7 +171,7 @@ def moving(effect: Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]
 
 
 def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
-    """The increment of a table's piece, a polynomial of a register; of full degree with all powers at once."""
+    """Return the increment of a table's piece, a polynomial of a register, at full degree with all powers at once."""
     coefficients = [cell(f"{table}.Q{power}") for power in range(1, degree + 1)]
     if degree < DEGREE:
         return {(argument,) * power: c for power, c in enumerate(coefficients, 1)}
@@ -176,7 +182,7 @@ def piece(low: Lowering, table: str, argument: str, degree: int) -> Increment:
 
 @cache
 def of_effect(effect: Effect) -> Fragment:
-    """Terms that an effect adds to the balance, and the rates of its states."""
+    """Return the fragment of an effect: its terms in the balance, and the rates of its states."""
     if effect.turns:
         return rotation(effect)
     low = Lowering(effect.name, moving(effect))
@@ -214,7 +220,7 @@ def of_effect(effect: Effect) -> Fragment:
 
 @cache
 def of_law(law: Law) -> Fragment:
-    """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
+    """Return the fragment of a law: base and increment of friction, from its formula or a table's piece."""
     low = Lowering(law.name, moving())
     if law.coefficient is not None and not law.kinks:
         inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
@@ -232,7 +238,7 @@ def of_law(law: Law) -> Fragment:
 
 
 def degree(law: Law) -> int:
-    """Of its pieces."""
+    """Return the degree of the pieces of a law."""
     if law.coefficient is None:
         return law.degree
     _, (first, *_) = pieces(law)
@@ -240,7 +246,7 @@ def degree(law: Law) -> int:
 
 
 def _log_speed(law: Law, low: Lowering) -> None:
-    """Logarithm of the speed over that at the start of the phase; constant in the first piece, below the table."""
+    """Define the logarithm of the speed over the speed at the start of the phase, constant in the first piece."""
     beyond = cell("beyond")
     start = cell("start_speed")
     low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
@@ -252,9 +258,9 @@ def _log_speed(law: Law, low: Lowering) -> None:
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
-    """Breaks of a law with kinks, over the first, and the polynomials of its pieces in the distance from the break.
+    """Return breaks of a law with kinks, over the first kink, and the polynomials of its pieces.
 
-    A piece takes the branch of each minimum or maximum that holds there: a constant piece is exactly its parameter.
+    A piece uses the valid branch of each minimum or maximum, so that a constant piece equals its parameter exactly.
     """
     s = cell("s")
     y = cell("y")
@@ -283,7 +289,7 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
 
 
 def gravity() -> Fragment:
-    """Driving moment and normal load of the weight of a frozen mass, whose components do not rotate."""
+    """Return the fragment of driving moment and normal load of a frozen mass, whose components do not rotate."""
     low = Lowering("gravity", {})
     for q in BY_PSI:
         low.cells[str(seen(q))] = sign(q) * q
@@ -292,9 +298,9 @@ def gravity() -> Fragment:
 
 
 def rotation(effect: Effect) -> Fragment:
-    """Rotation of the weight: its components at the start of the phase, and the series of their rotation since.
+    """Return the fragment of the weight's rotation: its components at the start of the phase, and their series.
 
-    q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes.
+    J_theta, J_r and their slopes satisfy q(psi - x) = q - q vers x - q' sin x.
     """
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
@@ -307,10 +313,11 @@ def rotation(effect: Effect) -> Fragment:
 
 
 def balance() -> Fragment:
-    """The balance of momentum (3.11) in its quantities, which are sums of the terms of all fragments.
+    """Return the fragment of the balance of momentum (3.11), whose quantities are sums over all fragments.
 
     d omega*/dt* = net = driving - resisting - friction, where friction = mu normal unless the mass is lifted, and
-    normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed.
+    normal = pressing - lifting. Also net = drive + dnet, where drive is the net moment at rest at the start of the
+    phase.
     """
     names = (*QUANTITIES, "mu")
     driving, resisting, pressing, lifting, mu = (cell(x) for x in names)
@@ -332,10 +339,10 @@ def balance() -> Fragment:
 
 
 def _drive(low: Lowering, net: Expr) -> None:
-    """The net moment at the start of a phase, and the rounding error of its terms.
+    """Define the net moment at the start of a phase, and the rounding error of its terms.
 
-    As long as its arguments have their initial values it is normal (limit - mu), without cancellation near the limit
-    friction. The limit friction of weight alone is an input, more accurate than a quotient of sums.
+    While its arguments have their initial values it is normal (limit - mu), without cancellation near the limit
+    friction. The limit friction of weight alone is an input, which is more accurate than a quotient of sums.
     """
     cells = low.cells
     driving, resisting, normal, mu = (cell(f"{x}_0") for x in ("driving", "resisting", "normal", "mu"))
@@ -357,7 +364,7 @@ def _drive(low: Lowering, net: Expr) -> None:
 
 
 def energy() -> Fragment:
-    """Work of the driving moment and dissipation by the resistance, over Theta*: states, only where requested.
+    """Return the fragment of work and dissipation over Theta*, which are states only if requested.
 
     dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*.
     """
@@ -370,7 +377,7 @@ def energy() -> Fragment:
 
 
 def fragments(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
-    """All fragments by name, of these effects and laws."""
+    """Return all fragments of these effects and laws by name."""
     every = {"gravity": gravity()}
     for effect in effects:
         every[effect.name] = of_effect(effect)

@@ -3,21 +3,21 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-# Cells that every program has, first and in this order, with what they hold.
+# First cells of every program, in this order, with their meaning.
 CELLS = {
     "TIME": "t* at the start of the next step",
     "ROTATION": "rotation where the phase began, signed",
     "SLIP": "slip over the radius where the phase began",
-    "DIRECTION": "of travel, 1 or -1; 0 at rest",
-    "LIFTED": "1 where nothing presses on the slip surface, else 0",
-    "STATUS": "what the lane is doing",
+    "DIRECTION": "direction of travel, 1 or -1; 0 at rest",
+    "LIFTED": "1 if contact with the slip surface is lost, else 0",
+    "STATUS": "state of the lane",
     "STEPS": "steps since the last rest or break",
     "PHASES": "phases ended",
-    "ORDER": "of its series",
+    "ORDER": "order of its series",
     "FACTOR": "length of a step over the radius of convergence",
-    "END_TIME": "t* at which it ends at the latest",
-    "ONE_WAY": "1 where shaking may start it down-slope only",
-    "FIRST_ONLY": "1 where the first standstill ends it",
+    "END_TIME": "latest end, t*",
+    "ONE_WAY": "1 if shaking may start it down-slope only",
+    "FIRST_ONLY": "1 if the first standstill ends it",
     "LIMIT": "limit friction of weight alone at the start",
     "PEAK_TIME": "t* of the greatest speed",
     "PEAK_ROTATION": "rotation then, signed",
@@ -30,26 +30,26 @@ CELLS = {
     "END_RATE": "d omega*/dt* then, signed",
     "CLOSE": "least margin of a decision at rest, over its terms",
     "LIFT_TIME": "t* of the first lift-off",
-    "PASSED": "what the phase began by passing",
-    "REST_SINCE": "t* of the standstill that it rests from",
-    "TURNS": "phases that began against the one before",
+    "PASSED": "event at which the phase began",
+    "REST_SINCE": "t* of the standstill since which it rests",
+    "TURNS": "phases against the direction of the preceding phase",
     "LAST_WAY": "direction of the last phase",
     "NEGLIGIBLE": "last terms of the series of a step that is cut short, over the largest",
     "x": "rotation since the phase began, in the direction of travel",
     "omega": "its rate, omega*",
 }
-# Of a table, from its first cell on; the coefficients of its piece follow each other.
+# Cells of a table, from its first cell on. The coefficients of its piece follow each other.
 TABLE = {
     "PIECE": "number of its piece",
-    "VALUE": "where the phase began",
-    "INC": "of a function of time, its increment since",
-    "UPPER": "where the piece ends",
-    "LOWER": "where it begins, of a function of speed",
+    "VALUE": "value where the phase began",
+    "INC": "increment of a function of time since",
+    "UPPER": "end of the piece",
+    "LOWER": "beginning of the piece of a function of speed",
     "SCALE": "its argument over that of the program",
-    "SCALED_BY": "what its values are multiplied by",
-    "WAY": "of a function of time, the rounding of its increment, over an eps: what it went up and down",
-    "RISE": "of a straight line of time, its rate",
-    "Q1": "first of its coefficients beyond the value",
+    "SCALED_BY": "factor of its values",
+    "WAY": "path of a function of time, to which the rounding of its increment is proportional",
+    "RISE": "rate of a linear function of time",
+    "Q1": "first coefficient after the value",
 }
 STATUS = {
     "START": "not begun",
@@ -58,11 +58,11 @@ STATUS = {
     "ARRESTED": "at rest for good",
     "PAUSED": "at rest at its end time, beyond which something still changes",
     "ENDED": "at its end time",
-    "STOPPED": "at its first standstill, which ends what nothing brings to rest",
-    "UPRIGHT": "the chord stands upright",
-    "TOO_LONG": "more steps or turns than are made",
+    "STOPPED": "at its first standstill, as nothing brings it to rest",
+    "UPRIGHT": "the chord is upright",
+    "TOO_LONG": "too many steps or turns",
     "FAILED": "overflow",
-    "NEED": "a table of a Python function has to be extended",
+    "NEED": "a table of a Python function must be extended",
 }
 PASSED = {
     "NOTHING": "its events have no root at the start",
@@ -77,15 +77,15 @@ EVENTS = {
     "CHORD_UPRIGHT": "the chord stands upright",
     "BREAKPOINT": "the upper edge of the first table's piece; then its lower edge, and those of the next tables",
 }
-# Cells of a lane only while it is integrated, in front of the others: they begin at -len(WORKING).
+# Cells of a lane during its integration, before the other cells: they begin at -len(WORKING).
 WORKING = {
-    "PENDING": "what it waits for before its next step",
-    "FACED": "directions in which it was looked at since it stands",
-    "SUDDEN": "1 where slip begins as forces have jumped, else 0",
+    "PENDING": "action required before its next step",
+    "FACED": "directions checked since its standstill",
+    "SUDDEN": "1 if slip begins at a jump of forces, else 0",
     "RATE_BEFORE": "d omega*/dt* where the phase before ended",
     "DRIVE_BEFORE": "the drive of that phase",
     "SCALE_BEFORE": "the size of the terms of that drive",
-    "SERIES_ORDER": "of the series of this step",
+    "SERIES_ORDER": "order of the series of this step",
     "LARGEST_X": "largest term of the series of x so far, at rest of the net moment",
     "LARGEST_OMEGA": "the same of omega",
     "STEP": "length of this step, up to its first event",
@@ -94,8 +94,8 @@ WORKING = {
     "START_AHEAD": "time until slip begins",
     "START_DIRECTION": "of that slip",
     "LIFT_AHEAD": "time until contact is lost or regained",
-    "QUIET_FROM": "the least value of the function of time at which it certainly rests on",
-    "QUIET_TO": "the greatest",
+    "QUIET_FROM": "least value of the function of time at which it certainly stays at rest",
+    "QUIET_TO": "greatest such value",
 }
 PENDING = {
     "READY": "nothing",
@@ -126,18 +126,18 @@ ROLES = (
     "cell_mu",
 )
 HIGHEST = 40  # order of a series
-STRIDE = HIGHEST + 2  # from one register to the next: states have one coefficient more, and zero follows
-# Of a lane, breaks of functions of time not counted. A step that changes the speed by less than a share is held short
-# by what decays at once (the motion is stiff): it counts for many.
+STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero
+# Greatest numbers for a lane, without breaks of functions of time. A step that changes the speed by less than a share
+# is shortened by a fast transient (the motion is stiff), and counts as several steps.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
-# A mass that is carried but for a share of its weight swings on for ever: friction takes 2 mu of that share from the
-# width of each swing, so that it takes about as many swings as are followed at most. A speed that
-# changes by less than the last share in a step has settled.
+# A mass whose weight is carried except for a share swings for ever: friction reduces the width of each swing by 2 mu
+# times this share, so that it would need more swings than are integrated. A speed that changes by less than the last
+# share in a step has settled.
 SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3, "SETTLED": 2.0**-46}
 
 
 class Numbered(NamedTuple):
-    """An enumeration in words, the prefix of its members, and the first number."""
+    """Enumeration with its title, the prefix of its members, and the first number."""
 
     words: str
     prefix: str
@@ -145,23 +145,23 @@ class Numbered(NamedTuple):
     members: Mapping[str, str]
 
 
-# By their names in the text of the integrator.
+# Enumerations by their names in the text of the integrator.
 NUMBERED = {
     "Cell": Numbered("Cells of a lane, first in every program", "", 0, {x.upper(): CELLS[x] for x in CELLS}),
     "Working": Numbered("Cells of a lane while it is integrated, in front of these", "", -len(WORKING), WORKING),
     "Part": Numbered("Cells of a table", "", 0, TABLE),
     "Kind": Numbered("Arguments of tables", "OF_", 0, {x.upper(): f"a function of {x}" for x in KINDS}),
-    "Status": Numbered("What a lane is doing", "", 0, STATUS),
-    "Passed": Numbered("What its phase began by passing", "", 0, PASSED),
-    "Pending": Numbered("What it waits for before its next step", "", 0, PENDING),
+    "Status": Numbered("State of a lane", "", 0, STATUS),
+    "Passed": Numbered("Event at which its phase began", "", 0, PASSED),
+    "Pending": Numbered("Action required before its next step", "", 0, PENDING),
     "Event": Numbered("Events that end a step", "EVENT_", -1, EVENTS),
-    "Note": Numbered("What is noted of the first lane", "NOTE_", 1, NOTES),
+    "Note": Numbered("Logged events of the first lane", "NOTE_", 1, NOTES),
 }
 
 
 def python() -> str:
-    """The module `generated.layout`."""
-    parts = ['"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""\n\n']
+    """Return the module `generated.layout`."""
+    parts = ['"""Places and meanings of the numbers of a lane, the same in NumPy and in C."""\n\n']
     for words, prefix, start, names in NUMBERED.values():
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
@@ -171,7 +171,7 @@ def python() -> str:
 
 
 def c() -> dict[str, str]:
-    """The same for the compiled integrator, and the members of the struct of a program's roles, as marked there."""
+    """Return the same for the compiled integrator, and the members of the struct of a program's roles, by mark."""
     rows = [
         [f"{prefix}{x}{f' = {start}' * (start != 0 and not k)}" for k, x in enumerate(names)]
         for _, prefix, start, names in NUMBERED.values()

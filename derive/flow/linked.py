@@ -1,7 +1,7 @@
 """Proofs that linked programs are the equation of motion (3.11), which is derived from the balance laws.
 
-A program is evaluated in symbols at an arbitrary moment of a phase, each operation on series by the function that it
-means. All that the linker combines, omits, orders and numbers is therefore part of the proof.
+A program is evaluated symbolically at an arbitrary moment of a phase, each operation on series by its meaning. The
+proof therefore includes everything that the linker combines, omits, orders and numbers.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -50,17 +50,17 @@ def positive(name: str) -> Symbol:
     return Symbol(name, positive=True)
 
 
-# Over Theta*, as all moments here.
+# Divided by Theta*, as all moments in this module.
 LAMBDA, POLAR = positive("resistance_factor"), positive("polar_moment")
 LIMIT = {"LIMIT": positive("driving_moment") / positive("normal_load")}  # (3.21)
 START = LIMIT | dict.fromkeys(("TIME", "SLIP", "ROTATION", "LIFTED"), ZERO)
 LATER = LIMIT | {x: positive(x) for x in ("TIME", "SLIP", "ROTATION")}
-# Where a phase begins; nothing presses on the slip surface of a mass that is lifted.
+# Cells at the start of a phase.
 PHASES: dict[str, Cells] = {"at the start": START, "later": LATER | {"LIFTED": ZERO}, "lifted": LATER | {"LIFTED": ONE}}
 
 
 def now(state: str) -> Symbol:
-    """Return the symbol of a state at the moment, of which the cell has the value where the phase began."""
+    """Return the symbol of a state at the current moment. Its cell contains the value at the start of the phase."""
     return positive(f"now.{state}")
 
 
@@ -114,7 +114,7 @@ def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
 
 
 def operate(operation: Operation, places: Sequence[int], values: list[Expr], cells: Sequence[Any]) -> None:
-    """Set the results of an operation on series, each by the function that it means."""
+    """Set the results of an operation on series, each by its meaning."""
     names = (*operation.results, *operation.arguments, *operation.numbers)
     place = dict(zip(names, places, strict=True))
     known = {x: values[place[x]] for x in operation.arguments}
@@ -162,7 +162,7 @@ def piece(table: str, degree: int, argument: Expr) -> Expr:
 
 
 def friction(law: Law, slip: Expr) -> Expr:
-    """Return the friction coefficient of a law; of one in pieces, of the piece of the moment."""
+    """Return the friction coefficient of a law, for a piecewise law the polynomial of the current piece."""
     if law.coefficient is not None and not law.kinks:
         names = {Symbol(p.name, real=True): positive(f"{law.name}.{p.name}") for p in law.parameters}
         coefficient = without_tanh(law.coefficient).xreplace(names | {SLIP: slip, SPEED: now("omega")})
@@ -191,7 +191,7 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
 
 
 def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -> dict[Symbol, Expr]:
-    """Return the values of all symbols of declared terms at a moment, friction and normal stress excepted."""
+    """Return the values of all symbols in declared terms at a moment, except friction and normal stress."""
     turns = any(effect.turns for effect in effects)
     phi = known["ROTATION"] + known["DIRECTION"] * now("x") if turns else ZERO
     values = parameters(effects, moving)
@@ -207,7 +207,7 @@ def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -
 def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> dict[str, Expr]:
     """Return the rates of the states by (3.11) with the declared terms of effects, and the normal force, over Theta*.
 
-    Rotation and centripetal stress are those of the balance laws.
+    Rotation and centripetal stress follow from the balance laws.
     """
     values = symbols_at(effects, moving, known)
     others = [effect for effect in effects if effect.name != "centripetal"]

@@ -1,7 +1,7 @@
-"""Any expression of the balance becomes operations: on numbers where a phase begins, and on series along it.
+"""Lowering of expressions to operations: on numbers at the start of a phase, and on series during it.
 
-Every quantity is its base, a number that holds where the phase begins (and at no speed), and its increment since, a
-series. Increments are built from increments, so that near a limit nothing cancels:
+Every quantity consists of its base, a number at the start of the phase (and at rest), and its increment since then, a
+series. Increments are built from increments, so that nothing cancels near a limit:
 
     d(a b) = a_0 db + b_0 da + da db,    d exp(a) = exp(a_0) expm1(da),    d(1/a) = (1/a_0) (1/(1 + da/a_0) - 1), ...
 """
@@ -18,7 +18,7 @@ from derive.check.proof import ProofError
 from derive.code.program import program
 from derive.flow.recurrences import OPERATIONS, Q, first
 
-# An increment: the coefficient, a number, of each product of registers, which are named in order.
+# Increment: the coefficient of each product of registers, whose names are in order.
 Increment = Mapping[tuple[str, ...], Expr]
 Moving = Mapping[Symbol, tuple[Expr, Increment]]  # base and increment by symbol
 ONE = Integer(1)
@@ -27,22 +27,22 @@ KNOWN = "sums, products, powers, exp, log, sin, cos and tanh, and min and max th
 
 
 def cell(name: str) -> Symbol:
-    """The symbol of a number."""
+    """Return the symbol of a number."""
     return Symbol(name, real=True)
 
 
 def series(name: str, coefficient: Expr = ONE) -> Increment:
-    """The increment that a register holds."""
+    """Return the increment contained in a register."""
     return {(name,): coefficient}
 
 
 def varying(name: str) -> tuple[Expr, Increment]:
-    """Base and increment of a quantity with the cell ``x_0`` and the register ``dx``."""
+    """Return base and increment of a quantity with the cell ``x_0`` and the register ``dx``."""
     return cell(f"{name}_0"), series(f"d{name}")
 
 
 def total(*terms: tuple[Expr, Increment]) -> Increment:
-    """The sum of numbers times increments."""
+    """Return the sum of numbers times increments."""
     coefficients: dict[tuple[str, ...], Expr] = defaultdict(lambda: ZERO)
     for factor, increment in terms:
         for product, coefficient in increment.items():
@@ -56,7 +56,7 @@ def without_tanh(e: Expr) -> Expr:
 
 
 def times(a: Increment, b: Increment) -> Increment:
-    """The product of two increments."""
+    """Return the product of two increments."""
     terms = []
     for p, c in a.items():
         for q, d in b.items():
@@ -69,12 +69,12 @@ SLIP = cell("slip")
 
 
 class Fragment(NamedTuple):
-    """Operations on numbers where a phase begins, operations on series, and what they add.
+    """Operations on numbers at the start of a phase, operations on series, and their contributions to the balance.
 
-    ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be
-    omitted. ``states`` are series with those of their rates. Each of ``tables`` has its name, is of slip, speed,
-    rotation or time, with the series of its argument (of time, its own) and the degree of its pieces.
+    ``adds`` contains for each quantity of the balance its base, the size of the base's terms, and its increment as a
+    sum of (number, series). ``inputs`` are the dimensionless numbers of a scene; ``optional`` inputs may be omitted.
+    ``states`` are series with the series of their rates. Each of ``tables`` consists of its name, its variable (slip,
+    speed, rotation or time), the series of its argument (for time its own series), and the degree of its pieces.
     """
 
     inputs: tuple[str, ...]
@@ -88,7 +88,7 @@ class Fragment(NamedTuple):
 
 @dataclass
 class Lowering:
-    """Collects the operations of one fragment. ``moving`` are the symbols that change along a phase."""
+    """Collector of the operations of one fragment. ``moving`` are the symbols that change during a phase."""
 
     name: str
     moving: Moving
@@ -97,7 +97,7 @@ class Lowering:
     count: int = 0
 
     def split(self, e: Expr) -> tuple[Expr, Increment]:
-        """Base and increment of an expression."""
+        """Return base and increment of an expression."""
         if e in self.moving:
             return self.moving[e]
         if e.has(tanh):
@@ -123,7 +123,7 @@ class Lowering:
         return Add(*bases), total(*increments)
 
     def _product(self, factors: Iterable[Expr]) -> tuple[Expr, Increment]:
-        """By d(a b) = a_0 db + b_0 da + da db."""
+        """Return base and increment of a product by d(a b) = a_0 db + b_0 da + da db."""
         base = ONE
         increment = total()
         for factor in factors:
@@ -133,7 +133,7 @@ class Lowering:
         return base, increment
 
     def function(self, e: Expr) -> tuple[Expr, Increment]:
-        """Base and increment of exp, log, a power, sin or cos, by the operation on the increment of the argument."""
+        """Return base and increment of exp, log, a power, sin or cos, by an operation on the argument's increment."""
         b, d = self.split(e.base if e.is_Pow else e.args[0])
         relative = total((1 / b, d)) if b != 0 else {}
         if isinstance(e, exp):
@@ -154,7 +154,7 @@ class Lowering:
         raise ProofError(f"{self.name}: operation on series", e, KNOWN)
 
     def apply(self, operation: str, increment: Increment, factor: Expr, *numbers: Expr) -> Increment:
-        """A factor times the last result of an operation on an increment, which is 0 if the increment is."""
+        """Return a factor times the last result of an operation on an increment, 0 if the increment is 0."""
         z = self.register(increment)
         self.count += 1
         name = f"{self.name}.{operation}{self.count}"
@@ -163,7 +163,7 @@ class Lowering:
         return series(results[-1], factor)
 
     def turn(self, increment: Increment, sine: Expr, versine: Expr) -> Increment:
-        """Factors times sin and versine, 1 - cos, of an increment."""
+        """Return factors times sine and versine (1 - cos) of an increment."""
         x = self.register(increment)
         results = f"sin({x})", f"vers({x})"
         self.operate("turn", results, x)
@@ -171,7 +171,7 @@ class Lowering:
         return total((sine, sine_of_x), (versine, versine_of_x))
 
     def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
-        """Append an operation on the register z, and before it t dz/dt if the operation needs it."""
+        """Append an operation on the register z, preceded by t dz/dt if the operation needs it."""
         arguments = [z]
         if Q in OPERATIONS[operation].arguments:
             arguments.insert(0, f"{z}.times")
@@ -179,12 +179,12 @@ class Lowering:
         self.put(operation, *results, *arguments, *numbers)
 
     def put(self, *operation: object) -> None:
-        """Append an operation on series, once."""
+        """Append an operation on series unless it exists."""
         if operation not in self.series:
             self.series.append(operation)
 
     def register(self, increment: Increment, name: str = "") -> str:
-        """The register that holds an increment."""
+        """Return the register that contains an increment."""
         if not name:
             if list(increment.values()) == [1]:
                 return self.product(*increment)
@@ -194,11 +194,11 @@ class Lowering:
         return name
 
     def whole(self, name: str, base: str, increment: str) -> None:
-        """The register of a quantity in full, from the cell of its base and the register of its increment."""
+        """Define the register of a complete quantity from the cell of its base and the register of its increment."""
         self.put("lin", name, base, (("=1.0", increment),))
 
     def product(self, registers: tuple[str, ...]) -> str:
-        """The register that holds a product of others."""
+        """Return the register that contains a product of registers."""
         result, *rest = registers
         for other in rest:
             name = f"{result}*{other}"
@@ -210,7 +210,7 @@ class Lowering:
         return result
 
     def sum(self, increment: Increment) -> tuple[tuple[str, str], ...]:
-        """An increment as a sum of a cell times a register each."""
+        """Return an increment as a sum of cells times registers."""
         terms = []
         for registers, coefficient in increment.items():
             number = self.cell(coefficient)
@@ -218,7 +218,7 @@ class Lowering:
         return tuple(terms)
 
     def cell(self, e: Expr, name: str = "") -> str:
-        """The cell that holds a number known at the start of a phase."""
+        """Return the cell that contains a number known at the start of a phase."""
         if not name:
             if e.is_Symbol:
                 return str(e)
@@ -232,7 +232,7 @@ class Lowering:
         return name
 
     def add(self, e: Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
-        """Base, size of the base's terms, and increment of a term that is added to a quantity."""
+        """Return base, size of the base's terms, and increment of a term that is added to a quantity."""
         direct, increment = self.split(e)
         base, scale = self.base(e, direct)
         name = f"{self.name}.{quantity}"
@@ -241,9 +241,9 @@ class Lowering:
         return base_cell, size_cell, self.sum(increment)
 
     def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
-        """A base and the size of its terms; if it depends on slip, the more accurate of two forms.
+        """Return a base and the size of its terms. If it depends on slip, the more accurate of two forms is used.
 
-        Both from terms: the formula where the phase begins, and the one at no slip and the increment since then.
+        The forms are the formula at the start of the phase, and the formula without slip plus the increment since then.
         """
         if SLIP not in e.free_symbols:
             return direct, size(direct)
@@ -267,7 +267,7 @@ class Lowering:
         states: Mapping[str, Expr] | None = None,
         tables: tuple[tuple[str, str, str, int], ...] = (),
     ) -> Fragment:
-        """The fragment of all lowered operations, of ``adds``, and of the rates of states."""
+        """Return the fragment of all lowered operations, of ``adds``, and of the rates of states."""
         added = {quantity: self.add(e, quantity) for quantity, e in (adds or {}).items() if e != 0}
         rates = []
         for name, rate in (states or {}).items():
@@ -284,7 +284,7 @@ class Lowering:
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:
-        """The prologue: operations on cells, by names; constants are named by their value, ``=2.0``."""
+        """Return the prologue: operations on cells by name. Constants are named by their value, ``=2.0``."""
         numbers = Tuple(*self.cells.values())
         prologue = program(self.name, tuple(sorted(str(x) for x in numbers.free_symbols)), *numbers)
         outputs = dict(zip(self.cells, prologue.outputs, strict=True))
@@ -306,5 +306,5 @@ class Lowering:
 
 
 def size(e: Expr) -> Expr:
-    """The sum of the magnitudes of an expression's terms, to which its rounding error is proportional."""
+    """Return the sum of the magnitudes of an expression's terms, to which its rounding error is proportional."""
     return Add(*(abs(x) for x in Add.make_args(e)))

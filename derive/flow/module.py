@@ -1,4 +1,4 @@
-"""The text of `generated/flow.py`: fragments, as data."""
+"""Text of `generated/flow.py`: fragments as data."""
 
 import inspect
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ from derive.flow.recurrences import RESULTS
 
 
 def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
-    """The module's text."""
+    """Return the text of the module."""
     blocks = {
         "INPUTS": {name: repr(meaning) for name, meaning in INPUTS.items()},
         "PIECES": {law.name: _pieces(law) for law in laws if law.kinks},
@@ -26,7 +26,7 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
 
 
 def _pieces(law: Law) -> str:
-    """Scale, breaks and polynomials of a law as Python."""
+    """Return scale, breaks and polynomials of a law as Python."""
     breaks, polynomials = pieces(law)
     names: set[str] = set()
     rows = []

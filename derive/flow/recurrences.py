@@ -1,7 +1,7 @@
-"""The operations of a flow program: the meaning of each, and the recurrence of its Taylor coefficients.
+"""Operations of a flow program: the meaning of each, and the recurrence of its Taylor coefficients.
 
-Each is stated once, here. `prove` compares it with SymPy's own series; from the same statement come the text that the
-compiled interpreter and the one in NumPy run, and programs in any other arithmetic.
+Each operation is stated once. `prove` compares it with SymPy's series. The same statement yields the source of the
+compiled interpreter and of the NumPy interpreter, and programs in any other arithmetic.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -44,10 +44,10 @@ def _sum(term: Expr, first: int = 1, last: Expr = n) -> Expr:
 
 @dataclass(frozen=True)
 class Operation:
-    """An operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
+    """Operation on series: results and arguments, order 0 from order 0, and order n from the lower orders.
 
-    ``means`` gives each result as a function of the arguments; ``start`` is the same without cancellation at 0, and
-    ``step`` is coefficient n >= 1. ``numbers`` are arguments that are cells, not series.
+    ``means`` expresses each result as a function of the arguments, ``start`` is the same without cancellation at 0, and
+    ``step`` is coefficient n >= 1. ``numbers`` are arguments that are cells and not series.
     """
 
     name: str
@@ -74,7 +74,7 @@ OPERATIONS = {
             (X,),
             tuple(X**power for power in range(2, DEGREE + 1)),
             tuple(X[0] ** power for power in range(2, DEGREE + 1)),
-            # x^(i + 1) = x x^i; the term with x[0] apart, since coefficient n of x^i is of the same order.
+            # x^(i + 1) = x x^i; the term with x[0] is separate, since coefficient n of x^i has the same order.
             tuple(X[0] * lower[n] + _sum(X[k] * lower[n - k]) for lower in (X, *POWERS[:-1])),
         ),
         Operation("tim", (Q,), (A,), (_t * Derivative(A, _t),), (Integer(0),), (n * A[n],)),
@@ -116,11 +116,11 @@ OPERATIONS = {
         ),
     )
 }
-RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # the others have one
+RESULTS = {o.name: len(o.results) for o in OPERATIONS.values() if len(o.results) > 1}  # other operations have one
 
 
 def prove(order: int = 6) -> list[str]:
-    """Prove each operation's coefficients equal to those of SymPy's series of its definition; returns the claims."""
+    """Prove each operation's coefficients equal to SymPy's series of its definition, and return the claims."""
     claims = []
     for o in OPERATIONS.values():
         highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
@@ -135,10 +135,10 @@ def prove(order: int = 6) -> list[str]:
 
 
 def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, ...]]:
-    """Taylor coefficients of an operation's arguments, symbols, and of its results, by differentiating its meaning.
+    """Return Taylor coefficients of an operation's arguments, as symbols, and of its results.
 
-    About a later moment a series has other coefficients, da_i/dt = (i + 1) a_(i+1), and so has a function f of it,
-    whose coefficient i + 1 is df_i/dt/(i + 1).
+    The coefficients of a series about a moment t satisfy da_i/dt = (i + 1) a_(i+1). The same is true for a function f
+    of it, whose coefficient i + 1 is therefore df_i/dt/(i + 1).
     """
     coefficients = {x: symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
     rates = {_t: 1}
@@ -150,7 +150,7 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
         z, *others = coefficients[Z]
         coefficients[Z] = (y - 1, *others)
         rates[y] = rates[z]
-    if Q in o.arguments:  # the other argument's times its order
+    if Q in o.arguments:  # coefficients of the other argument times their order
         other = coefficients[o.arguments[-1]]
         coefficients[Q] = tuple(i * x for i, x in enumerate(other))
     first_two: dict[Expr, Expr] = {}
@@ -167,7 +167,7 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
 
 
 def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
-    """An expression with its coefficients substituted."""
+    """Return an expression with its coefficients substituted."""
     named = {}
     for x in e.atoms(Indexed):
         named[x] = coefficients[x.base][int(x.indices[0])]
@@ -175,14 +175,14 @@ def at(e: Expr, coefficients: Mapping[IndexedBase, Sequence[Any]]) -> Expr:
 
 
 def number(name: str, cells: Mapping[str, Any]) -> Any:
-    """A cell by its name; ``=1.0`` is a constant, and what is not known a symbol."""
+    """Return a cell by its name. ``=1.0`` is a constant, and an unknown cell a symbol."""
     if name in cells:
         return cells[name]
     return Float(name[1:]) if name.startswith("=") else Symbol(name, real=True)
 
 
 def numbers(rows: Iterable[Sequence[str]], known: Mapping[str, Any]) -> dict[str, Any]:
-    """The cells that operations on numbers make of known ones."""
+    """Return the cells that operations on numbers compute from known cells."""
     cells = dict(known)
     for kind, name, *operands in rows:
         values = [number(x, cells) for x in operands]
@@ -191,7 +191,7 @@ def numbers(rows: Iterable[Sequence[str]], known: Mapping[str, Any]) -> dict[str
 
 
 def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Mapping[str, Expr]) -> dict[str, Expr]:
-    """Order 0 of every register that operations on series make, from that of the given registers."""
+    """Return order 0 of every register that operations on series compute, from order 0 of the given registers."""
     registers = dict(values)
     for name, *names in series:
         if name == "lin":

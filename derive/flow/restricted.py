@@ -1,8 +1,8 @@
-"""Restricted Python, of which the integrators are written: its grammar, and the kinds of its values.
+"""Restricted Python, in which the integrators are written: its grammar, and the kinds of its values.
 
 Functions have annotated parameters, and one statement after the other: assignments, ``for`` over `up` or `down`, over
 tables or states, ``while``, ``if`` without ``else``, calls, and ``return`` at the end of a function or of an ``if``.
-What is not in this grammar is refused, with its file and line.
+Statements outside this grammar are rejected with file and line.
 """
 
 import ast
@@ -16,9 +16,9 @@ from derive.flow.walk import TEXT, one_lane
 
 FOLDER = Path(one_lane.__file__).parent
 
-# Kinds of values. Of vectors: V a number and M a truth value of each lane, S the coefficients of a series. Of one lane:
-# F a number, I an integer, B a truth value, A an array of numbers. Of all lanes: K a number, N an integer or a truth
-# value, T a table, Q a state.
+# Kinds of values. Vectors: V a number and M a truth value of each lane, S the coefficients of a series. One lane: F a
+# number, I an integer, B a truth value, A an array of numbers. All lanes: K a number, N an integer or a truth value, T
+# a table, Q a state.
 ANNOTATIONS = {x: x for x in "VMSATN"} | {"float": "F", "int": "I", "bool": "B", "Lanes": "LANES", "Lane": "LANE"}
 OF_ONE_LANE = {"V": "F", "M": "B"}
 SHARED = {"K", "N"}
@@ -37,7 +37,7 @@ SIGNS = {
 CODES: dict[str, tuple[str, Mapping[str, Any]]] = {
     x: (row.prefix, row.members) for x, row in layout.NUMBERED.items()
 } | {"Limit": ("", layout.LIMITS), "Share": ("", layout.SHARES)}
-# Entries of lanes, of one lane, of tables and of states, by the kind of what has them: what they are, and their kind.
+# Entries of lanes, of one lane, of tables and of states, by the kind of their owner: category and kind of each.
 _OF_LANES = {
     **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
@@ -59,7 +59,7 @@ ENTRIES |= {
     ("Q", "rate"): ("STATE", "S"),
 }
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
-# The kind of what a call of a primitive gives; nothing where it depends on the arguments.
+# Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
     **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
@@ -76,12 +76,12 @@ PRIMITIVES = {
 
 
 class GrammarError(Exception):
-    """Text outside the restricted grammar: what, and where."""
+    """Text outside the restricted grammar, with its place."""
 
 
 @dataclass(frozen=True)
 class Function:
-    """A function of the text; ``of`` is LANES, LANE or, of numbers alone, nothing."""
+    """Function of the text; ``of`` is LANES, LANE, or empty for functions of numbers alone."""
 
     name: str
     path: str
@@ -91,17 +91,19 @@ class Function:
 
     @property
     def of(self) -> str:
+        """Kind of the first parameter if it is a lane or lanes."""
         first = next(iter(self.parameters.values()), "")
         return first if first in ("LANES", "LANE") else ""
 
     @property
     def words(self) -> str:
+        """Docstring of the function."""
         return ast.get_docstring(self.node) or ""
 
 
 @dataclass
 class Text:
-    """The functions of the text by name, in order, and its constants."""
+    """Functions of the text by name, in order, and its constants."""
 
     functions: dict[str, Function] = field(default_factory=dict)
     constants: dict[str, float] = field(default_factory=lambda: {"EPS": one_lane.EPS, "INFINITY": one_lane.INFINITY})
@@ -122,11 +124,11 @@ class Text:
                     refuse(path, node, "a module has imports, constants and functions")
 
     def names_of(self, function: Function) -> set[str]:
-        """The functions of the text that this one calls."""
+        """Return the functions of the text that a function calls."""
         return {x.id for x in ast.walk(function.node) if isinstance(x, ast.Name) and x.id in self.functions}
 
     def iterates(self, name: str) -> bool:
-        """Whether a function, or one that it calls, goes on until its lanes are done."""
+        """Return whether a function, or a function that it calls, iterates until its lanes are finished."""
         function = self.functions[name]
         if any(isinstance(x, ast.While) and "any_lane" in ast.unparse(x.test) for x in ast.walk(function.node)):
             return True
@@ -139,7 +141,7 @@ def refuse(path: str, node: ast.AST, why: str) -> None:
 
 
 def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
-    """The kind that an annotation names; of two results, PAIR."""
+    """Return the kind named by an annotation, PAIR for two results."""
     match e:
         case ast.Name(id=name) if name in ANNOTATIONS:
             return ANNOTATIONS[name]
@@ -152,7 +154,7 @@ def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
 
 
 def integrator() -> Text:
-    """The text of the integrator."""
+    """Return the text of the integrator."""
     text = Text()
     for name in TEXT:
         path = FOLDER / f"{name}.py"

@@ -100,7 +100,7 @@ FORMS = {
 
 
 class C(Writer):
-    """One function as C."""
+    """Writer of one function as C."""
 
     forms = FORMS
 
@@ -120,7 +120,7 @@ class C(Writer):
         yield from self.block(self.say("if", bare(test.text)), s.body)
 
     def lines(self) -> Iterator[str]:
-        """The whole function."""
+        """Yield the lines of the function."""
         f = self.function
         body = list(self.body(f.node.body))
         first = {"LANES": ["Batch *b"], "LANE": ["Batch *b, unsigned lane"], "": []}[f.of]
@@ -144,7 +144,7 @@ class C(Writer):
 
 
 def functions(text: Text) -> str:
-    """All functions, and constants in front of them."""
+    """Return all functions, preceded by constants."""
     lines = []
     for x, value in text.constants.items():
         if x not in ("EPS", "INFINITY"):

@@ -1,6 +1,6 @@
 """Restricted Python written in NumPy: numerics on arrays of all lanes, phases on the lanes of an index.
 
-An ``if`` by lane takes the lanes in which it holds out of the index and out of what is known of them.
+An ``if`` by lane selects the lanes where its condition is true from the index and from the values known for them.
 """
 
 import ast
@@ -104,7 +104,7 @@ OF_LANE = {"F", "I", "B", "A"}
 
 
 class NumPy(Writer):
-    """One function in NumPy; ``i`` are the lanes that it is about, or some of them."""
+    """Writer of one function in NumPy; ``i`` is the index of its lanes, or of some of them."""
 
     forms = FORMS
 
@@ -163,7 +163,7 @@ class NumPy(Writer):
         yield f"{', '.join(names)} = {', '.join(kept)}"
 
     def _known_after(self, s: ast.stmt) -> list[str]:
-        """The index, and what is known of its lanes and used from a statement on."""
+        """Return the index, and the values of its lanes that are used after a statement."""
         used = set()
         for x in ast.walk(self.function.node):
             if isinstance(x, ast.Name) and x.lineno >= s.lineno:
@@ -171,7 +171,7 @@ class NumPy(Writer):
         return ["i", *(name for name, kind in self.kinds.items() if kind in OF_LANE and name in used)]
 
     def source(self) -> str:
-        """The whole function."""
+        """Return the source of the function."""
         return ast.unparse(ast.parse("\n".join(self._lines())))
 
     def _lines(self) -> Iterator[str]:
@@ -192,7 +192,7 @@ class NumPy(Writer):
 
 
 def functions(text: Text) -> str:
-    """All functions, and constants in front of them."""
+    """Return all functions, preceded by constants."""
     lines = [f"{x} = {value!r}" for x, value in text.constants.items() if x != "INFINITY"]
     lines.append("INFINITY = np.inf")
     functions = (NumPy(text, f).source() for f in text.functions.values())

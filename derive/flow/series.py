@@ -1,4 +1,4 @@
-"""The text that runs the operations of a program: in C over vectors of lanes, and in NumPy over arrays of lanes."""
+"""Source that executes the operations of a program: in C over vectors of lanes, and in NumPy over arrays of lanes."""
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
@@ -13,9 +13,9 @@ from derive.flow.recurrences import CELLS, OPERATIONS, Operation, k, n
 
 
 class _Sum(NamedTuple):
-    """A sum of an operation's step: of weight a[k] b[n - k] from k = first to last.
+    """Sum in an operation's step: weight a[k] b[n - k] from k = first to last.
 
-    The weight is text, or nothing. Of a symmetric sum the second half repeats the first.
+    The weight is text and may be empty. In a symmetric sum the second half repeats the first.
     """
 
     total: Sum
@@ -29,10 +29,10 @@ class _Sum(NamedTuple):
 
 
 class _Target(NamedTuple):
-    """How a language writes operations on series: statements, zero, and sums, of which some have weights.
+    """Notation of operations on series in a language: statements, zero, and sums with or without weights.
 
-    Of a sum the terms with coefficient n of an argument, k = 0 and k = n, are added last where they have a form: what
-    is known longer does not wait for them.
+    The terms of a sum with coefficient n of an argument, k = 0 and k = n, are added last if ``newest`` has a form, so
+    that other terms do not wait for them.
     """
 
     language: Language
@@ -91,7 +91,7 @@ def _{code}(r: Floats, c: Floats, n: int, {parameters}) -> None:
 
 
 def _sums(o: Operation) -> list[_Sum]:
-    """The sums of an operation's step."""
+    """Return the sums in an operation's step."""
     sums = []
     totals = {total for e in o.step for total in e.atoms(Sum)}
     for i, total in enumerate(sorted(totals, key=str)):
@@ -110,7 +110,7 @@ def _sums(o: Operation) -> list[_Sum]:
 
 
 def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ()) -> tuple[list[str], list[str]]:
-    """Statements, and the text of each form; coefficients are inputs by their text, and 1/n is the number `by_n`."""
+    """Return statements, and the text of each form. Coefficients are inputs by their text, and 1/n is `by_n`."""
     names: dict[Expr, str] = {s.total: s.name for s in sums}
     names[1 / n] = "by_n"
     plain = []
@@ -124,7 +124,7 @@ def _texts(forms: Sequence[Expr], language: Language, sums: Iterable[_Sum] = ())
 
 
 def _body(o: Operation, target: _Target) -> tuple[list[str], list[str]]:
-    """Statements for order 0, and for order n, in which sums are named; a result may be read by those after it."""
+    """Return statements for order 0 and for order n. A result may be used by later results."""
     start, texts = _texts(o.start, target.language)
     for x, e, text in zip(o.results, o.start, texts, strict=True):
         start.append(f"{x}[0] = {text if e else target.zero}{target.end}")
@@ -141,7 +141,7 @@ def _body(o: Operation, target: _Target) -> tuple[list[str], list[str]]:
 
 
 def _newest(s: _Sum, target: _Target) -> Iterator[str]:
-    """The terms of a sum that are added last."""
+    """Yield the terms of a sum that are added last."""
     if target.newest:
         for at_k, rest in (("0", "n"),) if s.symmetric else (("0", "n"), ("n", "0")):
             if at_k in (s.first, s.last):
@@ -151,7 +151,7 @@ def _newest(s: _Sum, target: _Target) -> Iterator[str]:
 
 
 def _read(o: Operation) -> list[IndexedBase]:
-    """The series on which an operation's results depend."""
+    """Return the series on which an operation's results depend."""
     used = {x.base for e in (*o.start, *o.step) for x in e.atoms(Indexed)}
     return [x for x in o.arguments if x in used]
 
@@ -165,7 +165,7 @@ def _indented(lines: Iterable[str], by: int) -> str:
 
 
 def _loop(sums: Sequence[_Sum]) -> list[str]:
-    """The loop of all sums of an operation in C."""
+    """Return the loop of all sums of an operation in C."""
     if not sums:
         return []
     parts = (PARTS.format(**s._asdict()) for s in sums)
@@ -234,7 +234,7 @@ def _numpy_function(o: Operation) -> str:
 
 
 def numpy_text(digest: str) -> str:
-    """The module `generated.series`, beside the source of the compiled integrator of which this is the digest."""
+    """Return the module `generated.series` with the digest of the corresponding C source."""
     named = {"less": "_less", "select": "_select"}
     scalars = {x: named.get(x, f"np.{o.meaning.__name__}") for x, o in CELLS.items()}
     return filled(

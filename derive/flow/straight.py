@@ -1,6 +1,6 @@
-"""The commonest programs, for which the compiled integrator has functions; it interprets all others.
+"""Straight-line functions of the most common programs for the compiled integrator, which interprets all other programs.
 
-Interpreting takes half of the run time, because each operation and its registers are known only when it is reached.
+Interpreting takes half of the run time, because an operation and its registers are known only when it is reached.
 Programs are linked from declared laws and effects. Cells are read from the program that runs, so that scenes that
 differ in cells only share a function: a section of the ground, a cohesion and a constant pore pressure are cells.
 """
@@ -51,7 +51,7 @@ def programs() -> Iterator[Program]:
 
 
 def operation(kind: str, *places: Any) -> list[str]:
-    """Return an operation of a program as C reads it, with CELL for each cell and for the absence of one."""
+    """Return an operation of a program as C reads it, with CELL for each cell or missing cell."""
     if kind == "ramp":
         return ["RAMP", f"{places[0]} * STRIDE", "CELL"]
     if kind == "lin":
@@ -65,7 +65,7 @@ def operation(kind: str, *places: Any) -> list[str]:
 
 
 def described(program: Program) -> str:
-    """Describe the operations that rates depend on, and the others: the kind of each, and its registers."""
+    """Return a description of the operations on which rates depend, and of the others: kind and registers."""
     words = []
     for kind, *places in program.series:
         arguments = places[RESULTS.get(kind, 1) :]

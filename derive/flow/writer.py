@@ -1,4 +1,4 @@
-"""What writes restricted Python in another language: statements and expressions, their kinds, and what is refused."""
+"""Translation of restricted Python to another language: statements, expressions, kinds, and rejected constructs."""
 
 import ast
 from collections.abc import Iterator, Mapping, Sequence
@@ -20,18 +20,18 @@ from derive.flow.restricted import (
 
 @dataclass
 class Value:
-    """An expression in the language that is written, and its kind."""
+    """Expression in the target language, and its kind."""
 
     text: str
     kind: str
 
 
 class Writer:
-    """What the languages share; they differ in their ``forms``, in declarations, and in an ``if`` by lane.
+    """Common part of the writers, which differ in their ``forms``, in declarations, and in an ``if`` by lane.
 
-    A form has its name, or its name and that of what it is of, ``where.V``: `x` is what it is of, `X` the same in
-    capitals, `s` the state, `at` the place of one lane. ``lane`` says that what is written is about one lane: a
-    function of a `Lane`, or the body of an ``if`` on a mask.
+    A form has a name, possibly followed by the name of its object, ``where.V``. `x` is the object, `X` the same in
+    capitals, `s` the state, and `at` the index of one lane. ``lane`` is true while the text concerns one lane, in a
+    function of a `Lane` or in the body of an ``if`` on a mask.
     """
 
     forms: Mapping[str, str]
@@ -44,7 +44,7 @@ class Writer:
         self.state = next((x for x, kind in function.parameters.items() if kind in ("LANES", "LANE")), "")
 
     def say(self, what: str, name: str = "", **parts: str) -> str:
-        """A form, filled in."""
+        """Return a form with its marks replaced."""
         form = self.forms.get(f"{what}.{name}") or self.forms[what]
         at = self.forms["at"] if self.lane else ""
         return form.format(x=name, X=name.upper(), s=self.state, at=at, **parts)
@@ -53,18 +53,18 @@ class Writer:
         refuse(self.function.path, node, why)
 
     def _here(self, kind: str) -> str:
-        """The kind of what is of one lane or of all."""
+        """Return a kind for one lane or for all lanes."""
         return OF_ONE_LANE.get(kind, kind) if self.lane else kind
 
     def as_kind(self, value: Value, kind: str) -> str:
-        """The text where a value of some kind is expected."""
+        """Return the text of a value where a value of some kind is expected."""
         text = bare(value.text)
         return self.say(f"broadcast.{kind}", text) if kind in "VIB" and value.kind in ("K", "N") else text
 
     # Expressions.
 
     def value(self, e: ast.expr) -> Value:
-        """The text of an expression, and its kind."""
+        """Return the text of an expression, and its kind."""
         match e:
             case ast.Constant(value=bool(x)):
                 return Value(self.forms[str(x)], "N")
@@ -88,7 +88,7 @@ class Writer:
         return self._operation(e)
 
     def _operation(self, e: ast.expr) -> Value:
-        """The same of signs."""
+        """Return the text and the kind of an operation."""
         match e:
             case ast.BinOp(left=a, op=op, right=b) if type(op) in SIGNS:
                 values = self.value(a), self.value(b)
@@ -113,7 +113,7 @@ class Writer:
         raise AssertionError
 
     def _joined(self, sign: str, values: Sequence[Value]) -> str:
-        """Values with a sign between them; an integer beside numbers of lanes becomes one."""
+        """Return values joined by a sign. An integer beside numbers of lanes becomes a number."""
         vector = any(v.kind == "V" for v in values)
         texts = (self.say("cast", v.text) if vector and v.kind == "N" else v.text for v in values)
         return f"({f' {sign} '.join(texts)})"
@@ -126,7 +126,7 @@ class Writer:
         return Value(name, "K")
 
     def _entry(self, e: ast.expr) -> Value:
-        """A member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
+        """Return a member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
         holder, _, entry = ast.unparse(e).partition(".")
         prefix, members = CODES.get(holder, ("", {}))
         if entry in members:
@@ -168,7 +168,7 @@ class Writer:
         return Value(form.format(*texts, s=self.state, series=series, **operands), kind)
 
     def _kind_of_call(self, name: str, values: Sequence[Value]) -> str:
-        """The kind of what a call gives."""
+        """Return the kind of the result of a call."""
         if name in self.all.functions:
             kind = self.all.functions[name].returns
         elif name == "where":
@@ -185,7 +185,7 @@ class Writer:
     # Statements.
 
     def body(self, statements: Sequence[ast.stmt]) -> Iterator[str]:
-        """The lines of a block."""
+        """Yield the lines of a block."""
         end = self.forms["end"]
         for s in statements:
             match s:
@@ -214,7 +214,7 @@ class Writer:
                     self.refuse(s, "this statement is not in the grammar of the integrator")
 
     def block(self, head: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """The lines of a statement that has a body, whose names are known there only."""
+        """Yield the lines of a statement with a body, whose names are known only there."""
         known = dict(self.kinds)
         opened, closed = self.forms["open"], self.forms["close"]
         yield head + opened
@@ -262,7 +262,7 @@ class Writer:
             first, *others = s.test.values
             shared = self.value(first)
             rest = others[0] if len(others) == 1 else ast.BoolOp(ast.And(), others)
-            if shared.kind == "N" and self.value(rest).kind != "N":  # the first is the same for all lanes
+            if shared.kind == "N" and self.value(rest).kind != "N":  # the first condition is the same for all lanes
                 inner = ast.If(rest, s.body, [])
                 ast.copy_location(inner, s)
                 ast.fix_missing_locations(inner)
@@ -277,14 +277,17 @@ class Writer:
         yield from self._by_lane(test, s)
 
     def _while(self, test: Value, s: ast.While) -> Iterator[str]:
-        """The lines of a loop: what lanes decide apart goes on in those in which it holds."""
+        """Yield the lines of a loop.
+
+        If lanes decide separately, it continues in the lanes where its condition is true.
+        """
         if test.kind == "B":
             yield from self.while_of_lane(test, s)
             return
         yield from self.block(self.say("while", bare(test.text)), s.body)
 
     def _by_lane(self, test: Value, s: ast.If) -> Iterator[str]:
-        """An ``if`` that lanes decide apart."""
+        """Yield the lines of an ``if`` that lanes decide separately."""
         outside = set(self.kinds)
         assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
         if outside & assigned:
@@ -303,32 +306,32 @@ class Writer:
         for name in assigned:
             self.kinds.pop(name, None)
 
-    # What a language says in its own way.
+    # Language-specific methods.
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
-        """The statement that gives a name a value."""
+        """Return the statement that assigns a value to a name."""
         raise NotImplementedError
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
-        """The lines of a block for each lane in which a mask holds."""
+        """Yield the lines of a block for each lane where a mask is true."""
         raise NotImplementedError
 
     def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
-        """Those of a loop on a truth value of one lane."""
+        """Yield the lines of a loop on a truth value of one lane."""
         raise NotImplementedError
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
-        """Those of an ``if`` on a truth value of one lane, which may leave the function."""
+        """Yield the lines of an ``if`` on a truth value of one lane, which may leave the function."""
         raise NotImplementedError
 
 
 def joined(values: Sequence[Value], order: str = "VFIKN") -> str:
-    """The kind of what values make: the first of an order that one of them has."""
+    """Return the kind of a combination of values: the first kind in an order that occurs."""
     return next(k for k in order if any(v.kind == k for v in values))
 
 
 def bare(text: str) -> str:
-    """Without brackets around all of it."""
+    """Return a text without brackets around all of it."""
     depth = 0
     for k, x in enumerate(text):
         depth += (x == "(") - (x == ")")

@@ -1,1 +1,1 @@
-"""The files of `generated`: which functions they hold, and their text."""
+"""Files of `generated`: their functions, and their text."""

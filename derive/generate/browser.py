@@ -1,7 +1,7 @@
-"""The integrator for a browser: `_flow.c` compiled to WebAssembly, compressed, as text that a page holds as it is.
+"""Integrator for a browser: `_flow.c` compiled to WebAssembly, compressed, and encoded as text for a page.
 
-The bytes are checked in, as few machines have a compiler for them (``pip install ziglang``): they are made anew where
-their source, the flags or that version have changed, and carry the digest of all three.
+The file is under version control, as few machines have a compiler for it (``pip install ziglang``). It contains the
+digest of its source, the flags and the version of the compiler, and is compiled again if one of these has changed.
 """
 
 import base64
@@ -17,7 +17,7 @@ from pathlib import Path
 from derive.check.proof import ProofError
 
 NAME = "flow.wasm.txt"
-COMPILER = "0.17.1"  # of ziglang, which `constraints.txt` pins too; a wheel has no such file
+COMPILER = "0.17.1"  # version of ziglang, also in `constraints.txt`, which wheels do not contain
 FLAGS = (
     *("-target", "wasm32-wasi", "-mexec-model=reactor", "-msimd128", "-Os", "-DLEVEL=wasm", "-DWIDE=128"),
     *("-ffp-contract=off", "-fno-math-errno", "-Wl,--strip-all"),
@@ -25,17 +25,17 @@ FLAGS = (
 
 
 def digest(source: str) -> str:
-    """Of the source, the flags and the version of the compiler."""
+    """Return the digest of the source, the flags and the version of the compiler."""
     return hashlib.sha256("\n".join([source, *FLAGS, COMPILER]).encode()).hexdigest()
 
 
 def text(source: str, present: Path) -> str:
-    """The digest, and the compressed module in base64; as it is where that is valid.
+    """Return the digest and the compressed module in base64, from the present file if it is valid.
 
     Raises
     ------
     ProofError
-        If it has to be compiled and the compiler is missing or of another version.
+        If the module must be compiled and the compiler is missing or has another version.
     """
     expected = digest(source)
     held = present.read_text("utf-8") if present.is_file() else ""
@@ -46,7 +46,7 @@ def text(source: str, present: Path) -> str:
 
 
 def compiled(source: str) -> bytes:
-    """The module of WebAssembly."""
+    """Return the WebAssembly module."""
     if find_spec("ziglang") is None or version("ziglang") != COMPILER:
         make = f"`pip install ziglang=={COMPILER}`, to make it anew"
         raise ProofError(f"generated/{NAME}", "older than _flow.c", make)

@@ -1,4 +1,4 @@
-"""The text of `generated/effects.py`: effects, laws and their parameters for the run time, as plain data."""
+"""Text of `generated/effects.py`: effects, laws and their parameters for the runtime as plain data."""
 
 import re
 
@@ -12,26 +12,21 @@ from derive.declare.effects import (
     EFFECTS,
     GRAVITY,
     LAWS,
-    LEAST,
-    LIMITS,
-    OTHER_UNITS,
-    QUESTIONED_FRICTION,
     RADIUS,
     REFERENCE,
     SECTION_EFFECTS,
-    USUAL,
-    USUAL_FRICTION,
     VALUE,
     Effect,
     Law,
     Parameter,
 )
+from derive.declare.limits import LEAST, LIMITS, OTHER_UNITS, QUESTIONED_FRICTION, USUAL, USUAL_FRICTION
 from derive.declare.symbols import in_words
 from derive.flow.equation import term
 
 
 def module() -> str:
-    """The runtime half of the effects: plain data."""
+    """Return the text of the module with effects and laws as plain data."""
     marks: dict[str, object] = {"LIMITS": LIMITS, "LEAST": LEAST, "USUAL": USUAL, "OTHER_UNITS": OTHER_UNITS}
     marks |= {"USUAL_FRICTION": USUAL_FRICTION, "QUESTIONED_FRICTION": QUESTIONED_FRICTION}
     rows: dict[str, tuple[Effect | Law, ...]] = {"LAWS": LAWS, "EFFECTS": EFFECTS, "SECTION_EFFECTS": SECTION_EFFECTS}
@@ -49,7 +44,7 @@ def _effect(e: Effect | Law) -> str:
 
 
 def _parameter(p: Parameter) -> str:
-    """A parameter as data; its conversion to a dimensionless value is a lambda over the arc's scales."""
+    """Return the source of a parameter. Its conversion to a dimensionless value is a lambda of the arc's scales."""
     symbol = p.symbol.name if p.symbol is not None else ""
     convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
@@ -59,12 +54,12 @@ def _parameter(p: Parameter) -> str:
     return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
 
 
-# What the guide writes for the scales of an arc.
+# Notation of the guide for the scales of an arc.
 _NOTATION = {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho", REFERENCE: "sigma_ref"}
 
 
 def formulas(effect: Effect) -> tuple[str, ...]:
-    """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
+    """Return the terms of an effect in the balance, and definitions of dimensionless parameters, marked by a star."""
     starred = {symbol: p for symbol, p in effect.symbols.items() if p.dimensionless != VALUE}
     stars = {symbol: sp.Symbol(f"{symbol}_star") for symbol in starred}
 

@@ -1,4 +1,4 @@
-"""Programs become C: inline functions of named parts, and the lists from which the template makes loops and ufuncs."""
+"""C source of programs: inline functions with names, and the lists from which the template makes loops and ufuncs."""
 
 import re
 import textwrap
@@ -18,13 +18,13 @@ from derive.code.program import Program, without_dead
 from derive.code.text import Language, Part, Reader, seam, statements
 
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
-# The largest alpha that is inside: half discs given in degrees land a little above pi/2.
+# Largest alpha of the domain, since half discs given in degrees are slightly above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}
-MOST = 24  # degrees of polynomials are below it
+MOST = 24  # degrees of polynomials are smaller
 
 
 def _number(value: float) -> str:
-    """Small multiples of 1/16 in decimal, others in hexadecimal."""
+    """Return small multiples of 1/16 in decimal and other numbers in hexadecimal notation."""
     if abs(value) < 16 and (16 * value).is_integer():
         return repr(value)
     return value.hex()
@@ -37,11 +37,11 @@ C = Language(
     "POLY{degree}({x}, {coefficients})",
     several="double {names}; {function}({arguments}, {places});",
 )
-FORMS = {"fused": "__builtin_fma(a, b, c)", "plain": "((a) * (b) + (c))"}  # what FMA(a, b, c) is
+FORMS = {"fused": "__builtin_fma(a, b, c)", "plain": "((a) * (b) + (c))"}  # definition of FMA(a, b, c)
 
 
 class CText:
-    """The inline functions of one form, as they are written; each is read back, and may call those before it."""
+    """Inline functions of one form. Each is read back after it is written, and may call earlier functions."""
 
     def __init__(self, form: str) -> None:
         self.reader = Reader({"hexadecimal": float.fromhex})
@@ -67,7 +67,7 @@ class CText:
         return result
 
     def body(self, name: str, program: Program, parts: Sequence[Part] = ()) -> str:
-        """The inline function of one program."""
+        """Return the inline function of one program."""
         lines, results = statements(program, C, [*parts, *self.parts])
         code = textwrap.indent("\n".join([*lines, f"return {', '.join(results)};", ""]), "    ")
         python = re.sub(r"const double (\w+ = )", r"\1", code).replace(";\n", "\n")
@@ -84,7 +84,7 @@ class CText:
         return f"INLINE void {name}({arguments})\n{{\n{start}}}\n"
 
     def functions(self, name: str, program: Program) -> str:
-        """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
+        """Return the inline functions of a program, one for each of its pieces, and its kind of loop."""
         pieces = seam(program)
         if not pieces:
             return f"{self.body(name, program)}#define {name}_KIND whole\n"
@@ -105,7 +105,7 @@ class CText:
 
 
 def pattern(limit: float, number: str, included: bool = True) -> str:
-    """The bits of the largest double, or float, that is not above a positive limit, or below it."""
+    """Return the bits of the largest double or float that does not exceed a positive limit, or that is below it."""
     width = {"double": 64, "float": 32}[number]
     nearest = np.array(limit, f"float{width}")
     bits = int(nearest.view(f"uint{width}"))
@@ -116,7 +116,7 @@ def pattern(limit: float, number: str, included: bool = True) -> str:
 
 
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
-    """The extension module of these variants: their fused and plain programs, each under its comment."""
+    """Return the source of the extension module: fused and plain programs of the variants, each with its comment."""
     written = [v for v in variants if v.form != "numpy"]
     bodies = {form: _bodies(form, [v for v in written if v.form == form], words or {}) for form in FORMS}
     loops, table = _loops_and_table(written)
@@ -138,7 +138,7 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
 
 
 def _loops_and_table(variants: Sequence[Variant]) -> tuple[list[str], list[str]]:
-    """A loop for each tier in double and one in float for each kernel, and the table of ufuncs that names them."""
+    """Return a loop for each tier in double and for each kernel in float, and the table of ufuncs."""
     tiers = {(v.kernel, v.tier): v for v in variants}
     double_loops = []
     float_loops = []
@@ -162,7 +162,7 @@ def _loops_and_table(variants: Sequence[Variant]) -> tuple[list[str], list[str]]
 
 
 def _bodies(form: str, variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str]) -> str:
-    """The inline functions of one form, each under its comment."""
+    """Return the inline functions of one form, each with its comment."""
     c = CText(form)
     text = f"#undef FMA\n#define FMA(a, b, c) {FORMS[form]}\n\n{c.text}"
     for p in parts_of_ends():
@@ -187,5 +187,5 @@ def _comment(words: str) -> str:
 
 
 def _macro(name: str, lines: Sequence[str]) -> str:
-    """For every level."""
+    """Return a macro that is expanded for every level."""
     return " \\\n    ".join([f"#define {name}(LEVEL, FORM)", *lines]) + f"\nLEVELS({name})\n"

@@ -1,4 +1,4 @@
-"""The functions of `generated`, each with its program, its domain and the words of its docstring."""
+"""Functions of `generated`, each with its program, its domain and the texts of its docstring."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -18,14 +18,14 @@ from derive.declare.symbols import alpha
 
 PAPER = "the paper"
 
-# alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
+# The domain includes alpha up to pi/2 (1 + 4 eps), for half discs given in degrees. The kernels clip alpha to pi/2.
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: Min(alpha, pi / 2)}
 
 
 def kernels(proved: Sequence[Record]) -> list[Function]:
-    """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
+    """Return the base quantities, their quotients, and the functions of both ends, with their proved accuracy."""
     closed = closed_forms()
     formulas = {name: str(form) for name, form in closed.items()}
     for q in QUOTIENTS:
@@ -53,19 +53,19 @@ def kernels(proved: Sequence[Record]) -> list[Function]:
 
 
 def _source(x: Moment | Elementary | Quotient) -> str:
-    """Where a quantity is from."""
+    """Return the source of a quantity."""
     if isinstance(x, Moment) and not x.equation:
         return x.source or "a declaration of one's own"
     return f"eq. ({x.equation}) of {PAPER}"
 
 
 def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
-    """What NumPy runs at each tier of a fitted kernel."""
+    """Return the NumPy program of each tier of a fitted kernel."""
     return {v.tier: v.program for form in ("plain", "numpy") for v in among if (v.kernel, v.form) == (name, form)}
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:
-    """The proved bounds of a kernel, in words."""
+    """Return the proved bounds of a kernel in words."""
     mine = [r for r in proved if r["kernel"] == name]
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in mine}
     (unit_of_best,) = {unit(r) for r in mine if r["tier"] == "best"}
@@ -88,7 +88,7 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
 
 
 def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tuple[str, str, str], str]:
-    """The comment above each compiled program: formula, interval, proved bound and certificate."""
+    """Return the comment of each compiled program: formula, interval, proved bound and certificate."""
     known = {f.program.name: f for f in kernels}
     texts = {}
     for r in proved:
@@ -105,7 +105,7 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
 
 
 def stable_programs(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
-    """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
+    """Return the forms without cancellation of the base quantities and of their quotients."""
     reduced = {name: stable(form) for name, form in closed.items()}
     forms = {name: form.form for name, form in reduced.items()}
     for q in QUOTIENTS:
@@ -121,7 +121,7 @@ _ARC_DOMAIN = f"0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within
 
 
 def _of_ends(proved: Sequence[Record]) -> list[Function]:
-    """J_r, J_theta and mu_eq."""
+    """Return the functions of both ends: J_r, J_theta and mu_eq."""
     moments = {m.name: m for m in MOMENTS}
     every = []
     for name, *_ in functions_of_ends():
@@ -151,7 +151,7 @@ def _of_ends(proved: Sequence[Record]) -> list[Function]:
 
 
 def printed() -> list[tuple[Program, str]]:
-    """The paper's forms as it prints them, and the one-line equals of its appendices, for comparison only."""
+    """Return the paper's forms as printed, and the one-line equivalents of its appendices, for comparison only."""
     ends = ("theta_1", "theta_2", "alpha")
     return [
         *((program(name, ("alpha",), form), source) for name, form, source in _printed_kernels()),

@@ -92,7 +92,7 @@ _TEXTS = {
 
 
 def module() -> str:
-    """The text of `generated/slopes.py`."""
+    """Return the text of `generated/slopes.py`."""
     several = {"closed": slopes.closed(), "rings": slopes.rings()}
     one = {"head": slopes.head()} | slopes.slices()
     functions = []

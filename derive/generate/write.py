@@ -1,4 +1,4 @@
-"""The files of `generated`: their text, written atomically, or compared with what is there."""
+"""Files of `generated`: their text, written atomically or compared with the present files."""
 
 import difflib
 import hashlib
@@ -29,7 +29,7 @@ MEND = "python -m derive"
 
 
 def files(proved: list[Record]) -> dict[str, str]:
-    """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
+    """Return the text of every file of `generated` by name, each with a header that contains the digest of its text."""
     kernels = functions.kernels(proved)
     closed = closed_forms()
     c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
@@ -67,7 +67,7 @@ def files(proved: list[Record]) -> dict[str, str]:
 
 
 def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
-    """The modules that are programs with a docstring each."""
+    """Return the modules whose functions are programs with a docstring."""
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
     return {
         "printed.py": emit.raw_module(
@@ -84,7 +84,7 @@ def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
 
 
 def header(name: str, text: str) -> str:
-    """The header of a file: its origin, and the digest of the text below, which a binary made of it carries."""
+    """Return the header of a file: its origin, and the digest of its text, which a compiled binary contains."""
     written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
@@ -94,13 +94,14 @@ def header(name: str, text: str) -> str:
 
 
 def digest_of(text: str) -> str:
+    """Return the sha256 of a text."""
     return hashlib.sha256(text.encode()).hexdigest()
 
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:
-    """The proved bounds for the run time, and the C source to which they apply."""
+    """Return the module with the proved bounds for the runtime, and the digest of the C source to which they apply."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
-    # The relative error of one in [1, 2), where they are the measure.
+    # Relative error of one ulp in [1, 2).
     ulps = {"ulp": 2.0**-52, "ulp of float32": 2.0**-23}
     for record in records:
         bound, unit = promised(record)
@@ -119,7 +120,7 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
 
 
 def definitions_module(closed: Mapping[str, Expr]) -> str:
-    """The definition of each function of alpha, for comparisons with other ways to compute it."""
+    """Return the module with the definition of each function of alpha, for comparison with other computations."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
@@ -144,7 +145,7 @@ def _package(names: list[str]) -> str:
 
 
 def present(folder: Path = FOLDER) -> dict[str, str]:
-    """Text of the files that are there; caches, built binaries and what a killed build has left do not count."""
+    """Return the text of the present files, without caches, binaries and remains of an interrupted build."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
         for path in sorted(folder.rglob("*"))
@@ -152,7 +153,7 @@ def present(folder: Path = FOLDER) -> dict[str, str]:
     }
 
 
-# What a process of its own does with a new tree: import every module, and what reads it.
+# Script of a separate process that imports every module of a new tree.
 _IMPORT = """
 import importlib, pathlib, sys
 sys.path[:0] = sys.argv[1:]
@@ -163,7 +164,7 @@ import slipcircle.workbench.files.keys
 
 
 def importable(parent: Path) -> None:
-    """Import the `generated` in a folder in a process of its own; `ProofError` with what Python says."""
+    """Import the package `generated` of a folder in a separate process, or raise `ProofError` with Python's message."""
     command = [sys.executable, "-I", "-B", "-c", _IMPORT, str(parent), str(ROOT)]
     alone = os.environ | {"SLIPCIRCLE_COMPILED": "0"}
     done = subprocess.run(command, env=alone, capture_output=True, text=True, check=False)
@@ -172,7 +173,7 @@ def importable(parent: Path) -> None:
 
 
 def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], None] = lambda _: None) -> list[str]:
-    """Write a new tree beside the folder, which is ``tried``, then replace the files that differ; their names."""
+    """Write a new tree beside the folder, apply ``tried`` to it, replace changed files, and return their names."""
     folder.mkdir(exist_ok=True)
     old = present(folder)
     changed = [name for name in sorted(texts.keys() | old.keys()) if texts.get(name) != old.get(name)]
@@ -194,7 +195,7 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
 
 
 def difference(texts: dict[str, str], folder: Path = FOLDER) -> str:
-    """A unified diff from the folder's files to these; empty when they agree in contents and set of files."""
+    """Return a unified diff from the folder's files to the given files, empty if they are identical."""
     present_texts = present(folder) if folder.is_dir() else {}
     diff = ""
     for name in sorted(texts.keys() | present_texts.keys()):

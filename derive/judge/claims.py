@@ -31,10 +31,10 @@ DOMAINS = {"alpha": (0, pi / 2), "omega": (0, oo), "a": (0, oo), "b": (0, oo), "
 
 @dataclass(frozen=True)
 class Cause:
-    """A cause for a claim to fail, and the verdict if it is demonstrated.
+    """Cause of a failed claim, and the verdict if the cause is demonstrated.
 
-    For a number ``value`` is what the paper must have evaluated: it has to give the printed digits. For a form
-    ``edit`` is a replacement in the transcription: afterwards the form has to hold.
+    For a number, ``value`` computes the presumed evaluation of the paper, which must give the printed digits. For a
+    form, ``edit`` is a replacement in the transcription, after which the form must be correct.
     """
 
     words: str
@@ -45,11 +45,11 @@ class Cause:
 
 @dataclass(frozen=True)
 class Claim:
-    """One claim of the paper.
+    """Claim of the paper.
 
-    ``expression`` transcribes ``printed``; ``definition`` derives what it must equal; ``dimension`` (of what names
-    something) and ``law`` are what else it has to satisfy, and ``weight`` the integrand whose quadrature it has to
-    equal on its whole domain. What it takes for granted is data: ``domain`` where not that of `DOMAINS`, and ``given``.
+    ``expression`` transcribes ``printed``, and ``definition`` derives the form that it must equal. ``dimension`` (of
+    definitions) and ``law`` are further requirements, and ``weight`` is the integrand whose quadrature it must equal on
+    its whole domain. Assumptions are data: ``domain`` if it differs from `DOMAINS`, and ``given``.
     """
 
     id: str
@@ -59,8 +59,8 @@ class Claim:
     definition: Callable[[], Any] = lambda: ()
     kind: Literal["form", "definition", "number", "range", "small", "appendix"] = "form"
     causes: tuple[Cause, ...] = ()
-    shows: str = "{}"  # how the derived value is written
-    note: str | Callable[[], str] = ""  # remark if it holds, or how it is computed
+    shows: str = "{}"  # format of the derived value
+    note: str | Callable[[], str] = ""  # remark if the claim is correct, or a function that computes it
     dimension: str = ""
     law: Callable[[Expr], Iterable[Expr]] | None = None
     weight: Expr | None = None
@@ -70,5 +70,5 @@ class Claim:
 
     @property
     def remark(self) -> str:
-        """The note, computed where it has numbers."""
+        """Note as text."""
         return self.note if isinstance(self.note, str) else self.note()

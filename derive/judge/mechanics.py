@@ -1,7 +1,7 @@
-"""Forms that follow from the definitions, with which `derive.judge.verify` compares the printed ones.
+"""Forms derived from the definitions, with which `derive.judge.verify` compares the printed forms.
 
-Nothing here knows what the paper prints. Where the mass turns, J_r and J_theta are functions of the rotation phi; what
-the paper postulates about them, and about the stress, is in `derive.judge.postulates`.
+The module is independent of the printed forms. For a turning mass J_r and J_theta are functions of the rotation phi.
+The paper's postulates about them and about the stress are in `derive.judge.postulates`.
 """
 
 from functools import cache
@@ -46,14 +46,14 @@ DEPTH = simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
 def basis(x: Expr, y: Expr) -> Pair:
-    """Components along e_r and e_theta of a Cartesian vector."""
+    """Return the components of a Cartesian vector along e_r and e_theta."""
     c = cos(theta)
     s = sin(theta)
     return simplify(x * c + y * s), simplify(y * c - x * s)
 
 
 def rate(order: int) -> Pair:
-    """Polar components of the derivative of the position r e_r by time, with d(theta)/dt = omega (1.2)."""
+    """Return the polar components of a time derivative of the position r e_r, with d(theta)/dt = omega (1.2)."""
     moving = Function("theta")(t)
     known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
     x, y = ((r * f(moving)).diff(t, order).subs(known) for f in (cos, sin))
@@ -71,7 +71,7 @@ GRAVITY: Pair = basis(Integer(0), -g)
 
 
 def reaction() -> Pair:
-    """Components of the traction on the arc: pressure against the outward normal, shear against the velocity."""
+    """Return the components of the traction on the arc: pressure against the normal, shear against the velocity."""
     tangent = _direction(theta).diff(theta)
     outward = Matrix([tangent[1], -tangent[0]])
     x, y = -sigma_n * outward - tau_n * tangent
@@ -80,22 +80,22 @@ def reaction() -> Pair:
 
 
 def _direction(angle: Expr) -> Matrix:
-    """The unit vector at a polar angle."""
+    """Return the unit vector at a polar angle."""
     return Matrix([cos(angle), sin(angle)])
 
 
 def moment_of(radius: Expr, force: Pair) -> Expr:
-    """The moment about K of a force in polar components: its radial part has no lever."""
+    """Return the moment about K of a force in polar components. Its radial part has no lever."""
     return radius * force[1]
 
 
 def along_bisector(force: Pair) -> Expr:
-    """Component of a force along the bisector of the arc, at u = theta - theta_m from it."""
+    """Return the component of a force along the bisector of the arc, at u = theta - theta_m from it."""
     return force[0] * cos(u) - force[1] * sin(u)
 
 
 def end(start: Symbol) -> Expr:
-    """Polar angle of an end (1.2), with an integration variable of its own."""
+    """Return the polar angle of an end (1.2), with a separate integration variable."""
     return start + Integral(omega_of(r), (r, 0, t))
 
 
@@ -108,7 +108,7 @@ STRESS_SUM = Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the an
 
 @cache
 def chord() -> Expr:
-    """Where the ray at theta meets the line through both ends of the arc, from collinearity."""
+    """Return the point where the ray at theta meets the line through both ends of the arc, from collinearity."""
     first = R * _direction(theta_1)
     second = R * _direction(theta_1 + 2 * alpha)
     ray = r * _direction(theta)
@@ -118,7 +118,7 @@ def chord() -> Expr:
 
 @cache
 def deepest() -> Expr:
-    """The largest R - R_1: the one stationary point, in u = theta - theta_m, and a maximum."""
+    """Return the largest R - R_1, at the only stationary point in u = theta - theta_m, a maximum."""
     depth = R * (1 - cos(alpha) / cos(u))
     stationary = solve(numer(together(depth.diff(u))), u)
     curvature = depth.diff(u, 2) / cos(alpha)
@@ -127,7 +127,7 @@ def deepest() -> Expr:
 
 
 def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
-    """The double integral from the chord to the arc in r* = r/R, constants outside."""
+    """Return the double integral from the chord to the arc in r* = r/R, with constants outside."""
     result = Integer(0)
     for term in Add.make_args(expand(f)):
         constant, rest = term.as_independent(r, theta)
@@ -136,18 +136,18 @@ def body_star(f: Expr, low: Expr = CHORD, high: Expr = Integer(1)) -> Expr:
 
 
 def body(f: Expr) -> Expr:
-    """The double integral in r."""
+    """Return the double integral in r."""
     return body_star(f, R * CHORD, R)
 
 
 def scaled(f: Expr) -> Expr:
-    """`body` after the substitution r = R r*."""
+    """Return `body` after the substitution r = R r*."""
     return body_star(f.subs(r, R * r) * R)
 
 
 @cache
 def radial() -> Expr:
-    """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
+    """Return R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3) and (2.4)."""
     weight = rho * GRAVITY[0]
     inertia = rho * rate(2)[0]
     pressure, _ = reaction()
@@ -156,19 +156,19 @@ def radial() -> Expr:
 
 
 def step(equation: str) -> Expr:
-    """A derived form of the balance, for a mass that turns."""
+    """Return a derived form of the balance for a turning mass."""
     return dynamics.balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
 def momentum() -> Pair:
-    """Both sides of (3.8), over ell rho."""
+    """Return both sides of (3.8), over ell rho."""
     left = step("3.8 left") / (ell * rho)
     right = step("3.8") / (ell * rho)
     return expand(left), expand(right)
 
 
 def lever() -> Expr:
-    """The factor of mu sigma* in (3.8) over ell rho g R^3."""
+    """Return the factor of mu sigma* in (3.8) over ell rho g R^3."""
     _, right = momentum()
     resistance = -right.coeff(sigma_mean) / (g * R**3)
     return simplify(resistance / mu * rho * g * DEPTH)
@@ -176,14 +176,14 @@ def lever() -> Expr:
 
 @cache
 def motion(name: str) -> Expr:
-    """The derived motion from rest, under constant a and b."""
+    """Return the derived motion from rest under constant a and b."""
     from_rest = simplify(dynamics.solution()[name].subs(omega_0, 0))
     return from_rest.subs(Symbol("k", positive=True), sqrt(a * b))
 
 
 @cache
 def dimensional() -> dict[str, Expr]:
-    """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
+    """Return the motion with dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
     clock = sqrt(g / R)
     in_seconds = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
     angular_velocity, rotation = (
@@ -197,7 +197,7 @@ def dimensional() -> dict[str, Expr]:
 
 
 def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
-    """A motion, the first term of its expansion in time, and the order of the second."""
+    """Return a motion, the first term of its expansion in time, and the order of the second term."""
     expansion = sp.series(motion, t, 0, 6).removeO()
     terms = sorted(Add.make_args(expansion), key=lambda x: degree(x, t))
     first, second = terms[:2]
@@ -206,7 +206,7 @@ def series(motion: Expr) -> tuple[Expr, Expr, Expr]:
 
 @cache
 def names() -> dict[str, Any]:
-    """The notation of the transcribed forms."""
+    """Return the notation of the transcribed forms."""
     symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
     symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
     notation = {x.name: x for x in symbols}
@@ -228,5 +228,5 @@ def names() -> dict[str, Any]:
 
 @cache
 def read(forms: str) -> tuple[Expr, ...]:
-    """Transcribed forms, separated by semicolons."""
+    """Return transcribed forms, separated by semicolons."""
     return tuple(parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

@@ -1,10 +1,10 @@
-"""What the paper claims, as data: 67 numbered equations, 16 table entries, two appendices, its sentences and figures.
+"""Claims of the paper as data: 67 numbered equations, 16 table entries, two appendices, sentences and figures.
 
-Nothing here says whether a claim holds. A claim has the printed text, its transcription, and how what it must equal
-follows from what precedes it in the paper; `verify` walks the list and judges. Transcriptions are read in the
-notation of `mechanics.names`: ``body(f)`` is the integral of f over the moving mass in r and theta, ``body_star`` the
-same in r*; J_r and J_theta turn with the mass, J_r0 and J_theta0 are their values at the start; a semicolon separates
-the parts of an equation.
+The module does not state whether a claim is correct. A claim consists of the printed text, its transcription, and the
+derivation of the form that it must equal from earlier parts of the paper. `verify` judges all claims. Transcriptions
+use the notation of `mechanics.names`: ``body(f)`` is the integral of f over the moving mass in r and theta,
+``body_star`` the same in r*. J_r and J_theta turn with the mass, and J_r0 and J_theta0 are their initial values. A
+semicolon separates the parts of an equation.
 """
 
 from collections.abc import Callable

@@ -1,7 +1,8 @@
-"""Postulates of the paper: claims that do not follow from those before.
+"""Postulates of the paper: claims that do not follow from earlier claims.
 
-For each postulate a state of the mass is exhibited that keeps every postulate before it and breaks this one; `exhibit`
-checks both, so that no verdict rests on an opinion. How much it matters is reported beside, and decides nothing.
+For each postulate the module exhibits a state of the mass that satisfies all earlier postulates and violates this one.
+`exhibit` checks both, so that no verdict is a matter of opinion. The size of the effect is reported as well, without
+influence on the verdict.
 """
 
 from collections.abc import Callable
@@ -24,9 +25,9 @@ Along = Callable[[Any], mpf]  # a function of u = theta - theta_m, along the arc
 
 @dataclass(frozen=True)
 class State:
-    """A state of the paper's mass: friction, dip of the chord, omega*, and the normal stress over rho g R.
+    """State of the paper's mass: friction, dip of the chord, omega*, and the normal stress over rho g R.
 
-    ``stress`` is a function along the arc; without one the scalar sum (2.5) is spread evenly.
+    ``stress`` is a function along the arc. Without it the scalar sum (2.5) is distributed uniformly.
     """
 
     stress: Along | None = None
@@ -36,46 +37,46 @@ class State:
 
     @cached_property
     def total(self) -> mpf:
-        """The total of the stress along the arc, by (2.5)."""
+        """Total of the stress along the arc by (2.5)."""
         return s.moment("radial_weight", psi=self.psi) + s.moment("polar_moment") * self.omega**2
 
     def normal(self, u: Any) -> mpf:
-        """The stress at u."""
+        """Return the stress at u."""
         if self.stress:
             return self.stress(u)
         return self.total / (2 * s.HALF)
 
 
 def sum_of(f: Along) -> mpf:
-    """The integral along the arc."""
+    """Return the integral along the arc."""
     return quad(f, [-s.HALF, 0, s.HALF])
 
 
 def columns(u: mpf) -> mpf:
-    """The stress at rest if each radial column were independent."""
+    """Return the stress at rest if all radial columns were independent."""
     return cos(s.DIP - u) * (1 - (cos(s.HALF) / cos(u)) ** 2) / 2
 
 
 def along_bisector(u: mpf) -> mpf:
-    """The uniform stress at rest by the balance of forces along the bisector.
+    """Return the uniform stress at rest by the balance of forces along the bisector.
 
-    It pushes with 2 R sin(alpha) sigma; the shear is odd in u, and the weight is that of the segment.
+    Its resultant is 2 R sin(alpha) sigma, the shear is odd in u, and the weight is the segment's.
     """
     area = s.HALF - sin(2 * s.HALF) / 2
     return area * cos(s.DIP) / (2 * sin(s.HALF))
 
 
 def uneven(u: mpf) -> mpf:
-    """Friction 10 % larger at one end of the arc than in its middle, and 10 % smaller at the other."""
+    """Return a friction coefficient that is 10 % larger at one end of the arc and 10 % smaller at the other."""
     return s.RESIDUAL * (1 - u / (10 * s.HALF))
 
 
 @dataclass(frozen=True)
 class Postulate:
-    """A postulate: its substitution in a derived form, its condition on a state, and a state that violates it.
+    """Postulate: its substitution in a derived form, its condition on a state, and a state that violates it.
 
-    ``gap`` is zero where a state keeps it. ``effect`` says with ``size`` how much it matters, and as ``{printed}`` how
-    much with the paper's own coefficients.
+    ``gap`` is zero if a state satisfies it. ``effect`` describes its importance with ``size``, and as ``{printed}``
+    with the paper's coefficients.
     """
 
     words: str
@@ -89,12 +90,12 @@ class Postulate:
 
 
 def _of_uniform(stress: Along) -> mpf:
-    """By how much a stress in the middle of the arc exceeds the uniform one."""
+    """Return the relative excess of a stress in the middle of the arc over the uniform stress."""
     return stress(mpf(0)) / State().normal(0) - 1
 
 
 def _centripetal_share(as_printed: bool = False) -> mpf:
-    """The centripetal stress over the static one after 30 s of (3.20)."""
+    """Return the centripetal stress over the static stress after 30 s of (3.20)."""
     return State(omega=s.reached("omega*", as_printed)).total / State().total - 1
 
 
@@ -172,7 +173,7 @@ POSTULATES = (
 
 
 def same_force() -> mpf:
-    """Deviation from uniformity of a stress that has the same friction force (3.5), for one coefficient."""
+    """Return the deviation from uniformity of a stress with the same friction force (3.5), for one coefficient."""
     force = sum_of(columns) / sum_of(State().normal)
     if abs(force - 1) > mpf(10) ** -20:
         raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)
@@ -181,7 +182,7 @@ def same_force() -> mpf:
 
 @cache
 def exhibit(postulate: Postulate) -> mpf:
-    """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one."""
+    """Return the relative effect of a postulate, after checking that its state violates this postulate alone."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
     with workdps(30):
         state = postulate.state()

@@ -1,7 +1,7 @@
 """The paper's section in numbers: values of its definitions to 30 digits, and of its mistakes.
 
-A printed number stands for every value that gives it when rounded at its last place, or cut off there: the paper does
-both. `printed_as` is this rule, for claims and causes alike; `implied` is what it leaves for another number.
+A printed number represents every value that is rounded or truncated to it, since the paper does both. `printed_as`
+implements this rule for claims and causes, and `implied` applies it to numbers that follow from a printed number.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,7 @@ GRAVITY = "9.81"  # used by the project; the paper states no value
 
 
 def printed_as(digits: str) -> tuple[mpf, mpf, mpf]:
-    """A printed number, and the least and the largest value that it may stand for."""
+    """Return a printed number, and the least and the greatest value that it may represent."""
     printed = mpf(digits)
     unit = mpf(10) ** Decimal(digits).as_tuple().exponent
     if printed >= 0:
@@ -36,13 +36,13 @@ def printed_as(digits: str) -> tuple[mpf, mpf, mpf]:
 
 
 def implied(by: str, inverse: Callable[[mpf], mpf]) -> list[mpf]:
-    """The least and the largest value of another number that a printed one allows."""
+    """Return the least and the greatest value of another number that a printed number allows."""
     _, low, high = printed_as(IMPLYING[by])
     return sorted((inverse(low), inverse(high)))
 
 
 def given(name: str) -> mpf:
-    """A number of `GIVEN`."""
+    """Return a number of `GIVEN`."""
     return mpf(GIVEN[name])
 
 
@@ -55,12 +55,12 @@ with workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of t
 
 @cache
 def derivation(name: str) -> Derivation:
-    """A moment's derivation."""
+    """Return the derivation of a moment."""
     return derive(next(m for m in MOMENTS if m.name == name))
 
 
 def value(form: Expr, angle: Any = HALF, psi: Any = DIP) -> mpf:
-    """A closed form at the section, or at another half angle or dip."""
+    """Return a closed form for the section, or for another half angle or dip."""
     return _function(form)(angle, psi, 3 * pi / 2 - psi)
 
 
@@ -70,56 +70,57 @@ def _function(form: Expr) -> Callable[..., mpf]:
 
 
 def moment(name: str, angle: Any = HALF, psi: Any = DIP) -> mpf:
-    """One of `quantities.MOMENTS`."""
+    """Return the value of one of `quantities.MOMENTS`."""
     return value(derivation(name).closed, angle, psi)
 
 
 def factor(angle: Any = HALF) -> mpf:
-    """lambda (3.14)."""
+    """Return the resistance factor lambda (3.14)."""
     return value(2 * alpha * mechanics.deepest() / R, angle)
 
 
 def dynamic(angle: Any = HALF) -> mpf:
-    """A (2.24)."""
+    """Return the dynamic coefficient A (2.24)."""
     return moment("polar_moment", angle) / factor(angle)
 
 
 def depth() -> mpf:
-    """f (2.12), m."""
+    """Return the depth f (2.12), m."""
     return given("R") * factor() / (2 * HALF)
 
 
 def reference() -> mpf:
-    """sigma_ref (2.13), MPa."""
+    """Return the reference stress sigma_ref (2.13), MPa."""
     return given("gamma") / 1000 * depth()
 
 
 def second_end(radial_weight: mpf) -> mpf:
-    """theta_20 in degrees of an arc of this opening and this J_r."""
+    """Return theta_20 in degrees for an arc of this opening and the given J_r."""
     dip = acos(radial_weight / moment("radial_weight", psi=mpf(0)))
     return 270 - mp.degrees(dip - HALF)
 
 
 def second_appendix() -> mpf:
-    """What Appendix II integrates."""
+    """Return the value of the integral in Appendix II."""
     return value(simplify(APPENDIX_II).expression)
 
 
 def limit_friction(as_printed: bool = False) -> mpf:
-    """mu_eq (3.21); with Appendix II for J_theta, on request as printed."""
+    """Return mu_eq (3.21), on request with Appendix II for J_theta, as printed."""
     weight_moment = second_appendix() if as_printed else moment("weight_moment")
     return weight_moment / moment("radial_weight")
 
 
 def degrees(friction: mpf) -> mpf:
-    """The friction angle of a coefficient."""
+    """Return the friction angle of a coefficient in degrees."""
     return mp.degrees(atan(friction))
 
 
 def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
-    """c0, c1, c2 of (4.2), (4.4), or what the mass reaches after 30 s: phi, omega*, v, s.
+    """Return c0, c1, c2 of (4.2) and (4.4), or phi, omega*, v or s after 30 s.
 
-    `as_printed` takes Theta* and A at the full angle 2 alpha and J_theta from Appendix II, unrounded.
+    With `as_printed`, Theta* and A are evaluated at the full angle 2 alpha, and J_theta is taken from Appendix II,
+    unrounded.
     """
     angle = 2 * HALF if as_printed else HALF
     inertia = moment("moment_of_inertia", angle)
@@ -145,7 +146,7 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mpf:
 
 
 def both(name: str) -> list[mpf]:
-    """Results of `reached` from the printed inputs, and from the corrected ones."""
+    """Return results of `reached` from the printed and from the corrected inputs."""
     return [reached(name, as_printed=True), reached(name)]
 
 

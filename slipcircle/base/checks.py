@@ -1,4 +1,4 @@
-"""Errors about input: all mistakes at once, each with the field, the value and what is allowed."""
+"""Input checks and input errors. Each mistake has one message with the field, its value and the allowed values."""
 
 import math
 import re
@@ -13,15 +13,15 @@ from numpy.typing import ArrayLike, NDArray
 
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
-Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
-Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
+Bounds = tuple[float, float, str]  # open lower and upper bound, and their description in words
+Fault = tuple[Any, Callable[[int], str]]  # mask of invalid lanes, and a function that describes a lane
 
 
 _ARGUMENT = re.compile(r"\{(~?)([a-z_][\w.]*)\}")
 
 
 class Message(str):
-    """A sentence about input with ``{name}`` for an argument, which may be replaced by its name elsewhere.
+    """Sentence about input in which ``{name}`` marks an argument, so that a file reader can show its own key.
 
     For ``{~path.name}`` only the last part is shown, if the path is already given.
     """
@@ -36,11 +36,14 @@ class Message(str):
         return message
 
     def worded(self, name_of: Callable[[str], str]) -> str:
-        """The sentence with other names of arguments, such as the keys of a file."""
+        """Return the sentence with each argument renamed by a function, for example to the key of a file."""
         return _worded(self.template, name_of)
 
     def within(self, path: str) -> "Message":
-        """The sentence about arguments of a table or an effect: the first is named by its path."""
+        """Return the sentence for arguments nested in ``path``. The first argument is shown with its full path.
+
+        The first argument is shown with its full path.
+        """
         by_path = rf"{{\g<1>{path}.\g<2>}}"
         by_last_part = rf"{{~{path}.\g<2>}}"
         template = _ARGUMENT.sub(by_path, self.template, count=1)
@@ -50,14 +53,14 @@ class Message(str):
 
     @classmethod
     def of(cls, text: str) -> "Message":
-        """A text as a message."""
+        """Return a text as a message."""
         if isinstance(text, Message):
             return text
         return Message(text)
 
 
 def _worded(template: str, name_of: Callable[[str], str]) -> str:
-    """A template with the names of its arguments."""
+    """Return a template in which each argument is replaced by its name."""
 
     def name(match: re.Match[str]) -> str:
         short, path = match.groups()
@@ -69,7 +72,7 @@ def _worded(template: str, name_of: Callable[[str], str]) -> str:
 
 
 class InputError(ValueError):
-    """Invalid input, with one `Message` per mistake; the text of the error names arguments as in Python."""
+    """Error about invalid input with one `Message` per mistake. Its text names arguments as in Python."""
 
     def __init__(self, what: str, messages: Iterable[str]) -> None:
         self.what = what
@@ -81,7 +84,7 @@ class InputError(ValueError):
         return InputError, (self.what, templates)
 
     def worded(self, name_of: Callable[[str], str], what: str = "") -> str:
-        """The sentences with other names of arguments, a line each, after the name of what they are about."""
+        """Return the messages with renamed arguments, one per line, each preceded by the name of the invalid object."""
         return _lines([message.worded(name_of) for message in self.messages], what)
 
 
@@ -90,11 +93,11 @@ def _lines(sentences: Iterable[str], what: str) -> str:
 
 
 class UnusualInput(UserWarning):
-    """A number that was probably meant in another unit."""
+    """Warning about a number that was probably meant in another unit."""
 
 
 def plain(value: Any) -> Any:
-    """Numbers for computation: a float, ten times cheaper than an array of one, or an array."""
+    """Return numbers in the cheapest form for computation, a float or a float64 array."""
     if type(value) is float:
         return value
     if np.ndim(value):
@@ -106,7 +109,10 @@ _WITHOUT_WARNING: Any = nullcontext()
 
 
 def may_overflow(shape: tuple[int, ...]) -> Any:
-    """A context in which nothing warns of an overflow, which is refused where the result is read; floats never do."""
+    """Return a context that silences overflow warnings of arrays.
+
+    The overflow itself is reported when the result is read.
+    """
     if not shape:
         return _WITHOUT_WARNING
     return np.errstate(over="ignore")
@@ -130,7 +136,7 @@ def loses_something(value: Any) -> bool:
 
 
 def array_of(value: Any) -> NDArray[Any]:
-    """Return an input as an array; one of objects, which no check accepts, if a mask or a unit would be lost."""
+    """Return an input as an array, an array of objects (which every check rejects) if a mask or unit would be lost."""
     nothing = np.asarray(None)
     try:
         is_text = isinstance(value, bytearray)
@@ -150,7 +156,7 @@ def real_number(value: Any) -> float:
 
 
 class Frozen(dict[Any, Any]):
-    """A mapping that its owner has checked and that stays as it is."""
+    """Read-only mapping whose contents were checked."""
 
     def _refuse(self, *_: Any, **__: Any) -> Any:
         raise TypeError("a scene's mappings are read-only: use dataclasses.replace(scene, ...) to change a copy")
@@ -167,7 +173,7 @@ _FIXED = frozenset((bool, int, float, str, Frozen))
 
 
 def frozen(value: Any) -> Any:
-    """Return an input as its owner keeps it: arrays, lists and mappings as read-only copies, others as they are."""
+    """Return a read-only copy of an array, a list or a mapping, and any other value unchanged."""
     kind = type(value)
     if kind in _FIXED:
         return value
@@ -194,7 +200,7 @@ def frozen(value: Any) -> Any:
 
 
 def _read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """Return an array that nobody can change, a copy unless it is one already."""
+    """Return an array that cannot be modified. Writeable arrays are copied."""
     base = getattr(array.base, "flags", array.flags)
     can_change = array.flags.writeable or base.writeable
     if can_change:
@@ -204,7 +210,7 @@ def _read_only(array: NDArray[Any]) -> NDArray[Any]:
 
 
 def freeze(owner: Any, fields: Iterable[str]) -> None:
-    """Replace the fields of a frozen dataclass by read-only copies of what it was given."""
+    """Replace fields of a frozen dataclass by read-only copies."""
     for name in fields:
         value = getattr(owner, name)
         own = frozen(value)
@@ -213,14 +219,14 @@ def freeze(owner: Any, fields: Iterable[str]) -> None:
 
 
 def choose(mask: Any, one: Any, other: Any) -> Any:
-    """`numpy.where` that also takes plain numbers."""
+    """Return `numpy.where` of the arguments, without an array if the mask is a single truth value."""
     if type(mask) is bool or not isinstance(mask, np.ndarray):
         return one if mask else other
     return np.where(mask, one, other)
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """A sum and its rounding error (Knuth's TwoSum)."""
+    """Return the rounded sum of two numbers and its rounding error (Knuth's TwoSum)."""
     total = a + b
     part = total - a
     error_of_a = a - (total - part)
@@ -229,7 +235,7 @@ def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def shown(value: Any) -> str:
-    """A value in one line; for a long one its type and beginning."""
+    """Return the representation of a value on one line, or its type and beginning if it is long."""
     if isinstance(value, int) and abs(value) >= 10**100:
         return f"an integer of {value.bit_length()} bits"
     words = repr(value).split()
@@ -241,20 +247,19 @@ def shown(value: Any) -> str:
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
-    """A sentence for each field that is not a finite real number within its open bounds, or an array where one number
-    is required."""
+    """Return a message for each field that is not a finite number in its bounds, or an array although in ``one``."""
     sentences: list[str] = []
     for name, allowed in bounds.items():
         value: Any = fields[name]
         lower, upper, _ = allowed
-        plausible = type(value) is float and lower < value < upper  # most are; arrays take twenty times as long
+        plausible = type(value) is float and lower < value < upper  # the usual case; arrays take twenty times as long
         if not plausible:
             sentences += map(Message, _number_mistakes(name, value, allowed, name in one))
     return sentences
 
 
 def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> list[str]:
-    """A sentence if a field is not what its bounds allow."""
+    """Return a message if a field violates its bounds."""
     lower, upper, allowed = bounds
     array = array_of(value)
     if one and array.ndim > 0:
@@ -287,7 +292,7 @@ _KINDS = {
 
 
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence[Any]) -> list[str]:
-    """A sentence for each declared parameter that is missing, invalid or out of bounds, and for unknown names."""
+    """Return a message for each declared parameter that is missing or invalid, and for each unknown name."""
     if _are_plain(given, parameters):
         return []
     known = {p.name: p for p in parameters if p.kind != "rotation"}
@@ -306,27 +311,31 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
 
 
 def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
-    """Whether there is one number within its bounds for each parameter and nothing else, as a rule."""
+    """Return whether there is one valid float for each required parameter and nothing else, which is the usual case."""
+    count = 0
     for p in parameters:
+        if p.optional and p.name not in given:
+            continue
+        count += 1
         value = given.get(p.name)
-        is_number = p.kind == "number" and type(value) is float
-        if not (is_number and p.lower < value < p.upper):
+        if p.kind != "number" or type(value) is not float or not p.lower < value < p.upper:
             return False
-    return len(given) == len(parameters)
+    return len(given) == count
 
 
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 
 def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
-    """What is wrong with the value of a declared parameter."""
-    has_bounds = p.key and p.kind in ("number", "list", "series")
+    """Return the messages about the value of a declared parameter."""
+    has_bounds = p.key and p.kind in ("number", "list", "series", "fixed")
     if has_bounds and not callable(value):
         lower = min(p.lower, 0.0)
         sign = _SIGNS.get(lower, "")
         allowed = f"{p.help}{sign} ({p.unit})"
         bounds = {p.name: (p.lower, p.upper, allowed)}
-        sentences = mistakes({p.name: value}, bounds)
+        one = (p.name,) if p.kind == "fixed" else ()
+        sentences = mistakes({p.name: value}, bounds, one)
         messages = map(Message.of, sentences)
         return [message.within(path) for message in messages]
     if _is_of_kind(p.kind, value):
@@ -339,9 +348,9 @@ def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
 
 
 def _is_of_kind(kind: str, value: Any) -> bool:
-    """Whether a value is what a parameter of this kind, which bounds say nothing about, may be."""
+    """Return whether a value has the type that its parameter's kind requires."""
     match kind:
-        case "number" | "list":
+        case "number" | "list" | "fixed":
             return False
         case "series":
             return hasattr(value, "kinks")
@@ -353,7 +362,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
-    """A sentence if the fields' shapes do not broadcast."""
+    """Return a message if the shapes of the fields do not broadcast."""
     shapes: dict[str, tuple[int, ...]] = {}
     for name, value in fields.items():
         shape = () if type(value) is float else np.shape(value)
@@ -370,13 +379,13 @@ def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
 
 
 def raise_all(what: str, sentences: Sequence[str]) -> None:
-    """Raise one error that lists the mistakes, if there are any."""
+    """Raise one `InputError` that lists all messages, if there are any."""
     if sentences:
         raise InputError(what, sentences)
 
 
 def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
-    """The sentence about the first case with a mistake."""
+    """Return the message about the first invalid lane, as a list of at most one element."""
     for lanes, sentence in faults:
         bad = np.asarray(lanes)
         if not bad.any():

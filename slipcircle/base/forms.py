@@ -1,6 +1,8 @@
-"""What results turn into for other tools and for the eye. The core computes; a package above makes the forms."""
+"""Conversions of results for other tools. The core computes results; a package above it converts and draws them."""
 
+from collections.abc import Mapping
 from importlib import import_module
+from os import PathLike
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -9,38 +11,40 @@ _modules: list[str] = []
 
 
 def use_forms(module: str) -> None:
-    """Name the module with a function for each method below, `html` in notebooks; imported when one is called."""
+    """Set the module that implements the methods below. It is imported when one of them is called."""
     _modules[:] = [module]
 
 
 class Pictured:
-    """The method that draws a result."""
+    """Mixin with the method that draws a result."""
 
-    def plot(self, what: str = "overview", ax: Any = None) -> Any:
-        """Draw it with matplotlib.
+    def plot(self, what: str | PathLike[str] = "overview", ax: Any = None) -> Any:
+        """Draw the result with matplotlib, on axes or into a file.
 
         Parameters
         ----------
-        what : str
-            ``"overview"``, which is several panels. Of a motion also ``"section"``, ``"energy"``, ``"shaking"``, of one
-            through layers ``"stress_along_arc"``, and over time ``"velocity"``, ``"displacement"``, ``"rotation"``,
-            ``"friction"``, ``"normal_stress"``; of a study also ``"run_out"``, ``"peak_velocity"``,
-            ``"duration"``; of a suite of records ``"displacements"``, ``"incremental"``, ``"fragility"``, and of its
-            median record ``"velocity"``, ``"displacement"``.
+        what : str or path
+            Name of the picture, or path of a file to write with the overview, ``"slide.png"`` (or .svg, .pdf, .jpg; a
+            .gif of a motion is an animation). ``"overview"`` has several panels. A motion also has ``"section"``,
+            ``"energy"`` and ``"shaking"``, a motion through layers ``"stress_along_arc"``, and histories
+            ``"velocity"``, ``"displacement"``, ``"rotation"``, ``"friction"`` and ``"normal_stress"``. A study also has
+            ``"run_out"``, ``"peak_velocity"`` and ``"duration"``. A suite of records has ``"displacements"``,
+            ``"incremental"`` and ``"fragility"``, and ``"velocity"`` and ``"displacement"`` of its median record.
         ax : matplotlib axis, optional
-            To draw on, but not of the overview, which makes its figure.
+            Axis to draw on. The overview creates its own figure.
 
         Returns
         -------
-        matplotlib.axes.Axes
-            Of the overview its first panel; ``.figure`` is the whole, with ``savefig``.
+        matplotlib.axes.Axes or None
+            Axis of the picture, or the first panel of the overview. Its ``figure`` has the method ``savefig``. None
+            for a file.
 
         Raises
         ------
         ValueError
-            If there is no such picture, or a motion has many lanes.
+            If the name is unknown, or if the motion is an ensemble.
         ImportError
-            Without matplotlib.
+            If matplotlib is not installed.
         """
         return self._form("plot", what, ax)
 
@@ -50,46 +54,55 @@ class Pictured:
 
 
 class Forms(Pictured):
-    """The methods of `Motion` that other tools call."""
+    """Mixin with the conversions of a `Motion`."""
+
+    @property
+    def factors_of_safety(self) -> Mapping[str, Any]:
+        """Factors of safety at the start by method; an `Arc` has that of the paper's alone."""
+        factors: Mapping[str, Any] = self._form("factors_of_safety")
+        return factors
 
     def animate(self, path: str = "", seconds: float = 5.0) -> Any:
-        """The slide as a moving section.
+        """Animate the slide in its section.
 
         Parameters
         ----------
         path : str, optional
-            Of a file ``.gif`` to write.
+            Name of a ``.gif`` file to write.
         seconds : float
-            That the motion is shown in.
+            Duration of the animation, s.
 
         Returns
         -------
         matplotlib.animation.FuncAnimation
-            To keep while it plays, or to save otherwise; None where a path was given.
+            Animation, which must be referenced while it plays; None if a path is given.
         """
         return self._form("animate", path, seconds)
 
     def to_dict(self, times: ArrayLike | None = None) -> dict[str, Any]:
-        """Results by name in SI units; of many lanes arrays, with the numbers that vary before them.
+        """Return results by name in SI units. For an ensemble they are arrays, preceded by the inputs that vary.
 
         Parameters
         ----------
         times : array_like, optional
-            s; then the histories, ``shape + times.shape``, in place of the results.
+            Times in s. If they are given, histories of shape ``shape + times.shape`` replace the results.
         """
         return self._form("to_dict", times)
 
     def to_pandas(self, times: ArrayLike | None = None) -> Any:
-        """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
+        """Return `to_dict` as a pandas.DataFrame with one row per lane, or per lane and time.
+
+        Units are in ``attrs``.
+        """
         return self._form("to_pandas", times)
 
     def to_xarray(self, times: ArrayLike | None = None) -> Any:
-        """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates.
+        """Return `to_dict` as an xarray.Dataset with the dimensions of the inputs. Inputs that vary become coordinates.
 
         Raises
         ------
         ValueError
-            If inputs name one dimension in two ways: NumPy has paired them element by element.
+            If two inputs give different names to the same dimension, since NumPy pairs them element by element.
         """
         return self._form("to_xarray", times)
 

@@ -1,4 +1,6 @@
-"""Types for type checkers: of single scenes and ensembles, `Motion[float]` or `Motion[Array]`, and of arguments.
+"""Types for annotations. A single motion is ``Motion[float]``, an ensemble ``Motion[Array]``.
+
+A scene or motion whose kind is unknown before run time is annotated as ``Scene`` or ``Motion`` without brackets.
 
 What may be either, or is not known before it runs, is ``Scene``, ``Motion`` without brackets, as ``Scene[Any]``.
 """
@@ -22,7 +24,7 @@ else:
     Numbers = TypeVar("Numbers", covariant=True)
 
     class cached_property(functools.cached_property):
-        """For the way of a single scene: without the lock that it has before Python 3.12, which takes a microsecond."""
+        """Cached property without the lock that Python 3.11 takes, which costs a microsecond."""
 
         def __get__(self, instance, owner=None):
             if instance is None:
@@ -39,4 +41,4 @@ Names = tuple[str, ...]
 Values = Mapping[str, Any]  # by name
 Parameters = Values  # of an effect or of a friction law
 Effects = Mapping[str, Parameters]
-MAPPING = (dict, Mapping)  # to ask for a dict first is six times as fast
+MAPPING = (dict, Mapping)  # for isinstance, which is six times as fast if dict is first

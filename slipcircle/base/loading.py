@@ -1,4 +1,4 @@
-"""Ctrl-C while the command loads modules: one line and status 130, as `slipcircle.__main__` gives it later."""
+"""Handler for Ctrl-C while the command loads modules: it prints one line and exits with status 130."""
 
 import os
 import signal

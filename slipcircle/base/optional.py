@@ -1,4 +1,4 @@
-"""Packages that only some results need: imported where they are used, or one line says how to install them."""
+"""Imports of optional packages, with a one-line error that says how to install a missing package."""
 
 from importlib import import_module
 from typing import Any
@@ -17,17 +17,17 @@ EXTRAS = {
 
 
 def install(package: str) -> str:
-    """The command that installs an optional package."""
+    """Return the command that installs an optional package."""
     return f"pip install 'slipcircle[{EXTRAS[package]}]'" if package in EXTRAS else f"pip install {package}"
 
 
 def optional(module: str, purpose: str, package: str = "") -> Any:
-    """A module of an optional package, whose name is the module's unless it is given.
+    """Return a module of an optional package. ``package`` is needed only if its name differs from the module's.
 
     Raises
     ------
     ImportError
-        Without the package: what needs it, and the command that installs it.
+        If the package is missing. The message names the feature that needs it and the command that installs it.
     """
     try:
         return import_module(module)

@@ -1,4 +1,4 @@
-"""How much of long work is done, on stderr: a bar on a terminal with rich, else a line on it, or lines now and then."""
+"""Progress of long computations on stderr: a bar with rich on a terminal, otherwise a line now and then."""
 
 import sys
 import time
@@ -8,27 +8,31 @@ from importlib.util import find_spec
 from threading import Timer
 from typing import IO, Any, ClassVar, Self, TypeVar
 
+from slipcircle.base.text import clean
+
 T = TypeVar("T")
-_SOON = 1.0, 10.0  # s, before `counted` work shows anything on a terminal, elsewhere
-_OFTEN, _SELDOM = 0.2, 2.0  # s between updates of a terminal; until the first line elsewhere, ever more for the next
+_SOON = 1.0, 10.0  # s before the first output of `counted` on a terminal, and elsewhere
+_OFTEN, _SELDOM = 0.2, 2.0  # s between updates on a terminal; elsewhere initially, doubled after each line
 _CLEAR = "\r\x1b[K"  # the line of a terminal
 
 
 def is_terminal(stream: Any) -> bool:
-    """Return whether a stream is a terminal; it may be closed, or unable to tell."""
+    """Return whether a stream is a terminal. Streams that are closed or that cannot tell are not."""
     return bool(getattr(stream, "isatty", bool)())
 
 
 class Progress:
-    """Things done of a total, their rate and the time left; of several at work, one within the other, the outermost.
+    """Progress report with the finished and the total number of items, the rate and the time left.
+
+    Nested reports are silent.
 
     Parameters
     ----------
     total : int
     things : str
-        What is counted, in the plural.
+        Name of the items in the plural.
     stream : text stream, optional
-        By default stderr.
+        Output, by default stderr.
     """
 
     running: ClassVar[int] = 0
@@ -56,7 +60,7 @@ class Progress:
             print(_CLEAR, end="", file=self.stream, flush=True)
 
     def __call__(self, count: int = 1, kept: int = 0) -> None:
-        """Count what is done, of which so much was kept by an earlier run."""
+        """Add finished items to the count, ``kept`` of them from an earlier run."""
         self.done += count
         self.kept += kept
         now = time.monotonic()
@@ -73,7 +77,7 @@ class Progress:
             print(f"{_CLEAR}{self.text()}", end="", file=self.stream, flush=True)
 
     def text(self) -> str:
-        """How much is done, how fast, and the time left."""
+        """Return the progress, the rate and the time left as text."""
         seconds = time.monotonic() - self.start
         rate = (self.done - self.kept) / max(seconds, 1e-9)
         if not rate:
@@ -99,14 +103,14 @@ class Progress:
 
 
 def counted(total: int, things: str) -> Progress:
-    """Progress of which nothing is shown if the work is done soon."""
+    """Return a progress report that stays silent if the work finishes soon."""
     progress = Progress(total, things)
     progress.shown += _SOON[not progress.is_terminal]
     return progress
 
 
 def track(items: Collection[T], things: str) -> Iterator[T]:
-    """The items one by one, `counted` as they are done; of a single one its parts are counted."""
+    """Yield the items and report progress. A single item reports its own parts."""
     if len(items) < 2:
         yield from items
         return
@@ -116,8 +120,14 @@ def track(items: Collection[T], things: str) -> Iterator[T]:
             progress()
 
 
+def say(message: str, before: str = "") -> None:
+    """Print a message on stderr, if it is open; each line begins with the name of the program."""
+    for text in message.splitlines() if sys.stderr is not None else ():
+        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr, flush=True)
+
+
 def say_later(seconds: float) -> Timer:
-    """Say that work goes on if nothing counts it until then; the timer may be cancelled."""
+    """Start a timer that announces a computation without progress report. The caller may cancel it."""
     timer = Timer(seconds, _say_computing)
     timer.daemon = True
     timer.start()
@@ -125,5 +135,5 @@ def say_later(seconds: float) -> Timer:
 
 
 def _say_computing() -> None:
-    if not Progress.is_shown and sys.stderr is not None:
-        print("slipcircle: computing; Ctrl-C stops it", file=sys.stderr, flush=True)
+    if not Progress.is_shown:
+        say("computing; Ctrl-C stops it")

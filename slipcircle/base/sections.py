@@ -1,4 +1,4 @@
-"""Intervals and their sections: which are distinct, and where something begins to hold."""
+"""Division of intervals into sections."""
 
 from collections.abc import Callable
 
@@ -13,21 +13,21 @@ Mask = NDArray[np.bool_]
 def first_section(
     holds: Callable[[Floats], Mask], low: Floats, high: Floats, shares: Floats
 ) -> tuple[Floats, Floats, Mask]:
-    """The ends of the first section of each interval at whose end something holds and at whose beginning it does not.
+    """Return the ends of the first section of each interval in which a condition changes from false to true.
 
     Parameters
     ----------
     holds : callable
-        Of places, (shares, intervals).
+        Condition as a function of places of shape (shares, intervals).
     low, high : ndarray
-        The intervals.
+        Ends of the intervals.
     shares : ndarray
-        Where they are divided, from 0 to 1.
+        Positions of the section ends relative to the interval, from 0 to 1.
 
     Returns
     -------
     low, high, found : ndarray
-        Ends of the sections, those of the first where there is none, and whether there is one.
+        Ends of the sections, and whether such a section exists. If not, the ends are those of the first section.
     """
     edges = low + shares[:, None] * (high - low)
     here = holds(edges)
@@ -38,9 +38,9 @@ def first_section(
 
 
 def distinct(edges: Floats, least: float) -> Floats:
-    """Edges of sections, (edges, n), increasing, without those that only rounding, a width up to ``least``, parts.
+    """Return section edges of shape (edges, n), increasing, without sections of a width up to ``least``.
 
-    The first and the last stay. Where others have more of them, the last is repeated.
+    The first and the last edge remain. Columns with fewer edges repeat the last one.
     """
     inner = edges[1:-1]
     last = edges[-1]

@@ -1,12 +1,12 @@
-"""Numbers as text, rounded to significant digits."""
+"""Formatting of numbers and text."""
 
 import math
 
-DIGITS = 4  # significant, of a number that people read
+DIGITS = 4  # significant digits of printed numbers
 
 
 def shown(value: float, digits: int = DIGITS) -> str:
-    """A number rounded to significant digits."""
+    """Return a number as text, rounded to significant digits."""
     if math.isnan(value):
         return "-"
     if math.isinf(value):
@@ -16,7 +16,10 @@ def shown(value: float, digits: int = DIGITS) -> str:
 
 
 def digits_left(error: float) -> int:
-    """Significant digits, at most `DIGITS`, for which a relative error changes the last one by at most half a unit."""
+    """Return the number of significant digits, at most `DIGITS`, that remain certain for a relative error.
+
+    The error changes the last one by at most half a unit.
+    """
     if error <= 0.0:
         return DIGITS
     known = math.floor(-math.log10(min(2 * error, 1.0)))
@@ -24,7 +27,7 @@ def digits_left(error: float) -> int:
 
 
 def clean(text: str, kept: str = "") -> str:
-    """Text with a replacement character for each control character, except for those to be kept."""
+    """Return a text in which each control character is replaced, except for the characters in ``kept``."""
     cleaned = []
     for character in text:
         if character.isprintable() or character in kept:

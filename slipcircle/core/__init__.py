@@ -1,18 +1,19 @@
-"""The core: a mass that slides along a circular arc, from its scene to its motion.
+"""Core: motion of a mass that slides along a circular arc, from its scene to the result.
 
     Scene -> Plan -> Problem -> Motion
 
-The names listed here are public: all that the workbench, or any program built on the core, needs. What only some scenes
-need stands in rooms beside it, which `slipcircle.core.doors` lists.
+The names listed here are public and sufficient for the workbench and other programs built on the core. Modules that
+only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.scene.arc import ARC_BOUNDS, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
@@ -36,15 +37,16 @@ __all__ = [
     "State",
     "Status",
     "checked",
+    "cohesion_mistakes",
     "depends_on",
     "law_mistakes",
     "law_names",
     "law_parts",
+    "lazy_import",
     "may_have_rate",
     "numpy_only",
     "plan",
     "problem_of",
     "program_integers",
-    "room",
     "solve",
 ]

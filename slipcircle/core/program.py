@@ -1,4 +1,4 @@
-"""Programs of scenes, each linked once for its recipe."""
+"""Programs of scenes, linked once per recipe."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -6,7 +6,7 @@ from functools import lru_cache
 from generated.flow import FRAGMENTS, Fragment
 from generated.program import OF_SOIL, Program, Recipe, build
 from slipcircle.base.kinds import Names
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 
 
 @lru_cache(maxsize=256)
@@ -22,8 +22,8 @@ def build_program(recipe: Recipe, outputs: Names = ()) -> Program:
 
 
 def _fragments(name: str, turns: bool) -> Sequence[Fragment]:
-    """Return the fragments of an effect or a law; those of single soils are made by the module of layers."""
+    """Return the fragments of an effect or a law. The package of layers creates the fragments of single soils."""
     if OF_SOIL not in name:
         return [FRAGMENTS[name]]
-    of_soil: list[Fragment] = room("soils").fragments_of(name, turns)
+    of_soil: list[Fragment] = lazy_import("soils").fragments_of(name, turns)
     return of_soil

@@ -1,4 +1,4 @@
-"""Derivatives of a motion by the numbers of its scene."""
+"""Derivatives of a motion with respect to the numbers of its scene."""
 
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import neighbour_derivatives

@@ -1,4 +1,4 @@
-"""The result of `Motion.sensitivity`: derivatives of outputs by the parameters of a scene, and their table."""
+"""Result of `Motion.sensitivity`: derivatives of outputs with respect to the inputs of a scene, and their table."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,33 +12,34 @@ from slipcircle.core.scene.scene import Scene
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """Derivatives of a motion by the parameters of its scene.
+    """Derivatives of a motion with respect to the inputs of its scene.
 
     Attributes
     ----------
     outputs : mapping
-        Unit of each row: peak_velocity, run_out, duration; signed as `Motion` gives them.
+        Unit of each row: peak_velocity, run_out, duration, with the signs of `Motion`.
     parameters : mapping
-        Unit of each column: friction, theta_1, ``ground.3.y``, ..., of effects ``effect.parameter``.
+        Unit of each column: friction, theta_1, ``ground.3.y``, ..., and ``effect.parameter`` for effects.
     at : dict of float
         Value of each output and each parameter.
     kinds : ndarray of str
-        "smooth"; "kink", where slopes differ; "jump", where the output is another at once on one side; "one side",
-        beyond which there is no scene; "unresolved".
+        "smooth", "kink" (the slopes of both sides differ), "jump" (the output is discontinuous), "one side" (there is
+        no scene on the other side) or "unresolved".
     values : ndarray
-        d(output)/d(parameter), SI units and radians: of a kink the mean of both slopes, of a jump that of the side that
-        goes on from the motion; NaN where it is not known.
+        d(output)/d(parameter) in SI units and radians. At a kink it is the mean of both slopes, at a jump the slope on
+        the continuous side, and NaN if it is unknown.
     errors : ndarray
-        What each of the values is off at most.
+        Error bound of each value.
     slopes, slope_errors, jumps : ndarray
-        Below and above the parameter's value, (outputs, parameters, 2): derivatives of each side, what they are off at
-        most (infinite where nothing is known), and by how much the output jumps.
+        One-sided derivatives below and above the parameter's value, (outputs, parameters, 2), their error bounds
+        (infinite if unknown), and the jumps of the output.
     scene : Scene
-        Whose parameters they are.
+        Scene of the motion.
     warnings : tuple of str
         Warnings about the results.
     elasticities : ndarray
-        (parameter/output) d(output)/d(parameter): per cent for a per cent; NaN where the output is zero.
+        (parameter/output) d(output)/d(parameter), the change in per cent for a change of one per cent; NaN where the
+        output is zero.
     """
 
     outputs: Mapping[str, str]
@@ -55,6 +56,7 @@ class Sensitivity:
 
     @property
     def elasticities(self) -> Floats:
+        """Relative changes of outputs over relative changes of parameters."""
         outputs = [self.at[name] or np.nan for name in self.outputs]
         parameters = [self.at[name] for name in self.parameters]
         changes = self.values * parameters
@@ -62,15 +64,15 @@ class Sensitivity:
         return np.asarray(elasticities.T)
 
     def derivative(self, output: str, parameter: str) -> float:
-        """One of the values."""
+        """Return the derivative of an output with respect to a parameter."""
         return float(self.values[self._place(output, parameter)])
 
     def error(self, output: str, parameter: str) -> float:
-        """What a derivative is off at most."""
+        """Return the error bound of a derivative."""
         return float(self.errors[self._place(output, parameter)])
 
     def kind(self, output: str, parameter: str) -> str:
-        """Whether an output is smooth there, or what else it is."""
+        """Return the kind of a derivative, such as "smooth" or "kink"."""
         return str(self.kinds[self._place(output, parameter)])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
@@ -99,7 +101,7 @@ class Sensitivity:
         return "\n".join(lines)
 
     def _row(self, parameter: str) -> list[str]:
-        """The derivatives of the outputs by a parameter, with elasticities."""
+        """Return the derivatives of the outputs with respect to a parameter, with elasticities, as text."""
         column = list(self.parameters).index(parameter)
         elasticities = self.elasticities[:, column]
         cells = []

@@ -1,24 +1,24 @@
-"""Values for h = 0 of what is known at steps h, h/2, h/4, ..., with their errors: Richardson's extrapolation.
+"""Richardson extrapolation to h = 0 from values at steps h, h/2, h/4, ..., with error estimates.
 
-The last axis of every array is that of the steps, the longest first; NaN where nothing is known. A tableau removes one
-power of h after the other (Ridders, Adv. Eng. Softw. 4, 75, 1982); its best entry is the one with the smallest error.
+The last axis of every array contains the steps, the longest first, with NaN for unknown values. A tableau removes one
+power of h after the other (Ridders, Adv. Eng. Softw. 4, 75, 1982). Its best entry has the smallest error.
 """
 
 import numpy as np
 
 from slipcircle.base.kinds import Floats
 
-COLUMNS = 7  # of a tableau
-CAUTION = 3.0  # error over the last change in a tableau: of a half power of h, the worst, it is 2.4
-NOISY = 4.0  # times its noise, by which values at shorter steps may differ
-SMOOTH = 8  # shortest steps over which values are a cubic but for their noise
+COLUMNS = 7  # number of columns of a tableau
+CAUTION = 3.0  # error over the last change in a tableau; 2.4 for a half power of h, the worst case
+NOISY = 4.0  # allowed difference of values at shorter steps, over their noise
+SMOOTH = 8  # number of shortest steps over which values are a cubic plus noise
 
 
 def extrapolated(column: Floats, noise: Floats, first_power: int) -> tuple[Floats, Floats]:
-    """Values for h = 0 in powers of h^first_power, and their errors: three times the last change, and the noise.
+    """Return values for h = 0 in powers of h^first_power, and their errors: three times the last change, plus noise.
 
-    Changes are those from both neighbours in the column before and to the next in the same one, which agree by chance
-    rarely; and no value at shorter steps may differ by more than its noise.
+    The last change is the greatest difference from both neighbours in the preceding column and from the next entry in
+    the same column, which rarely agree by chance. No value at shorter steps may differ by more than its noise.
     """
     shape = column.shape[:-1]
     best = np.full(shape, np.nan)
@@ -43,7 +43,7 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> tuple[Float
 
 
 def _combined(column: Floats, power: int, sign: float) -> Floats:
-    """The next column of a tableau, without this power of h; with a positive sign the noise of it."""
+    """Return the next column of a tableau without a power of h, or its noise if ``sign`` is positive."""
     factor = 2.0**power
     longer = column[..., :-1]
     shorter = column[..., 1:]
@@ -53,7 +53,7 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
 
 
 def _last_change(following: Floats, column: Floats) -> Floats:
-    """The greatest change to an entry from both neighbours in the column before, or to the next in its own."""
+    """Return the greatest difference of each entry from its neighbours in the preceding column and in its own."""
     longer = column[..., :-1]
     shorter = column[..., 1:]
     after = following[..., 1:]
@@ -64,7 +64,7 @@ def _last_change(following: Floats, column: Floats) -> Floats:
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
-    """By how much values at shorter steps are others, beyond their noise."""
+    """Return by how much values at shorter steps differ beyond their noise."""
     one = following[..., :, None]
     other = following[..., None, :]
     differences = np.abs(one - other)
@@ -74,7 +74,7 @@ def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
 
 
 def noise_of(values: Floats) -> Floats:
-    """How much values scatter at the shortest steps: the greatest of what a cubic leaves, of all steps."""
+    """Return the scatter of values at the shortest steps, the greatest residual of a cubic."""
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)

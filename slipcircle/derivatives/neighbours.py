@@ -1,10 +1,10 @@
-"""Derivatives of the outcomes of a motion by the numbers of its scene, from ensembles of neighbouring scenes.
+"""Derivatives of the outcomes of a motion from ensembles of neighbouring scenes.
 
-Each number is moved down and up by a ladder of steps h, h/2, h/4, ... Along a ladder an outcome is a + b h + c h^2 +
-... as far as the motion is smooth, so that differences are extrapolated to h = 0: on each side its value a and its
-slope b, both without the motion itself, and between both sides the central difference, in even powers. Values unlike
-the motion's own are a jump, unlike slopes a kink. What one ladder leaves open gets the next, which begins where it
-ends.
+Each number is decreased and increased by a ladder of steps h, h/2, h/4, ... If the motion is smooth, an outcome is a +
+b h + c h^2 + ... along the ladder, so that differences can be extrapolated to h = 0. This yields the value a and the
+slope b on each side without the motion itself, and from both sides the central difference in even powers. A value that
+differs from the motion's is a jump, and slopes that differ are a kink. Unresolved derivatives use the next ladder,
+which begins where the first one ends.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -19,14 +19,14 @@ from slipcircle.core.scene.scene import Scene
 from slipcircle.derivatives.extrapolation import CAUTION, extrapolated, noise_of
 from slipcircle.derivatives.parameters import Free, with_parameter_arrays
 
-RUNGS = 11  # of a ladder
-FIRST = 2.0**-5  # the longest step, over the scale of its number
-LADDERS = 3  # so that steps go down to 2^-37 = 7e-12 of the scale
-OF_SHAPE = 2  # of a section's shape: places that are 1e-9 of the radius apart are one to it
-ACCURACY = 1e-13  # of the neighbours; a smaller jump is none
-ROUNDING = 4e-16  # that an outcome has at least, relative
-GOAL = 1e-9  # error times scale, over the most that any number does, below which no other ladder is needed
-KNOWN = 1e-3  # the same, above which nothing is known
+RUNGS = 11  # steps of a ladder
+FIRST = 2.0**-5  # longest step over the scale of its number
+LADDERS = 3  # number of ladders; the shortest step is 2^-37 = 7e-12 of the scale
+OF_SHAPE = 2  # number of ladders for a section's shape, whose points coincide within 1e-9 of the radius
+ACCURACY = 1e-13  # accuracy of neighbouring motions, and least jump
+ROUNDING = 4e-16  # least relative rounding error of an outcome
+GOAL = 1e-9  # error times scale, over the greatest effect of any number, at which no further ladder is needed
+KNOWN = 1e-3  # error times scale, over the greatest effect of any number, above which a derivative is unknown
 SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
 SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
@@ -34,29 +34,31 @@ Outcomes = Callable[[Any], Sequence[Any] | Floats]
 
 
 class Derivatives(NamedTuple):
-    """Derivatives of outcomes by numbers, (outcomes, numbers), or one of them; below and above a number's value, (2,).
+    """Derivatives of outcomes with respect to numbers, (outcomes, numbers), or a single derivative.
 
-    ``kinds`` are "smooth", "kink" (both slopes differ), "jump" (the outcome is another at once on a side), "one side"
-    (there is no scene beyond) or "unresolved".
+    One-sided data have an additional axis of length 2, below and above the number's value.
+
+    ``kinds`` are "smooth", "kink" (the slopes of both sides differ), "jump" (the outcome is discontinuous), "one side"
+    (there is no scene on the other side) or "unresolved".
     """
 
     kinds: Any
-    values: Any  # of a jump on the side that goes on from the motion, of a kink the mean of both slopes
-    errors: Any  # that values are off at most
+    values: Any  # at a jump the slope on the continuous side, at a kink the mean of both slopes
+    errors: Any  # error bounds
     slopes: Floats
-    slope_errors: Floats  # infinite where a slope is not known
-    jumps: Floats  # by how much the outcome is another at once; 0 where it is continuous
+    slope_errors: Floats  # infinite if a slope is unknown
+    jumps: Floats  # discontinuities of the outcome, 0 where it is continuous
 
 
 def neighbour_derivatives(
     scene: Scene[float], outcomes: Outcomes, free: Mapping[str, Free], error: float = 0.0
 ) -> Derivatives:
-    """Derivatives of outcomes of a single scene by numbers that may vary alone.
+    """Return derivatives of outcomes of a single scene with respect to numbers that may vary alone.
 
-    ``outcomes`` reads them off a motion, or off an ensemble, in rows. ``error`` is the relative error that those of the
-    motion and of its neighbours have alike.
+    ``outcomes`` returns the outcomes of a motion, or of an ensemble as rows. ``error`` is the relative error common to
+    the motion and its neighbours.
     """
-    found: dict[str, list[Derivatives]] = {}  # of every outcome, by number
+    found: dict[str, list[Derivatives]] = {}  # derivatives of every outcome, by number
     remaining = list(free.values())
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
@@ -91,7 +93,7 @@ def neighbour_derivatives(
 
 
 def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
-    """Whether the derivatives of some outcome by a number need another ladder."""
+    """Return whether the derivative of some outcome with respect to a number needs another ladder."""
     for one, most in zip(found, goal, strict=True):
         is_near = one.errors <= most
         if not is_near or one.kinds == JUMP:
@@ -103,9 +105,9 @@ def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 
 
 def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> tuple[Floats, Floats]:
-    """Outcomes of the motion, (outcomes, numbers, 1), and of its neighbours, (outcomes, numbers, sides, rungs), or NaN.
+    """Return outcomes of the motion, (outcomes, numbers, 1), and of neighbours, (outcomes, numbers, sides, rungs).
 
-    Numbers of a section's shape have an ensemble apart: each of its lanes has a section, which takes time.
+    Numbers of a section's shape have a separate ensemble, since each of its lanes needs a section.
     """
     is_shape = np.array([_is_shape(scene, number) for number in numbers])
     parts = [np.flatnonzero(is_shape), np.flatnonzero(~is_shape)]
@@ -123,13 +125,13 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
 
 
 def _is_shape(scene: Scene[float], number: Free) -> bool:
-    """Whether a number is one of a section's shape."""
+    """Return whether a number belongs to a section's shape."""
     is_section = "ground" in scene.arc.quantities
     return is_section and number.name.startswith(SHAPE)
 
 
 def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], offsets: Floats) -> Floats:
-    """Outcomes of the scene, and of it with each number by its offsets another, in rows."""
+    """Return outcomes of the scene and of its neighbours, in which each number has other values, as rows."""
     arrays = {}
     for k, number in enumerate(numbers):
         change = np.zeros_like(offsets)
@@ -149,9 +151,9 @@ def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free]
 def _judged(
     here: Floats, beside: Floats, steps: Floats, scales: Floats, off: float
 ) -> tuple[list[list[Derivatives]], list[list[float]]]:
-    """Derivatives by one ladder, (numbers, outcomes), and the errors below which they need no other.
+    """Return derivatives by one ladder, (numbers, outcomes), and the errors at which they need no further ladder.
 
-    Outcomes are ``off`` alike, relative.
+    ``off`` is the relative error common to all outcomes.
     """
     largest = _largest(here, beside)
     scatter = noise_of(beside) + ROUNDING * largest[..., None]
@@ -179,7 +181,7 @@ def _judged(
 
 
 def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
-    """Errors below which derivatives need no other ladder, (numbers, outcomes): no less than rounding leaves it."""
+    """Return the errors at which derivatives need no further ladder, (numbers, outcomes), at least their rounding."""
     longest = steps[..., 0]
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
@@ -189,7 +191,7 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
 
 
 def _largest(here: Floats, beside: Floats) -> Floats:
-    """The size of each outcome, (outcomes, 1, 1); of one that is 0, that of its neighbours."""
+    """Return the size of each outcome, (outcomes, 1, 1), or the size of its neighbours if it is 0."""
     sizes = np.abs(here)
     sizes_beside = np.abs(beside)
     largest = sizes.max(axis=(1, 2), keepdims=True, initial=0.0)
@@ -199,7 +201,7 @@ def _largest(here: Floats, beside: Floats) -> Floats:
 
 
 def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
-    """The most that a change of any number by its scale does to an outcome, over the scale of each number."""
+    """Return the greatest effect of changing any number by its scale on an outcome, over the scale of each number."""
     scale = scales[..., 0]
     changes = steepness * scale
     most_by_any = changes.max(axis=(1, 2), keepdims=True, initial=0.0)
@@ -208,7 +210,7 @@ def _greatest(steepness: Floats, scales: Floats, largest: Floats) -> Floats:
 
 
 def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floats:
-    """Of outcomes on each side; 0 where they are continuous or not known."""
+    """Return the jumps of outcomes on each side, 0 where they are continuous or unknown."""
     limits, errors = extrapolated(beside, noise, 1)
     gaps = limits - here
     smallest = np.maximum(errors, ACCURACY * largest)
@@ -217,7 +219,7 @@ def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floa
 
 
 def _slopes(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
-    """Of each side by itself."""
+    """Return one-sided derivatives and their errors."""
     shorter = steps[..., 1:]
     farther = beside[..., :-1]
     nearer = beside[..., 1:]
@@ -227,7 +229,7 @@ def _slopes(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Float
 
 
 def _central(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
-    """Between both sides."""
+    """Return central differences and their errors."""
     step = steps[:, 0]
     below, above = np.moveaxis(beside, 2, 0)
     rise = above - below
@@ -239,9 +241,9 @@ def _central(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floa
 def _of_one(
     slopes: Floats, errors: Floats, jumps: Floats, central: float, of_central: float, is_end: Flags, shortest: float
 ) -> Derivatives:
-    """The derivative of one outcome by one number; ``is_end`` says on which side there is no scene.
+    """Return the derivative of one outcome with respect to one number; ``is_end`` marks sides without a scene.
 
-    A jump that a kink nearer than the longer steps would feign is left open.
+    A jump that could be a kink within the longer steps remains unresolved.
     """
     is_known = np.isfinite(errors)
     has_jump = jumps != 0.0
@@ -278,11 +280,11 @@ def _of_one(
 
 
 def _nearer(before: Derivatives, new: Derivatives) -> Derivatives:
-    """What two ladders say; nothing where they contradict each other, as where rounding makes stairs of an outcome."""
+    """Return the combination of two ladders, unresolved if they contradict each other, as with stairs of rounding."""
     if before.kinds == UNRESOLVED:
         return new
     surer = before if before.errors <= new.errors else new
-    is_farther = before.kinds == JUMP and new.kinds == SMOOTH  # than the shortest steps, the jump
+    is_farther = before.kinds == JUMP and new.kinds == SMOOTH  # the jump is beyond the shorter steps
     chosen = surer
     if is_farther:
         chosen = new._replace(values=surer.values, errors=surer.errors)

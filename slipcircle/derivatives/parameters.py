@@ -1,8 +1,8 @@
-"""The numbers of a scene that may vary, by their SI names, with scales, and scenes with other values of them.
+"""Numbers of a scene that may vary, by their SI names, with scales, and scenes with other values of them.
 
-Names are those of `Scene.numbers` (``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``), and ``dip``,
-of the chord of an arc, with which both its ends turn. A grid, a sample of uncertain numbers, a fit and a derivative
-all replace values by these names; how a scene file calls them is the file reader's affair.
+Names are the keys of `Scene.numbers` (``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``), and
+``dip`` for the chord of an arc, which turns both its ends. Grids, samples, fits and derivatives replace values by these
+names. The file reader translates them to keys of scene files.
 """
 
 import math
@@ -50,15 +50,15 @@ SOIL_BOUNDS: dict[str, tuple[str, float, float]] = {  # units, and open bounds
     "velocity": ("m/s", *declared.LIMITS["m/s"]),
     "crack": ("m", 0.0, FAR),
 }
-USUAL_WEIGHT = 2e4  # of soils, N/m^3
-SMALLEST = 5e-324  # a lower bound of minus this allows zero, as all bounds are open
+USUAL_WEIGHT = 2e4  # usual unit weight of soils, N/m^3
+SMALLEST = 5e-324  # its negative as a lower bound allows zero, since bounds are open
 
 _OTHER_FACTOR = {"peak": "scale", "scale": "peak"}  # two names of one factor of shaking
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that a scene may have: its name, SI unit, and open bounds."""
+    """Number that a scene may have: name, SI unit, and open bounds."""
 
     name: str
     unit: str
@@ -66,14 +66,14 @@ class Parameter:
     upper: float
 
     def allows(self, values: Any) -> Any:
-        """Which values lie within the bounds; never what is infinite or NaN."""
+        """Return whether values are finite and within the bounds."""
         is_finite = abs(values) < math.inf
         return is_finite & (values > self.lower) & (values < self.upper)
 
 
 @dataclass(frozen=True)
 class Free(Parameter):
-    """A number of a single scene that may vary alone: its value, and a power of 2 by which its changes are measured."""
+    """Number of a single scene that may vary alone, with its value and a power of 2 as the scale of its changes."""
 
     value: float
     scale: float
@@ -89,7 +89,7 @@ _MOTION = (
 
 
 def possible_parameters(scene: Scene) -> dict[str, Parameter]:
-    """Every number that a scene with this arc and friction law may have, whether it has a value of it or not."""
+    """Return every number that a scene with this arc and friction law may have, with or without a value."""
     every = [*_MOTION]
     every += _parameters_of_arc(scene.arc)
     every += _parameters_of_friction(scene.friction)
@@ -101,20 +101,20 @@ def possible_parameters(scene: Scene) -> dict[str, Parameter]:
 
 
 def parameters(scene: Scene[float]) -> dict[str, Free]:
-    """The numbers of a single scene that may vary alone, and on which its motion may depend.
+    """Return the numbers of a single scene that may vary alone and may influence its motion.
 
     Returns
     -------
     dict
-        By name; each has ``name``, ``unit`` (SI), ``lower`` and ``upper`` (open bounds), ``value`` and ``scale``. The
-        scale is the power of 2 nearest to the size of the number, of a place a sixteenth of the radius, of an angle the
-        opening of the arc, and of a number that is 0 what is usual for its unit.
+        Numbers by name, each with ``name``, ``unit`` (SI), ``lower`` and ``upper`` (open bounds), ``value`` and
+        ``scale``. The scale is the power of 2 nearest to the size of the number, or to a sixteenth of the radius for
+        coordinates, the opening of the arc for angles, and the usual size of its unit for a number that is 0.
 
     Notes
     -----
-    Left out are the ends of an arc whose coefficients are given instead of computed, the width, an initial velocity or
-    a shaking that is 0, a pore pressure ratio of a soil that is 0, and an increase of cohesion without a datum. A
-    length that all soils share is named once, and so is what scales a record: its peak.
+    The ends of an arc with tabulated coefficients, the width, an initial velocity, shaking or pore pressure ratio of 0,
+    and an increase of cohesion without a datum are omitted. A length that all soils share has one name. A record is
+    scaled by its peak.
     """
     if checked(scene, "parameters").shape:
         raise ValueError("parameters: takes a single scene; give one case of the ensemble")
@@ -127,7 +127,7 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
 
 
 def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free]:
-    """Some of the numbers that a single scene has, by name, with their values and scales."""
+    """Return selected numbers of a single scene by name, with values and scales."""
     possible = possible_parameters(scene)
     free = dict[str, Free]()
     for name in names:
@@ -140,12 +140,12 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
 
 
 def _rests_at_zero(name: str) -> bool:
-    """Whether a number that is 0 stands for something that is not there."""
+    """Return whether zero means that the feature is absent."""
     return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
 
 
 def _left_out(scene: Scene) -> set[str]:
-    """Numbers on which a motion cannot depend, and those that others stand for."""
+    """Return numbers without influence on the motion, and numbers determined by others."""
     left_out = {"width"}
     if "shaking.peak" in scene.numbers:
         left_out.add("shaking.scale")
@@ -155,7 +155,7 @@ def _left_out(scene: Scene) -> set[str]:
 
 
 def _scale(arc: Any, parameter: Parameter, value: float) -> float:
-    """A power of 2, so that steps are exact."""
+    """Return the scale of a number as a power of 2, so that steps are exact."""
     radius = float(arc.radius)
     gravity = float(arc.gravity)
     usual = {
@@ -179,7 +179,7 @@ def _scale(arc: Any, parameter: Parameter, value: float) -> float:
 
 
 def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
-    """Of an arc or a section; coordinates have a point in their names."""
+    """Yield the numbers of an arc or a section."""
     for name, (lower, upper, _) in ARC_BOUNDS.items():
         if name in arc.quantities:
             yield Parameter(name, ARC_UNITS[name], lower, upper)
@@ -197,7 +197,7 @@ def _parameters_of_arc(arc: Any) -> Iterator[Parameter]:
 
 
 def _parameters_of_friction(friction: Any) -> Iterator[Parameter]:
-    """Of the laws of a scene's friction but those of soils, whose numbers are the section's."""
+    """Yield the numbers of the laws of a scene's friction. The section has the numbers of soils."""
     for path, (name, _) in zip(law_paths(friction), law_parts(friction), strict=True):
         law = declared.LAWS.get(without_soil(name))
         if law is not None and not path.startswith("soils."):
@@ -205,27 +205,27 @@ def _parameters_of_friction(friction: Any) -> Iterator[Parameter]:
 
 
 def _scalars(path: str, parameters: Iterable[declared.Parameter]) -> Iterator[Parameter]:
-    """Those declared parameters of a law or an effect that are one number, or a function of time that may be one."""
+    """Yield the declared parameters of a law or an effect that may be a single number."""
     for p in parameters:
         if p.kind in ("number", "series"):
             yield Parameter(number_name(path, p.name), p.unit, p.lower, p.upper)
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
-    """The value of one number of a scene, SI; None where it has none."""
+    """Return the value of a number of a scene in SI units, or None if it has no value."""
     value = scene.arc.dip if name == DIP.name else scene.numbers.get(name)
     return None if value is None else float(np.asarray(value))
 
 
 def with_parameters(scene: Scene, values: Values) -> Scene:
-    """A scene with other values of its numbers, SI: of each one number, or an array of them.
+    """Return a scene with other values of its numbers in SI units, each a number or an array.
 
-    Nothing of it is uncertain any more.
+    The new scene has no distributions.
 
     Raises
     ------
     ValueError
-        If that is no scene; lists every mistake.
+        If the new scene is invalid. The message lists all mistakes.
     """
     numbers = {}
     for name, value in values.items():
@@ -238,7 +238,7 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 
 
 def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
-    """Some lanes of a scene: ``select`` takes an array of the scene's shape. They were checked with it."""
+    """Return selected lanes of a scene; ``select`` indexes an array of the scene's shape. No checks are repeated."""
     assert isinstance(scene.effects, dict)
 
     def of_lanes(value: Any, axes: int = 0) -> Any:
@@ -256,7 +256,7 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
             chosen[name] = of_lanes(value)
     shaking = scene.effects.get("shaking", {})
     for name in _OTHER_FACTOR:
-        if name not in shaking:  # it stands for the other
+        if name not in shaking:  # determined by the other
             chosen.pop(f"shaking.{name}", None)
     of_lane = scene.arc.with_lanes(of_lanes)
     some = replace_unchecked(scene, {"arc": of_lane})
@@ -268,10 +268,10 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
 
 
 def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
-    """A scene of arrays of numbers, SI, and which of its lanes are no scenes: `solve` takes both.
+    """Return a scene with arrays of numbers in SI units, and a mask of its invalid lanes, for `solve`.
 
-    A value out of bounds or an impossible section makes its lane invalid, not the call an error. In such lanes the
-    scene has the values of the first valid one.
+    A value out of bounds or an impossible section makes its lane invalid and raises no error. In such lanes the scene
+    has the values of the first valid lane.
     """
     known = possible_parameters(scene)
     allowed_by_name = [known[name].allows(value) for name, value in values.items()]
@@ -299,7 +299,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
 
 
 def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
-    """The fields of a scene, and under "arc" those of its arc that change, with other values of numbers; unchecked."""
+    """Return the changed fields of a scene, and of its arc under "arc", for other values of numbers, without checks."""
     arc = changed_fields(scene.arc, values)
     if DIP.name in values:
         change = scene.arc.dip - values[DIP.name]
@@ -332,7 +332,7 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
 
 
 def _friction_with(friction: Any, number: str, value: Any) -> Any:
-    """A friction with another value of one number: "" is a constant's, "rate.peak" of the law of speed beside it."""
+    """Return a friction with another value of one number: "" for a constant, "rate.peak" for the law of speed."""
     if not number:
         beside_rate = isinstance(friction, Mapping) and friction["law"] == "constant"
         return {**friction, "coefficient": value} if beside_rate else value

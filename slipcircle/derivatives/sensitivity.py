@@ -1,4 +1,4 @@
-"""Derivatives of a motion's outputs by every number of its scene, with stated errors."""
+"""Derivatives of a motion's outputs with respect to every number of its scene, with error bounds."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -15,12 +15,12 @@ SIDES = ("below", "above")
 
 
 def sensitivity(motion: Motion) -> Sensitivity:
-    """Derivatives of a single motion's outputs by every number of its scene, and what is to be said of them.
+    """Return derivatives of a single motion's outputs with respect to every number of its scene, and warnings.
 
     Notes
     -----
-    Of a mass that nothing brings to rest they are those of its first standstill. Coordinates of a section on which the
-    motion does not depend are left out, as of the ground beside the mass.
+    If nothing brings the mass to rest, the outputs are those at its first standstill. Coordinates of a section without
+    influence, such as the ground beside the mass, are omitted.
     """
     if motion.shape:
         raise ValueError("sensitivity: takes a single scene; solve one case of the ensemble")
@@ -51,7 +51,7 @@ def _outcomes(motion: Any) -> list[Any]:
 
 
 def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
-    """The numbers but those places of the ground and the water level that change nothing."""
+    """Yield the indices of numbers, without points of the ground and water level that have no influence."""
     by_slope: Any = found.slopes.any(axis=(0, 2))
     by_jump: Any = found.jumps.any(axis=(0, 2))
     is_other: Any = found.kinds != SMOOTH
@@ -71,7 +71,7 @@ def _of_a_mass_at_rest(count: int) -> Derivatives:
 
 
 def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:
-    """Sentences on jumps, of an output by a number the farthest, and on numbers without a derivative."""
+    """Return warnings about the largest jump of each output by a number, and about unknown derivatives."""
     warnings = list[str]()
     for k, name in enumerate(free):
         jumps = list[str]()

@@ -1,4 +1,4 @@
-"""An arc whose coefficients are given, as printed ones are."""
+"""Arcs with tabulated coefficients, for example printed values."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from slipcircle.base.kinds import Effects, Numbers
 from slipcircle.core import Arc, Dimensionless
 
 __all__ = ["GIVEN", "GivenArc"]
-# What `Arc(given=...)` holds; the other coefficients are their quotients.
+# Coefficients of `Arc(given=...)`. The remaining coefficients are their quotients.
 _POSITIVE = (0.0, INFINITY, "a positive number")
 GIVEN: Mapping[str, Bounds] = {
     "moment_of_inertia": _POSITIVE,
@@ -26,7 +26,7 @@ GIVEN: Mapping[str, Bounds] = {
 
 @dataclass(frozen=True)
 class GivenArc(Arc[Numbers]):
-    """An arc with coefficients from a printed table in place of computed ones; they belong to its initial position."""
+    """Arc with tabulated instead of computed coefficients, which are valid only in its initial position."""
 
     def _mistakes(self) -> list[str]:
         return super()._mistakes() + _given_mistakes(self.given)
@@ -37,26 +37,28 @@ class GivenArc(Arc[Numbers]):
 
     @property
     def coefficients(self) -> Mapping[str, float]:
-        """Those of `GIVEN`."""
+        """Tabulated coefficients, with the names of `GIVEN`."""
         assert self.given is not None
         return self.given
 
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
-        """They do not turn with the mass."""
+        """Return a message if an effect turns the mass, since the coefficients belong to its initial position."""
         if any(EFFECTS[name].turns for name in effects if name in EFFECTS):
             return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
         return []
 
     def numbers_without_effect(self) -> tuple[str, ...]:
-        """The coefficients are not those of its ends."""
+        """Return the names of inputs without influence, because the coefficients do not follow from the ends."""
         return "theta_1", "theta_2"
 
     @cached_property
     def facing(self) -> Any:
+        """1 for a mass that slides towards positive x, -1 otherwise."""
         return choose(self.coefficients["weight_moment"] < 0.0, -1.0, 1.0)
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
+        """Dimensionless coefficients, completed by the quotients of the tabulated coefficients."""
         g = {**self.coefficients, "weight_moment": self.facing * self.coefficients["weight_moment"]}
         return Dimensionless(
             **g,
@@ -73,6 +75,7 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
+        """Amplitudes of the driving moment and the normal load, which vary as sine and cosine of the dip."""
         driving_moment = self.dimensionless.limit_friction * self.normal_load
         of_level, radial_of_level = super().amplitudes_per_inertia
         is_level = np.equal(self.dip, 0.0)
@@ -82,11 +85,12 @@ class GivenArc(Arc[Numbers]):
 
     @cached_property
     def normal_load(self) -> Any:
+        """Radial weight over the moment of inertia."""
         return self.dimensionless.radial_weight_per_inertia
 
 
 def _given_mistakes(given: Any) -> list[str]:
-    """What is wrong with coefficients that replace the computed ones."""
+    """Return messages about the tabulated coefficients."""
     if not isinstance(given, Mapping):
         return [f"given = {given!r}: must be a mapping of coefficients, or None"]
     found = [f"given: {name!r} is missing" for name in GIVEN if name not in given]

@@ -1,4 +1,4 @@
-"""Masses cut off from a polygonal ground: geometry, moments, water."""
+"""Masses cut off by a circle from a polygonal ground: geometry, moments and water."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -35,7 +35,7 @@ _MODULES = {"Section": "section", "outside_between": "errors"}
 
 
 def __getattr__(name: str) -> Any:
-    """Names loaded when they are used: an arc's plausibility needs bounds of the ground alone."""
+    """Import a name at its first use, since an arc needs only the bounds of this package."""
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(f"slipcircle.ground.{_MODULES.get(name, 'ponds')}"), name)

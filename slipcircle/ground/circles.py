@@ -1,7 +1,7 @@
-"""Many circles through grounds of straight edges: where they cross, what lies between, and its moments. Arrays only.
+"""Intersections of many circles with polygonal grounds, and moments of the masses between them.
 
-A *stretch* is the part of the ground between two neighbouring crossings that lies inside the circle; the mass hangs
-between it and the arc below. Everything is over R and from the centre; n circles stand before E edges.
+A *stretch* is the part of the ground between two neighbouring crossings that lies inside the circle. The mass lies
+between it and the arc below. Lengths are divided by R, and the origin is the centre. Arrays have n circles by E edges.
 """
 
 from typing import Any, NamedTuple
@@ -18,11 +18,11 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(slopes.NODES)
 _PLACES = (1.0 + _NODES) / 2  # for integrals from 0 to 1
 _GAUSS = list(zip(_PLACES, _WEIGHTS / 2, strict=True))
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
-_BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
+_BLOCK = 1 << 14  # edges per block, whose arrays fit into the cache
 
 
 class Cut(NamedTuple):
-    """The parts of a ground's edges that lie inside circles, each from left to right, (n, E)."""
+    """Parts of a ground's edges that lie inside circles, each from left to right, (n, E)."""
 
     start: Vectors  # first end
     part: Vectors  # from the first end to the second; 0 where the edge is outside
@@ -33,7 +33,7 @@ class Cut(NamedTuple):
     leaves: Flags
 
     def only(self, lanes: Any) -> "Cut":
-        """The same of some circles."""
+        """Return the parts of selected circles."""
         return Cut._make(part[lanes] for part in self)
 
 
@@ -47,19 +47,19 @@ class _Edges(NamedTuple):
     last_clear: Floats
 
     def only(self, chosen: Any) -> "_Edges":
-        """Some of them."""
+        """Return selected edges."""
         return _Edges._make(part[chosen] for part in self)
 
     def reversed(self) -> "_Edges":
-        """From the last ends to the first."""
+        """Return the edges with exchanged ends."""
         edge = -self.edge
         return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
 
 
 def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
-    """Cut grounds (n or 1, V, 2) by circles (n, 2), (n,).
+    """Return the parts of grounds (n or 1, V, 2) inside circles with centres (n, 2) and radii (n,).
 
-    A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
+    A vertex closer to a circle than the rounding of its coordinates lies on the circle and separates two stretches.
     """
     of_circles = each_lane(points, len(radius))
     line = Vectors.of(of_circles)
@@ -97,12 +97,12 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
 
 def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Floats) -> Floats:
-    """R^2 - rho^2 of each vertex inside by more than rounding of coordinates, and 0 of the others."""
+    """Return R^2 - rho^2 of each vertex that is inside by more than rounding of coordinates, and 0 otherwise."""
     r = radius[:, None]
     x, y = from_centre
     square = r * r
     clear = square - x * x - y * y
-    is_near = np.abs(clear) < 0.1 * square  # a difference of near equals takes two doubles
+    is_near = np.abs(clear) < 0.1 * square  # the difference of nearly equal numbers requires double-double
     near = np.nonzero(is_near)
     lane, _ = near
     origin = _doubled(centre[lane])
@@ -115,20 +115,20 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
 
 
 def _doubled(vectors: Vectors) -> Vectors:
-    """Vectors of numbers of about 32 digits."""
+    """Return vectors in double-double arithmetic."""
     x = DoubleDouble(vectors.x)
     y = DoubleDouble(vectors.y)
     return Vectors(x, y)
 
 
 def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
-    """R^2 - rho^2 of points, which is small near the circle."""
+    """Return R^2 - rho^2 of points in double-double arithmetic, since it is small near the circle."""
     r = DoubleDouble(radius)
     return r * r - from_centre.square
 
 
 def _with_an_end_inside(edges: _Edges) -> tuple[Floats, Floats]:
-    """Where on an edge the part inside begins, and its length, as shares of the edge; 0 where both ends are outside."""
+    """Return start and length of the part inside relative to each edge, 0 where both ends are outside."""
     first_in = edges.first_clear > 0.0
     last_in = edges.last_clear > 0.0
     both_in = first_in & last_in
@@ -145,7 +145,7 @@ def _with_an_end_inside(edges: _Edges) -> tuple[Floats, Floats]:
 
 
 def _share_from_inside(edges: _Edges) -> Floats:
-    """Of edges whose first end is inside, the root s of D s^2 + 2 b s = g, by the form that does not cancel."""
+    """Return the root s of D s^2 + 2 b s = g, in the form without cancellation, for edges that begin inside."""
     b = edges.first.dot(edges.edge)
     d = edges.edge.square
     g = edges.first_clear
@@ -158,7 +158,7 @@ def _share_from_inside(edges: _Edges) -> Floats:
 
 
 def _may_pass_through(edges: _Edges) -> Flags:
-    """Edges with both ends outside and the foot of the perpendicular from the centre between them."""
+    """Return whether both ends are outside and the foot of the perpendicular from the centre is between them."""
     to_foot = -edges.first.dot(edges.edge)
     square = edges.edge.square
     foot_on_edge = (to_foot > 0.0) & (to_foot < square)
@@ -168,7 +168,10 @@ def _may_pass_through(edges: _Edges) -> Flags:
 
 
 def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> tuple[Floats, Floats]:
-    """The same of edges that may pass through: the discriminant may be small, and takes two doubles."""
+    """Return start and length of the part inside relative to edges that may pass through a circle.
+
+    The discriminant may be small and requires double-double arithmetic.
+    """
     begin = _doubled(first)
     edge = _doubled(last) - begin
     from_centre = begin - _doubled(centre)
@@ -187,7 +190,7 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
 
 
 def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
-    """Circle and number of every whole stretch; and which circles hold an end of the ground."""
+    """Return circle and number of every complete stretch, and whether each circle contains an end of the ground."""
     leaves_first = parts.leaves & (parts.stretch < 0)
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
     count = parts.leaves.sum(axis=1) - from_start
@@ -209,7 +212,7 @@ def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
 
 
 def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
-    """The left and the right crossing of one stretch for each circle, (n,) each."""
+    """Return the left and the right crossing of one stretch for each circle, (n,) each."""
     of_circles = np.asarray(number)
     mine = parts.stretch == of_circles[:, None]
     lane = np.arange(len(mine))
@@ -224,9 +227,9 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
 
 
 def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
-    """Integrals of ``MEASURES`` over the mass under the parts that are meant, (n, E), for each circle.
+    """Return integrals of ``MEASURES`` over the mass below selected parts, (n, E), for each circle.
 
-    Source: `generated.slopes`; about 1e-15 of each, of radial and moment: of the vector's length.
+    Source: `generated.slopes`. The relative error is about 1e-15, for vectors relative to their length.
     """
     n, count = mine.shape
     out = np.zeros((len(MEASURES), n))
@@ -239,7 +242,7 @@ def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
 
 
 def _moments(parts: Cut, mine: Flags) -> Floats:
-    """The same of one block: short edges by quadrature of their rings, long ones by sectors and triangles."""
+    """Return `moments` of one block, short edges by quadrature of rings and long edges by sectors and triangles."""
     start = parts.start
     edge = parts.part.where(mine)
     end = start + edge
@@ -257,7 +260,7 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
 
 
 def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
-    """Of edges, each of a circle, by the closed forms of sectors and triangles; sums by circle."""
+    """Return moments below edges by the closed forms of sectors and triangles, summed by circle."""
     end = start + edge
     cross = start.cross(edge)
     dot = start.dot(end)
@@ -268,7 +271,10 @@ def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Flo
 
 
 def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
-    """Of the rings between edges and arcs, with g = (1-s) g_1 + s g_2 + s (1-s) d^2 along an edge."""
+    """Return moments of the rings between edges and arcs.
+
+    Along an edge g = (1-s) g_1 + s g_2 + s (1-s) d^2.
+    """
     used = edge.is_nonzero
     first = np.where(used, parts.first, 0.0)
     second = np.where(used, parts.second, 0.0)
@@ -294,7 +300,7 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:
-    """The greatest distance from the arc to the ground towards the centre, for each circle."""
+    """Return the greatest radial distance from the arc to the ground, for each circle."""
     square = parts.part.square
     along = parts.start.dot(parts.part)
     to_foot = -along  # of the perpendicular from the centre
@@ -315,7 +321,7 @@ def thickness(parts: Cut, mine: Flags) -> Floats:
 
 
 def below_ground(parts: Cut, mine: Flags) -> Flags:
-    """Which circles have their centre below the ground of the stretch."""
+    """Return whether the centre of each circle lies below the ground of the stretch."""
     left = parts.start
     right = left + parts.part
     from_left = left.x <= 0.0

@@ -1,7 +1,7 @@
-"""The numbers of an arc or a section by name: its fields, and the coordinates of its points, ``ground.3.y``.
+"""Access to the numbers of an arc or a section by name, including coordinates of points such as ``ground.3.y``.
 
-A section's ground, water level and centre are arrays of points. Each coordinate is a number of its own, named after
-the field, the point from 0, and x or y; a centre is one point: ``centre.x``.
+A section's ground, water level and centre are arrays of points. Each coordinate is a separate number, named by the
+field, the index of the point from 0, and x or y. A centre is a single point: ``centre.x``.
 """
 
 from dataclasses import fields
@@ -13,12 +13,12 @@ import numpy as np
 from slipcircle.base.kinds import Values
 
 Index = tuple[int, ...]
-Indices = dict[str, Index]  # of numbers by name, in an array of points
+Indices = dict[str, Index]  # index of each number in an array of points, by name
 
 
 @lru_cache(maxsize=256)
 def _names(field: str, shape: Index) -> Indices:
-    """Name of every number in a field of this shape, with its index there."""
+    """Return the name of every number in a field of this shape, with its index."""
     if not shape:
         return {field: ()}
     names = {}
@@ -32,13 +32,13 @@ def _names(field: str, shape: Index) -> Indices:
 
 
 def leading_shape(value: Any, axes: int) -> Index:
-    """The shape of an array of lanes, without the last axes, which one section has."""
+    """Return the shape of an array of lanes without the last axes, which belong to one section."""
     shape = np.shape(value)
     return shape[: len(shape) - axes]
 
 
 def indices_of(arc: Any, field: str) -> Indices:
-    """The numbers of one field of an arc or a section: each by its name, with its index in the axes of one section."""
+    """Return the numbers of a field of an arc or a section, by name, with their index in the axes of one section."""
     value = getattr(arc, field)
     if value is None:
         return {}
@@ -48,7 +48,7 @@ def indices_of(arc: Any, field: str) -> Indices:
 
 
 def coordinates(arc: Any) -> dict[str, Any]:
-    """All numbers of the fields of a section by name: each one number, or an array of one a lane."""
+    """Return all numbers in the fields of a section by name, each a number or an array over lanes."""
     numbers: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         value = getattr(arc, field)
@@ -62,7 +62,7 @@ def coordinates(arc: Any) -> dict[str, Any]:
 
 
 def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
-    """The fields of an arc or a section that differ once some of its numbers have other values."""
+    """Return the fields of an arc or a section that change if some of its numbers have other values."""
     changed: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         indices = indices_of(arc, field)
@@ -82,7 +82,7 @@ def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
 
 
 def _with_coordinates(points: Any, axes: int, replaced: Indices, values: Values) -> Any:
-    """An array of points in which the coordinates at some indices are replaced by numbers, or by one a lane."""
+    """Return an array of points in which coordinates are replaced by numbers or by arrays over lanes."""
     shape = points.shape[-axes:]  # of one section
     some_stay = len(replaced) < np.prod(shape)
     lanes_of_the_rest = points.shape[:-axes] if some_stay else ()
@@ -100,7 +100,7 @@ def _with_coordinates(points: Any, axes: int, replaced: Indices, values: Values)
 
 
 def replace_unchecked(instance: Any, values: Values) -> Any:
-    """A frozen dataclass with other field values that its constructor does not see: they were checked, or will be."""
+    """Return a frozen dataclass with other field values, without the checks of its constructor."""
     if all(values[name] is getattr(instance, name) for name in values):
         return instance
     other = object.__new__(type(instance))

@@ -1,4 +1,4 @@
-"""Numbers of about 32 digits, each the sum of two doubles (Dekker 1971), for differences of near equals."""
+"""Double-double arithmetic with about 32 digits (Dekker 1971), for differences of nearly equal numbers."""
 
 from dataclasses import dataclass
 from typing import Any, Self
@@ -10,7 +10,7 @@ _SPLITTER = 134217729.0  # 2^27 + 1
 
 @dataclass(frozen=True, slots=True)
 class DoubleDouble:
-    """Arrays of such numbers: high + low, with low below the rounding of high."""
+    """Arrays of numbers high + low, where low is below the rounding of high."""
 
     high: Any
     low: Any = 0.0
@@ -35,7 +35,7 @@ class DoubleDouble:
 
 
 def _product_error(a: Any, b: Any, product: Any) -> Any:
-    """a b - product, by halves of a and b whose products are exact."""
+    """Return the rounding error a b - product, from halves of a and b whose products are exact."""
     a_high, a_low = _halves(a)
     b_high, b_low = _halves(b)
     of_high_parts = a_high * b_high - product

@@ -1,7 +1,7 @@
-"""What keeps lanes of sections from being any, or from moving: one kind of error at a time, of all lanes at once.
+"""Errors of sections, each kind for all lanes at once.
 
-Each is a pair: which lanes have it, and the sentence for one of them. A kind is looked for where the ones before it are
-not, since it may need them.
+Each error is a pair: a mask of invalid lanes, and a function that returns the message for a lane. A kind is checked
+only if all earlier kinds are absent, since it may rely on them.
 """
 
 from collections.abc import Iterable, Iterator
@@ -16,7 +16,7 @@ from slipcircle.ground.ponds import ends_above, water_fault
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
-    """Lanes that are no sections."""
+    """Yield the errors of lanes whose geometry is not a section."""
     yield water_fault(*section.water)
     yield _not_one_stretch(section)
     yield _below_ground(section)
@@ -28,7 +28,7 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
 
 
 def _not_one_stretch(section: Any) -> Fault:
-    """Circles that cut off no stretch of ground, or several, or one that an end of the ground cuts short."""
+    """Return the error of circles that cut off no mass or several masses, or that contain an end of the ground."""
     ground, centre, radius = section._circle
     lane, _, left, right, held = section._candidates
     count = np.bincount(lane, minlength=len(radius))
@@ -59,14 +59,14 @@ def _not_one_stretch(section: Any) -> Fault:
 
 
 def _x_of_ends(section: Any) -> Any:
-    """x of the left and of the right end of arcs, (2, n)."""
+    """Return x of the left and the right end of arcs, (2, n)."""
     _, centre, radius = section._circle
     left, right = section._ends
     return centre[:, 0] + radius * [left.x, right.x]
 
 
 def outside_between(section: Any) -> Fault:
-    """Masses that exceed the range of x from which they were chosen."""
+    """Return the error of masses that exceed the range of x by which they were selected."""
     left, right = _x_of_ends(section)
     low, high = section.between or (-np.inf, np.inf)
     rounding = AS_PRINTED * (right - left)
@@ -80,12 +80,12 @@ def outside_between(section: Any) -> Fault:
 
 
 def _pairs(numbers: Iterable[Any]) -> list[str]:
-    """Pairs of numbers in brackets."""
+    """Return pairs of numbers as text in brackets."""
     return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
 
 
 def _below_ground(section: Any) -> Fault:
-    """Centres below the ground; also where the ground passes over the centre outside the circle."""
+    """Return the error of centres below the ground, including ground that passes over the centre outside the circle."""
     centre = section._circle[1]
     first, last = section._angles
     is_below = circles.below_ground(section._cut, section._mine)
@@ -96,7 +96,7 @@ def _below_ground(section: Any) -> Fault:
 
 
 def _one_point(section: Any) -> Fault:
-    """Circles that touch the ground: entry and exit are one point to rounding of the coordinates."""
+    """Return the error of circles that touch the ground, so that entry and exit coincide to rounding."""
     _, centre, radius = section._circle
     left, right = section._ends
     chord = radius * np.hypot(right.x - left.x, right.y - left.y)
@@ -113,7 +113,7 @@ def _one_point(section: Any) -> Fault:
 
 
 def _below_base(section: Any) -> Fault:
-    """Arcs whose lowest point, of the circle or an end, is below the firm layer."""
+    """Return the error of arcs whose lowest point is below the firm layer."""
     _, centre, radius = section._circle
     left, right = section._ends
     holds_lowest = (left.x < 0.0) & (right.x > 0.0)
@@ -130,7 +130,7 @@ def _below_base(section: Any) -> Fault:
 
 
 def _other_water(section: Any) -> Fault:
-    """Masses under free water of another level than that at the exit."""
+    """Return the error of masses under free water of another level than at the exit."""
     _, centre, radius = section._circle
     left, right = _x_of_ends(section)
     water = section.free_water
@@ -155,7 +155,7 @@ def _other_water(section: Any) -> Fault:
 
 
 def motion_errors(section: Any) -> Iterator[Fault]:
-    """Lanes to which the method gives no motion."""
+    """Yield the errors of lanes to which the method does not apply."""
     half_angle = np.ravel(section.half_angle)
     half_circle = np.pi / 2 * (1 + 8e-16)
     yield (

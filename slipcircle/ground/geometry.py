@@ -1,4 +1,4 @@
-"""The geometry of sections: the arc that a circle cuts off a ground, and the mass above it."""
+"""Geometry of sections: the arc that a circle cuts off a ground, and the mass above it."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -18,7 +18,7 @@ from slipcircle.ground.turning import TurningMass
 
 
 class SectionGeometry(TurningMass):
-    """Circles through a ground; arrays have one axis of lanes, results the shape of the fields."""
+    """Circles through a ground. Internal arrays have one axis of lanes; results have the shape of the fields."""
 
     radius: Any
     between: Any
@@ -28,7 +28,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
-        """Of the results."""
+        """Shape of the results."""
         leading = []
         for name in ("radius", "centre", "ground", "level"):
             axes = self.quantities[name]
@@ -46,12 +46,27 @@ class SectionGeometry(TurningMass):
         return ground, centre.reshape(-1, 2), radius.reshape(-1)
 
     def _lines(self, points: Any) -> Floats:
-        """Lines with one axis of lanes; of one for all that is 1."""
+        """Return lines with one axis of lanes, of length 1 if all lanes share a line."""
         points = np.add(points, 0.0)
         own = points.shape[-2:]
         if points.ndim > 2:
             points = np.broadcast_to(points, (*self.shape, *own))
         return points.reshape(-1, *own)
+
+    def _top_line(self, top: Any) -> Floats:
+        """Return the top of a layer, a height, heights or points, or the ground, as lines, (circles or 1, V, 2)."""
+        ground, *_ = self._circle
+        height = np.asarray(top)
+        if top is None:
+            return ground
+        if height.ndim > 1:
+            return self._lines(height)
+        if height.ndim == 1:  # one of each circle
+            height = np.broadcast_to(height, self.shape)
+        row = height.reshape(-1, 1)
+        ends = ground[:, [0, -1], 0]
+        line = np.broadcast_arrays(ends, row)
+        return np.stack(line, axis=-1)
 
     @cached_property
     def _cut(self) -> Cut:
@@ -59,7 +74,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:
-        """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
+        """Lane, number, left and right x of candidate stretches, and whether circles contain an end of the ground."""
         _, centre, radius = self._circle
         lane, number, held = circles.stretches(self._cut)
         of_stretches = self._cut.only(lane)
@@ -90,7 +105,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _ends(self) -> tuple[Vectors, Vectors]:
-        """The left and the right end of the arc from the centre, over R."""
+        """Left and right end of the arc relative to the centre, over R."""
         _, number, *_ = self._candidates
         return circles.ends(self._cut, number)
 
@@ -105,7 +120,7 @@ class SectionGeometry(TurningMass):
         return circles.moments(self._cut, self._mine)
 
     def _shaped(self, values: Any) -> Any:
-        """Values by lane in the shape of the results; a number where there are no arrays."""
+        """Return values by lane in the shape of the results, or a number for a single section."""
         values = np.asarray(values)
         _, *components = values.shape
         shaped = values.reshape((*self.shape, *components))
@@ -121,12 +136,12 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def facing(self) -> Any:
-        """1 where gravity turns the mass to the right, -1 to the left."""
+        """1 if gravity turns the mass to the right, -1 to the left."""
         return self._shaped(self._facing)
 
     @cached_property
     def _angles(self) -> tuple[Floats, Floats]:
-        """Of both ends from straight below the centre, left to right."""
+        """Angles of the left and the right end, measured from straight below the centre."""
         left, right = self._ends
         first = np.arctan2(left.x, -left.y)
         last = np.arctan2(right.x, -right.y)
@@ -134,37 +149,37 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _chord(self) -> Vectors:
-        """From the left to the right end, over R, (n,)."""
+        """Vector from the left to the right end, over R, (n,)."""
         run, rise = self._cut.part.where(self._mine)
         return Vectors(run.sum(axis=1), rise.sum(axis=1))
 
     @cached_property
     def chord(self) -> Any:
-        """Its length, m."""
+        """Length of the chord, m."""
         length = self._shaped(self._chord.length)
         return length * self.radius
 
     @cached_property
     def half_angle(self) -> Any:
-        """alpha, half the opening angle of the arc, rad."""
+        """Half the opening angle of the arc, alpha, rad."""
         left, right = self._angles
         by_ends = (right - left) / 2
         sine = np.minimum(self._chord.length / 2, 1.0)
         acute = np.arcsin(sine)
         is_acute = by_ends <= np.pi / 2
         by_chord = np.where(is_acute, acute, np.pi - acute)
-        accurate = np.where(sine > 0.7, by_ends, by_chord)  # each where it keeps its digits
+        accurate = np.where(sine > 0.7, by_ends, by_chord)  # each where it is well conditioned
         return self._shaped(accurate)
 
     @cached_property
     def dip(self) -> Any:
-        """psi, the dip of the chord, rad, positive down-slope."""
+        """Dip of the chord, psi, rad, positive down-slope."""
         run, rise = self._chord
         fall = -self._facing * rise
         return self._shaped(np.arctan2(fall, run))
 
     def _end(self, way: float) -> Any:
-        """The left end where the mass faces this way, else the right."""
+        """Return the left end where the mass faces in the given direction, and otherwise the right end."""
         _, centre, radius = self._circle
         is_left = self._facing == way
         left, right = self._ends
@@ -184,7 +199,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def area(self) -> Any:
-        """Of the section, m^2."""
+        """Area of the mass, m^2."""
         area = self._shaped(self._moments["area"])
         return area * np.square(self.radius)
 
@@ -211,7 +226,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def standing_level(self) -> Floats:
-        """Level of free water above the exits, over R from the centres, (lanes,); -inf where an exit is dry."""
+        """Level of free water above the exits relative to the centres, over R, (lanes,); -inf for a dry exit."""
         _, centre, radius = self._circle
         x, y = self.exit.reshape(-1, 2).T
         level = self.free_water.covering(x, y)
@@ -225,7 +240,7 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _span(self) -> tuple[Floats, Floats]:
-        """Directions of the entry and of the exit, positive down-slope, (lanes,)."""
+        """Angles of the entry and of the exit, positive down-slope, (lanes,)."""
         left, right = self._angles
         faces_right = self._facing > 0.0
         entry = np.where(faces_right, left, -right)
@@ -238,9 +253,9 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def mean_cover(self) -> Any:
-        """Mean height of the ground above the arc, m; times r_u and the unit weight it is a mean pressure.
+        """Mean height of the ground above the arc, m. Times r_u and the unit weight it is a mean pore pressure.
 
-        Where the arc overhangs, it is the ground outside the mass.
+        Where the arc overhangs, the ground above it lies outside the mass.
         """
         first, last = self._angles
         of_cut = integral_inside(self._cut)

@@ -1,4 +1,4 @@
-"""Grounds and circles as people give them, and what is wrong with them."""
+"""Input of grounds and circles, and their errors."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -11,12 +11,12 @@ from slipcircle.base.kinds import Floats, Values
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.plane import Vectors
 
-FAR = 1e9  # m; coordinates are smaller
-AS_PRINTED = 1e-3  # of a radius or of the width of a mass: rounding of a circle to the digits that are printed of it
+FAR = 1e9  # bound of coordinates, m
+AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, for circles rounded to printed digits
 
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
-    """Which of many lines (n, V, 2) do not lead from left to right."""
+    """Yield the errors of lines (n, V, 2) that do not run from left to right."""
     with np.errstate(invalid="ignore"):
         before_first = lines[:, :1] - 1.0
         step = np.diff(lines, axis=1, prepend=before_first)
@@ -42,7 +42,7 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
 
 
 def points_errors(name: str, given: Any, many: bool) -> list[str]:
-    """What is wrong with points that should make a line from left to right, or with the first of many that is."""
+    """Return messages about points that should form a line from left to right, or about the first invalid line."""
     points = array_of(given)
     most_axes = 15 if many else 2
     shape = points.shape
@@ -59,7 +59,7 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
 
 
 def continued(lines: Floats, left: Any, right: Any) -> Floats:
-    """Lines (n, V, 2) with a horizontal edge at either end that leads at least to an x, (n, V + 2, 2)."""
+    """Return lines (n, V, 2) extended by horizontal edges at least to given x at both ends, (n, V + 2, 2)."""
     first = lines[:, :1]
     last = lines[:, -1:]
     longer = np.concatenate([first, lines, last], axis=1)
@@ -71,7 +71,7 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
 
 _WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
 _STRESS = (-5e-324, 1e12, "a stress of at least 0 in Pa")
-BOUNDS: Mapping[str, Bounds] = {  # of the numbers of sections and their soils, and of slopes
+BOUNDS: Mapping[str, Bounds] = {  # bounds of the numbers of sections, soils and slopes
     "radius": (0.0, FAR, "a positive length below 1e9 m"),
     "unit_weight": _WEIGHT,
     "saturated_unit_weight": _WEIGHT,
@@ -80,6 +80,7 @@ BOUNDS: Mapping[str, Bounds] = {  # of the numbers of sections and their soils, 
     "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
     "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
     "base": (-FAR, FAR, "one finite number in m"),
+    "datum": (-FAR, FAR, "one finite number in m"),
     "between": (-FAR, FAR, "two x in m, from left to right"),
     "cohesion": _STRESS,
     "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
@@ -92,14 +93,14 @@ BOUNDS: Mapping[str, Bounds] = {  # of the numbers of sections and their soils, 
 
 
 def slope_errors(given: Values) -> list[str]:
-    """What is wrong with the fields of one slope, all numbers but for its lines."""
+    """Return messages about the fields of one slope, which are numbers except for its lines."""
     bounds = _bounds_of(given)
     errors = mistakes(given, bounds, one=bounds)
     return errors + _lines_errors(given, many=False)
 
 
 def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
-    """What is wrong with the fields of sections, also as shapes in front of the axes of one."""
+    """Return messages about the fields of sections, which may have axes of lanes before those of one section."""
     bounds = _bounds_of(given)
     errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
     if not errors:  # all of them are numbers
@@ -119,7 +120,7 @@ def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
 
 
 def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
-    """Of the centre, which is two numbers, and of the range of x, which is an increasing pair."""
+    """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair."""
     wrong = []
     *_, coordinates = np.atleast_1d(given["centre"]).shape
     if coordinates != 2:
@@ -137,16 +138,16 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
 
 
 def _bounds_of(given: Values) -> dict[str, Bounds]:
-    """Bounds of the fields that are given."""
+    """Return the bounds of the given fields."""
     bounds = {name: BOUNDS[name] for name in BOUNDS if name in given}
-    for optional in ("base", "between"):
+    for optional in ("base", "between", "datum"):
         if optional in given and given[optional] is None:
             del bounds[optional]
     return bounds
 
 
 def _lines_errors(given: Values, many: bool) -> list[str]:
-    """Of the ground, a water level if there is one, and ponds."""
+    """Return messages about the ground, the water level and ponds."""
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
         errors += points_errors("level", given["level"], many)
@@ -161,7 +162,7 @@ def _lines_errors(given: Values, many: bool) -> list[str]:
 
 
 def _pond_errors(k: int, pond: Any) -> list[str]:
-    """A sentence if a pond, counted from 1, is not three numbers."""
+    """Return a message if a pond, counted from 1, does not consist of three numbers."""
     numbers = np.asarray(pond)
     if numbers.shape == (3,) and numbers.dtype.kind in "iuf" and np.all(np.abs(numbers) < FAR):
         first, last, _ = numbers
@@ -171,16 +172,16 @@ def _pond_errors(k: int, pond: Any) -> list[str]:
 
 
 def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
-    """Points of a straight slope that falls to the right between level ground, its toe at the origin, m.
+    """Return the points of a straight slope that falls to the right from level ground to a toe at the origin, m.
 
-    The level ground on either side is four heights and the run long.
+    The level ground on either side has the length of four heights plus the run.
 
     Parameters
     ----------
     height : float
-        m.
+        Height of the slope, m.
     angle, run : float
-        Of the slope in rad, up to upright, or its horizontal length in m; one of them.
+        Inclination of the slope in rad, at most pi/2, or its horizontal length in m. Exactly one is required.
     """
     bounds = {"height": (0.0, INFINITY, "a positive length in m")}
     if run is not None:
@@ -205,7 +206,7 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
 
 
 def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
-    """Two points, or many pairs of them, each from left to right."""
+    """Return two points, or many pairs of points, ordered from left to right."""
     p = np.asarray(first, dtype=np.float64)
     q = np.asarray(second, dtype=np.float64)
     p_x = p[..., :1]
@@ -218,12 +219,13 @@ def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
 def circle_through(
     first: ArrayLike, second: ArrayLike, *, radius: ArrayLike | None = None, depth: ArrayLike | None = None
 ) -> tuple[Any, Any]:
-    """Centre and radius of the circle through two points, its centre above, by its radius or its depth below the chord.
+    """Return centre and radius of the circle through two points, by its radius or its depth below the chord.
 
     Raises
     ------
     ValueError
-        For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
+        If one point is above the other, if the radius is less than half their distance, or if the depth exceeds it
+        (more than a half disc).
     """
     p, q = _from_left(first, second)
     chord = q - p
@@ -262,16 +264,16 @@ def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> li
 
 
 def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tuple[Any, Any]:
-    """Centre and radius of the circle through two points (entry and exit) that touches a level between them from above.
+    """Return centre and radius of the circle through two points that touches a level between them from above.
 
     Raises
     ------
     ValueError
-        For a level that is above a point, or at the height of both.
+        If the level is above one of the points, or at the height of both.
 
     Notes
     -----
-    At heights h >= l of the points above the level, and a run between them, the circle touches the level at a distance
+    With heights h >= l of the points above the level and their horizontal distance run, it touches at a distance
     u = h (run^2 - l (h - l))/(h run + sqrt(h l (run^2 + (h - l)^2))) from the higher point, towards the lower one.
     """
     p, q = _from_left(first, second)

@@ -1,12 +1,12 @@
 """Integrals of the height of a line, the ground or a water level, above the arcs of circles.
 
-A point of an arc lies under the line's point at its own x, however the arc gets there: where it overhangs, the column
-above it goes through ground outside the mass, which presses and is wet all the same; so does that above the point
-below. A line goes on horizontally beyond its ends; where it lies below the arc its height counts as 0.
+The height at a point of an arc is measured vertically to the line at the same x. Where the arc overhangs, the column
+above it contains ground outside the mass, which contributes load and water as well. A line continues horizontally
+beyond its ends. Where it lies below the arc the height is 0.
 
-Lengths are over R and from the centre. Angles are from straight below the centre, rad: the arc's point is at
-(sin, -cos), and a line y = y_0 + s (x - x_0) is y_0 + s (sin - x_0) + cos above it, on the lower half of the circle
-(cos > 0) as on the upper one.
+Lengths are divided by R, and the origin is the centre. Angles are measured from straight below the centre in rad, so
+that a point of the arc is (sin, -cos). A line y = y_0 + s (x - x_0) is y_0 + s (sin - x_0) + cos above it, on the lower
+half of the circle (cos > 0) and on the upper half.
 """
 
 from typing import Any, NamedTuple
@@ -19,11 +19,11 @@ from slipcircle.ground.circles import Cut, cut
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
 
-_TOGETHER = 1 << 14  # arcs times pieces at a time: their arrays stay in the caches
+_TOGETHER = 1 << 14  # arcs times pieces per block, whose arrays fit into the cache
 
 
 class _Pieces(NamedTuple):
-    """Pieces of circles over which one edge of a line lies above the arc, a column for each edge, (n, pieces)."""
+    """Pieces of circles over which one edge of a line lies above the arc, one column per edge, (n, pieces)."""
 
     low: Floats  # angles of a piece's ends
     high: Floats
@@ -33,18 +33,18 @@ class _Pieces(NamedTuple):
     height: Floats
 
     def only(self, pieces: Any) -> "_Pieces":
-        """Some of them."""
+        """Return selected pieces."""
         return _Pieces._make(column[:, pieces] for column in self)
 
     def turned(self, angle: float) -> "_Pieces":
-        """The same a turn further on."""
+        """Return the pieces turned by an angle."""
         low = self.low + angle
         high = self.high + angle
         return self._replace(low=low, high=high)
 
 
 class HeightIntegrals(NamedTuple):
-    """Pieces of circles, an edge of a line above each, over two turns from -3 pi/2 on."""
+    """Pieces of circles with an edge of a line above each, over two turns from -3 pi/2 on."""
 
     pieces: _Pieces
     slope: Floats  # of the edge above each piece, (n, pieces)
@@ -56,7 +56,7 @@ class HeightIntegrals(NamedTuple):
         return np.concatenate(ends, axis=1)
 
     def integral(self, first: Floats, last: Floats) -> Floats:
-        """Over arcs from one angle to another, (..., n)."""
+        """Return integrals over arcs between two angles, (..., n)."""
         first_angle, last_angle = _in_first_turn(first, last)
         total = np.zeros(np.shape(first))
         arcs = max(1, np.size(first))
@@ -71,7 +71,7 @@ class HeightIntegrals(NamedTuple):
 
 
 def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> Any:
-    """Integrals over the parts of pieces between two angles, each from its own beginning, so that nothing cancels."""
+    """Return integrals over the parts of pieces between two angles, each from its own start to avoid cancellation."""
     low, high, span, sine, cosine, height = pieces
     start = np.clip(first, low, high)
     stop = np.clip(last, low, high)
@@ -97,7 +97,7 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
 
 
 def _in_first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
-    """Both ends of arcs, (..., n, 1), after whole turns that bring the first one within a turn from -3 pi/2."""
+    """Return both ends of arcs, (..., n, 1), shifted by whole turns so that the first is within a turn from -3 pi/2."""
     turn = 2 * np.pi
     ahead = first + 1.5 * np.pi
     turns = turn * np.floor(ahead / turn)
@@ -107,7 +107,7 @@ def _in_first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
 
 
 def integral_inside(parts: Cut) -> Floats:
-    """Of the heights of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
+    """Return height integrals of the parts of edges inside circles, (n, E), above arcs that do not overhang."""
     pieces = _inside(parts)
     slope = _slope(parts.part)
     _, _, span, sine, cosine, height = pieces
@@ -115,10 +115,10 @@ def integral_inside(parts: Cut) -> Floats:
 
 
 def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIntegrals:
-    """Of lines (n or 1, V, 2) above circles (n, 2), (n,), m.
+    """Return height integrals of lines (n or 1, V, 2) above circles with centres (n, 2) and radii (n,), m.
 
-    Each edge has three parts: before it enters the circle, inside, and after; it may be all before. Outside and above
-    the circle, it is over the upper half, which angles pass from right to left, as over the lower half.
+    Each edge has up to three parts: before the circle, inside, and after it. A part outside and above the circle lies
+    over the lower half and over the upper half, which is traversed from right to left.
     """
     of_circles = each_lane(points, len(radius))
     x = centre[:, 0]
@@ -148,7 +148,7 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
 
 
 def _halves(parts: Cut, line: Vectors, slope: Floats) -> tuple[list[_Pieces], list[_Pieces]]:
-    """Pieces over the lower halves of circles, below all three parts of edges, and over the upper halves."""
+    """Return pieces over the lower halves of circles, for all three parts of edges, and over the upper halves."""
     start = line.starts
     last = line.ends.x
     has_part_inside = parts.part.is_nonzero
@@ -169,10 +169,10 @@ def _slope(edge: Vectors) -> Floats:
 
 
 def _inside(parts: Cut) -> _Pieces:
-    """Of the parts of edges inside circles, over the lower half.
+    """Return pieces over the lower half for the parts of edges inside circles.
 
-    With g = 1 - rho^2 of a point, which does not cancel near the circle, the arc below it has cos = sqrt(y^2 + g), and
-    the point's height above it is cos + y = g/(cos - y).
+    With g = 1 - rho^2, known without cancellation near the circle, the arc below a point has cos = sqrt(y^2 + g), and
+    the height of the point above it is cos + y = g/(cos - y).
     """
     x, y = parts.start
     end = parts.start + parts.part
@@ -191,7 +191,7 @@ def _inside(parts: Cut) -> _Pieces:
 
 
 def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tuple[_Pieces, _Pieces]:
-    """Of parts of edges outside circles from one x to another, over the lower and over the upper half."""
+    """Return pieces over the lower and the upper half for the parts of edges outside circles between two x."""
     x = np.clip(first, -1.0, 1.0)
     end_x = np.clip(last, -1.0, 1.0)
     to_first = x - start.x
@@ -218,12 +218,12 @@ def _outside(start: Vectors, slope: Floats, first: Floats, last: Floats) -> tupl
 
 
 def _half_width(x: Floats) -> Floats:
-    """Half the circle's width across its axis at x, the cosine of a direction whose sine is x."""
+    """Return half the width of the circle at x, the cosine of a direction whose sine is x."""
     square = (1.0 - x) * (1.0 + x)
     return np.sqrt(square)
 
 
 def _span(run: Floats, cosine: Floats, end_cosine: Floats) -> Floats:
-    """Angle from one point of the lower half to another: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
+    """Return the angle between two points of the lower half: tan(span/2) = (sin_2 - sin_1)/(cos_1 + cos_2)."""
     half_span = np.arctan2(run, cosine + end_cosine)
     return 2 * half_span

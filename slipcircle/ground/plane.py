@@ -10,26 +10,26 @@ from slipcircle.base.kinds import Floats
 
 
 def each_lane(lines: Floats, lanes: int) -> Floats:
-    """Lines (lanes, V, 2), of (lanes or 1, V, 2)."""
+    """Return lines (lanes, V, 2) from lines (lanes or 1, V, 2)."""
     _, *of_one = lines.shape
     return np.broadcast_to(lines, (lanes, *of_one))
 
 
 @dataclass(slots=True)
 class Vectors:
-    """Arrays of vectors by their components: numbers, or each a `DoubleDouble`."""
+    """Arrays of plane vectors by their components, which are numbers or `DoubleDouble`."""
 
     x: Any
     y: Any
 
     @classmethod
     def of(cls, points: Any) -> "Vectors":
-        """From an array (..., 2)."""
+        """Return vectors from an array (..., 2)."""
         return cls(points[..., 0], points[..., 1])
 
     @property
     def points(self) -> Any:
-        """As an array (..., 2)."""
+        """Vectors as an array (..., 2)."""
         return np.stack([self.x, self.y], axis=-1)
 
     def __iter__(self) -> Iterator[Any]:
@@ -52,11 +52,11 @@ class Vectors:
         return Vectors(self.x * factor, self.y * factor)
 
     def dot(self, other: "Vectors") -> Any:
-        """Scalar products."""
+        """Return scalar products."""
         return self.x * other.x + self.y * other.y
 
     def cross(self, other: "Vectors") -> Any:
-        """Cross products, positive where the other vector points to the left of this one."""
+        """Return cross products, positive if the other vector points to the left of this one."""
         return self.x * other.y - self.y * other.x
 
     @property
@@ -66,38 +66,38 @@ class Vectors:
 
     @property
     def length(self) -> Any:
-        """Lengths."""
+        """Lengths of the vectors."""
         return np.hypot(self.x, self.y)
 
     @property
     def largest(self) -> Any:
-        """The greater one of the absolute values of both components."""
+        """Greater absolute value of the two components."""
         x = np.abs(self.x)
         y = np.abs(self.y)
         return np.maximum(x, y)
 
     @property
     def is_nonzero(self) -> Any:
-        """Whether a component is not 0."""
+        """Mask of vectors with a component other than 0."""
         return (self.x != 0.0) | (self.y != 0.0)
 
     def where(self, mask: Any) -> "Vectors":
-        """The vectors that a mask selects, and 0 for the others."""
+        """Return the vectors selected by a mask, and 0 elsewhere."""
         x = np.where(mask, self.x, 0.0)
         y = np.where(mask, self.y, 0.0)
         return Vectors(x, y)
 
     @property
     def starts(self) -> "Vectors":
-        """All points of lines, along the last axis, but the last one."""
+        """Points of lines along the last axis, without the last point."""
         return self[..., :-1]
 
     @property
     def ends(self) -> "Vectors":
-        """All but the first one."""
+        """Points of lines along the last axis, without the first point."""
         return self[..., 1:]
 
     @property
     def edges(self) -> "Vectors":
-        """From each point to the next one."""
+        """Vectors from each point to the next."""
         return self.ends - self.starts

@@ -1,4 +1,4 @@
-"""Free water: where a water level lies above the ground, and ponds whose pore pressure is given otherwise."""
+"""Free water: water levels above the ground, and ponds with a separate pore pressure."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise, repeat
@@ -11,14 +11,14 @@ from slipcircle.base.kinds import Floats
 from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.plane import each_lane
 
-_LEVEL = 0.01  # of the height of the ground, by which free water may deviate from a horizontal level
-_ROUNDING = 1e-9  # of the size of the ground
-Bodies = list[list[float]]  # each its shores, mean level and fall
+_LEVEL = 0.01  # allowed deviation of free water from a horizontal level, over the height of the ground
+_ROUNDING = 1e-9  # tolerance over the size of the ground
+Bodies = list[list[float]]  # shores, mean level and fall of each
 Given = Sequence[tuple[float, float, float]]  # ponds: x of both shores, and the level
 
 
 class Ponds(NamedTuple):
-    """Free water, (ponds, lanes) each, m; without width where a lane has less of it.
+    """Free water in m, arrays of shape (ponds, lanes). The width is 0 where a lane has fewer ponds.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class Ponds(NamedTuple):
     level : ndarray
         Middle between the highest and the lowest point of the level.
     fall : ndarray
-        Difference between them.
+        Difference between the highest and the lowest point.
     """
 
     first: Floats
@@ -37,13 +37,13 @@ class Ponds(NamedTuple):
 
     @property
     def of_one(self) -> Bodies:
-        """x of both shores and level of each water on the ground of one lane, from left to right."""
+        """Shores and level of each pond on the ground of a single lane, from left to right."""
         of_lane = np.stack(self[:3])[..., 0]
         rows = of_lane.T.tolist()
         return sorted(row for row in rows if row[1] > row[0])
 
     def covering(self, x: Floats, y: Floats) -> Floats:
-        """Level of the water above points (lanes,); -inf where a point is dry."""
+        """Return the level of the water above points (lanes,), -inf where a point is dry."""
         rounding = _ROUNDING * (self.last - self.first)
         after_first = x >= self.first - rounding
         before_last = x <= self.last + rounding
@@ -54,7 +54,7 @@ class Ponds(NamedTuple):
 
 
 def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Ponds:
-    """Free water over grounds (n or 1, V, 2): below levels (n or 1, W, 2) unless they are confined, and ponds."""
+    """Return free water over grounds (n or 1, V, 2): ponds, and water below unconfined levels (n or 1, W, 2)."""
     bodies = []
     for ground, level in _pairs(grounds, levels):
         bodies.append(_bodies(ground, level, confined, ponds))
@@ -72,7 +72,7 @@ def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Gi
 
 
 def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any]]:
-    """Each ground with its level, None without one."""
+    """Return each ground with its level, or None without a level."""
     if levels is None:
         return zip(grounds, repeat(None), strict=False)
     lanes = len(levels) if len(grounds) == 1 else len(grounds)
@@ -82,7 +82,7 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
 
 
 def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> Bodies:
-    """Shores, mean level and fall of the free water over a ground."""
+    """Return shores, mean level and fall of the free water over a ground."""
     bodies: Bodies = []
     if level is not None and not confined:
         bodies += _below(ground, level)
@@ -92,7 +92,7 @@ def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) 
 
 
 def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
-    """The water of a pond, from shore to shore."""
+    """Return the water of a pond from shore to shore."""
     first, last, level = pond
     line = np.array([[first, level], [last, level]])
     bodies = []
@@ -104,7 +104,7 @@ def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
 
 
 def _below(ground: Floats, level: Floats) -> Bodies:
-    """The water between a ground (V, 2) and a level (W, 2) above it."""
+    """Return the water between a ground (V, 2) and a level (W, 2) above it."""
 
     def depth(x: Floats) -> Floats:
         height = np.interp(x, *level.T)
@@ -130,10 +130,10 @@ def _below(ground: Floats, level: Floats) -> Bodies:
 
 
 def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
-    """Roots of a function that is linear between places, within each interval; an end of one without a root."""
+    """Return roots of a piecewise linear function in each interval, or an end of intervals without a root."""
     step = np.diff(x)
     quarter = step / 4
-    early = linear(x[:-1] + quarter)  # inside intervals, where scarps have one height
+    early = linear(x[:-1] + quarter)  # inside intervals, away from vertical scarps
     late = linear(x[1:] - quarter)
     fall = early - late
     divisor = np.where(fall == 0.0, np.inf, 2 * fall)
@@ -147,13 +147,13 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
 
 
 def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
-    """Levels beside the ground, free water that slopes, and ponds on dry land or that end before their shores."""
+    """Return the error of levels beside the ground, sloping free water, and ponds that are dry or too short."""
     words = [_mistake(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
     return np.array(words) != "", lambda k: words[k]
 
 
 def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> str:
-    """What is wrong with the water of one ground; empty if nothing is."""
+    """Return the message about the water of one ground, empty if it is valid."""
     left, right = ground[[0, -1], 0]
     if level is not None:
         first, last = level[[0, -1], 0]
@@ -176,7 +176,7 @@ def _mistake(ground: Floats, level: Floats | None, confined: bool, ponds: Given)
 
 
 def _pond_mistake(ground: Floats, pond: Sequence[float]) -> str:
-    """What is wrong with a pond; empty if nothing is."""
+    """Return the message about a pond, empty if it is valid."""
     first, last, _ = pond
     bodies = _pond(ground, pond)
     if not bodies:
@@ -192,7 +192,7 @@ def _pond_mistake(ground: Floats, pond: Sequence[float]) -> str:
 
 
 def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:
-    """Levels (n or 1, W, 2) that end above masses from one x to another, (n,)."""
+    """Return the error of levels (n or 1, W, 2) that end above masses with ends at x, (n,)."""
     ends = levels[:, [0, -1], 0].T
     rounding = _ROUNDING * (right - left)
     after_left = ends > left + rounding

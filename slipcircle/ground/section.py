@@ -1,4 +1,4 @@
-"""The failed section of a real slope: a ground, a circle, a water level, and the mass between ground and arc."""
+"""Failed section of a real slope: ground, circle, water level, and the mass between ground and arc."""
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
 from slipcircle.base.kinds import Effects, Floats
 from slipcircle.base.units import take_units
-from slipcircle.core.doors import room
-from slipcircle.core.scene.effects import rotates
+from slipcircle.core.lazy import lazy_import
+from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
 from slipcircle.ground.coordinates import coordinates
@@ -25,7 +25,7 @@ from slipcircle.ground.geometry import SectionGeometry
 from slipcircle.ground.ground import line_errors, section_errors
 from slipcircle.ground.plane import Vectors
 
-# The fields that the geometry consists of, and what is computed of them alone.
+# Fields of the geometry, and cached properties that depend on them alone.
 _GEOMETRY = ("ground", "centre", "radius", "between", "level", "confined", "ponds")
 _OF_GEOMETRY = [name for name, value in vars(SectionGeometry).items() if isinstance(value, cached_property)]
 _OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "profile"]
@@ -33,52 +33,53 @@ _OF_GEOMETRY += ["sagitta", "pressure_kinks", "_lines_over_radius", "_strips", "
 
 @dataclass(frozen=True)
 class Section(SectionGeometry, Mass):
-    """A slip circle through a ground of straight edges, with the mass between ground and arc.
+    """Mass between a ground of straight edges and a circular slip surface.
 
     Parameters
     ----------
     ground : array_like
         Points from left to right, (..., V, 2), x and y in m; equal x is a vertical scarp.
     centre : array_like
-        Of the circle, (..., 2), m.
+        Centre of the circle, (..., 2), m.
     radius : float or array_like
-        m.
+        Radius of the circle, m.
     unit_weight : float or array_like
-        N/m^3.
+        Unit weight of the soil, N/m^3.
     gravity, width : float or array_like, optional
-        m/s^2; length across the section, m.
+        Acceleration of gravity, m/s^2, and length perpendicular to the section, m.
     between : pair of float, optional
-        Range of x that contains the intended mass, or x of its middle, if the circle cuts off several masses.
+        Range of x that contains the intended mass or at least its middle, if the circle cuts off several masses.
     level : array_like, optional
         Points of the water level from left to right, (..., W, 2), m, over the whole mass; it continues horizontally
-        beyond them. Where it lies above the ground there is free water, and it must be horizontal.
+        beyond them. Where it lies above the ground it is free water and must be horizontal.
     water_unit_weight : float
-        N/m^3.
+        Unit weight of water, N/m^3.
     base : float, optional
-        y of a firm layer below which no circle goes, m.
+        y of a firm layer, below which no circle may extend, m.
     confined : bool
-        Whether the water is confined, so that a level above the ground is that of artesian pressure without free water.
+        Whether the water is confined. A level above the ground then indicates artesian pressure without free water.
     ponds : sequence of (x1, x2, level)
-        Free water between two shores whose pore pressure is given otherwise, m.
+        Free water between two shores with a separate pore pressure, m.
 
     Raises
     ------
     ValueError
-        Lists every mistake, one sentence each: a circle that misses the ground, several masses without a choice, points
-        out of order, a centre below the ground, free water that is not horizontal, ...
+        If the input is invalid: a circle that misses the ground, several masses without a choice, points out of order,
+        a centre below the ground, free water that is not horizontal. The message lists all mistakes.
 
     Notes
     -----
     Ground, centre, radius and level may be arrays with leading axes; results have their broadcast shape. Angles are
-    measured from straight below the centre. The mass faces the way in which gravity turns it, ``entry`` is its upper
-    end, and positive is down-slope throughout.
+    measured from straight below the centre. The mass faces the direction in which gravity turns it, ``entry`` is its
+    upper end, and positive is down-slope throughout.
 
-    For exact coordinates the moments are accurate to about 1e-14 (J_r, J_theta: relative to the length of their vector)
-    however thin the mass; ``mean_cover`` and ``mean_pressure`` to about 4e-15 (1 + 1/alpha) of the greatest height
-    above the arc, alpha half its angle (1e-13/alpha at worst of 2,000 random arcs). A vertex within rounding of the
-    circle (32 times 2e-16 of the coordinates) counts as on it, which changes a mass of depth f by up to about 1e-14 (R
-    + x + y)/f, x and y its greatest coordinates: by 1e-6 at alpha = 1e-5. The cover and the water head of a point of
-    the arc are those at its x, also where the arc overhangs: the column above it is then ground outside the mass.
+    For exact coordinates the relative error of the moments is about 1e-14 (for J_r and J_theta relative to the length
+    of their vector), however thin the mass. The error of ``mean_cover`` and ``mean_pressure`` is about 4e-15 (1 +
+    1/alpha) of the greatest height above the arc, where alpha is half its angle (at most 1e-13/alpha in 2,000 random
+    arcs). A vertex within rounding of the circle (32 times 2e-16 of the coordinates) counts as on it. This changes a
+    mass of depth f by up to about 1e-14 (R + x + y)/f, where x and y are its greatest coordinates, and by 1e-6 at alpha
+    = 1e-5. The cover and the water head of a point of the arc are taken at its x. Where the arc overhangs, the column
+    above it is ground outside the mass.
     """
 
     ground: ArrayLike
@@ -93,7 +94,7 @@ class Section(SectionGeometry, Mass):
     base: float | None = None
     confined: bool = False
     ponds: Sequence[tuple[float, float, float]] = ()
-    # What scenes vary, with the axes of one section.
+    # Fields that may vary in scenes, with the number of axes in one section.
     quantities: ClassVar[Mapping[str, int]] = {
         "ground": 2,
         "centre": 1,
@@ -116,14 +117,15 @@ class Section(SectionGeometry, Mass):
         raise_all("Section", errors)
 
     def numbers_by_name(self) -> dict[str, Any]:
+        """Return the numbers of the fields by name, including each coordinate."""
         return coordinates(self) | self.other_numbers()
 
     def takes_geometry(self, other: Section) -> bool:
-        """Whether this is another section's circle through the same lines."""
+        """Return whether another section has the same lines and circle."""
         return all(getattr(self, name) is getattr(other, name) for name in _GEOMETRY)
 
     def take_geometry(self, other: Section) -> None:
-        """What another section has computed of a geometry that is the same."""
+        """Copy the computed properties of another section with the same geometry."""
         copy_computed(other, self, _OF_GEOMETRY)
 
     def __eq__(self, other: object) -> bool:
@@ -135,23 +137,35 @@ class Section(SectionGeometry, Mass):
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Invalid sections, and sections that cannot move."""
+        """Yield the errors of invalid sections and of sections that cannot move."""
         levels = () if self.level is None else line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
-        """Why the method gives no motion, if so, and what a water level cannot be combined with."""
+        """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""
         found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
         if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
             found.append(
                 "{effects.pore_pressure.ratio}: cannot be combined with the level of the section, which says the pore "
                 "pressure already; leave one out"
             )
+        cohesion = effects.get("cohesion", {})
+        grows = np.any(cohesion.get("gradient"))
+        peak = cohesion.get("peak", 1.0)
+        if grows and not np.all(peak):
+            found.append("{effects.cohesion.peak} = 0: must be positive, as the law multiplies the increase with depth")
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """Adds what water does that stays in place as the mass turns through it: its pressure, and standing water."""
+        """Return effects with the pressure of the section's water level, standing water, and depths of cohesion.
+
+        These stay in place as the mass turns through them.
+        """
+        cohesion = effects.get("cohesion", {})
         effects = super().effects_with_own(effects)
+        grows = np.any(cohesion.get("gradient"))
+        if grows:
+            effects = lazy_import("depths").growing(self, cohesion, effects)
         own = dict(effects.get("pore_pressure", {}))
         if self.level is not None or self.in_standing_water:
             own["level"] = self.mean_lift
@@ -159,21 +173,22 @@ class Section(SectionGeometry, Mass):
             own["standing"] = self.standing_moment
         return {**effects, "pore_pressure": own} if own else effects
 
-    # Rotations between which the method applies, rad: the toe must not rise far above the original ground.
-    rotation_range = cached_property(lambda self: room("toe").rotation_range(self))
+    # Rotations within the range of the method, rad: the toe must not rise far above the original ground.
+    rotation_range = cached_property(lambda self: lazy_import("toe").rotation_range(self))
 
     @property
     def lanes_shape(self) -> tuple[int, ...]:
+        """Shape of the lanes."""
         return self.shape
 
     @property
     def _weighted_moments(self) -> Mapping[str, Floats]:
-        """Integrals of `circles.MEASURES` over the mass, each integrand times the unit weight over its mean."""
+        """Integrals of `circles.MEASURES` over the mass, weighted by unit weight over mean unit weight."""
         return self._moments
 
     @cached_property
     def centroid(self) -> Any:
-        """Of the mass, x and y in m."""
+        """Centroid of the mass, x and y in m."""
         _, centre, radius = self._circle
         m = self._weighted_moments
         first_moment = Vectors(m["moment_x"], m["moment_y"])
@@ -182,7 +197,7 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def moments(self) -> dict[str, Any]:
-        """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
+        """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of J_r, J_theta by the dip."""
         m = self._weighted_moments
         way = self._facing
         moments = {
@@ -197,7 +212,7 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
-        """Coefficients of the equation of motion, positive down-slope; lambda = 2 alpha f/R (3.14)."""
+        """Coefficients of the equation of motion, positive down-slope, with lambda = 2 alpha f/R (3.14)."""
         m = self.moments
         alpha = self.half_angle
         inertia = m["moment_of_inertia"]
@@ -218,7 +233,7 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
-        """Coefficients of the balance of momentum; r_u is relative to the overburden gamma h, averaged over the arc."""
+        """Coefficients of the balance of moments. r_u is relative to the overburden gamma h averaged over the arc."""
         m = self.moments
         d = self.dimensionless
         inertia = d.moment_of_inertia
@@ -236,14 +251,14 @@ class Section(SectionGeometry, Mass):
     # --- water -------------------------------------------------------------------------------------------------------
 
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
-        """Mean pore pressure on the arc under the mass after a rotation, Pa.
+        """Return the mean pore pressure on the arc below the mass after a rotation, Pa.
 
-        The level stays in place as the mass turns through it; smooth between the ``pressure_kinks``.
+        The level stays in place as the mass turns through it. The function is smooth between the ``pressure_kinks``.
 
         Parameters
         ----------
         rotation : float or array_like
-            rad, positive down-slope, (...,) in front of the shape of the section.
+            Rotations in rad, positive down-slope, of shape (..., *shape of the section).
         """
         if self.level is None:
             return 0.0 * np.add(rotation, np.zeros(self.shape))
@@ -256,7 +271,7 @@ class Section(SectionGeometry, Mass):
         return pressure[()]
 
     def _rotations(self, rotation: Any) -> tuple[tuple[int, ...], Floats]:
-        """Shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
+        """Return the shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
         turn = np.asarray(rotation, dtype=np.float64)
         shape = np.broadcast_shapes(turn.shape, self.shape)
         own = len(self.shape)
@@ -266,9 +281,10 @@ class Section(SectionGeometry, Mass):
         return shape, by_lane
 
     def mean_lift(self, rotation: Any = 0.0) -> Any:
-        """Mean pressure that reduces the normal stress of the weight, Pa.
+        """Return the mean pressure that reduces the normal stress of the weight, Pa.
 
-        Below standing water it is the pressure in excess of hydrostatic pressure, and the weight of displaced water.
+        Below standing water it consists of the pressure in excess of hydrostatic pressure and the weight of displaced
+        water.
         """
         pressure = self.mean_pressure(rotation)
         if not self.in_standing_water:
@@ -276,7 +292,7 @@ class Section(SectionGeometry, Mass):
         shape, turned = self._rotations(rotation)
         first, last = self._span
         to_exit = np.broadcast_to(last, (1, *turned.shape))
-        standing = room("standing")
+        standing = lazy_import("standing")
         (normal,), _ = standing.displaced(self, turned, to_exit)
         hydrostatic = standing.relieved(self.standing_level, first + turned, last + turned)
         taken = (normal - hydrostatic) / (last - first)
@@ -284,10 +300,10 @@ class Section(SectionGeometry, Mass):
         return pressure + height * np.multiply(self.radius, self.water_unit_weight)
 
     def standing_moment(self, rotation: Any = 0.0) -> Any:
-        """Moment of the weight of water displaced below standing water, over Theta*."""
+        """Return the moment of the weight of water displaced below standing water, over Theta*."""
         shape, turned = self._rotations(rotation)
         nowhere = np.empty((0, *turned.shape))
-        _, moment = room("standing").displaced(self, turned, nowhere)
+        _, moment = lazy_import("standing").displaced(self, turned, nowhere)
         lighter = np.divide(self.water_unit_weight, self.mean_unit_weight)
         of_weight = lighter / self.moments["moment_of_inertia"]
         by_rotation = moment.reshape(shape)
@@ -296,18 +312,22 @@ class Section(SectionGeometry, Mass):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
-        """What water does that stays in place."""
-        pressures = effects.get("pore_pressure", {})
+        """Return the effects of water, and the depth with which cohesion grows, as tables of the rotation."""
         turns = rotates(effects)
         tables = {}
-        for symbol, name in {"water": "level", "standing_water": "standing"}.items():
-            function = pressures.get(name)
-            if function is not None:
-                tables[symbol] = room("water").table_of(self, function, turns, upslope, tolerance)
+        for effect, given in effects.items():
+            symbols = symbols_of(effect)
+            for name in ("level", "standing", "depth"):
+                function = given.get(name)
+                if function is None:
+                    continue
+                table = lazy_import("water").table_of(self, function, turns, upslope, tolerance)
+                symbol = symbols[name]
+                tables[symbol] = table
         return self._for_lanes(tables, shape), None
 
     def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:
-        """Tables of its own lanes for those of a scene."""
+        """Return tables for the lanes of a scene from tables for the lanes of the section."""
         own = self.lanes_shape
         if own in ((), shape):
             return tables
@@ -317,20 +337,20 @@ class Section(SectionGeometry, Mass):
 
     @cached_property
     def pressure_kinks(self) -> Any:
-        """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
+        """Rotations at which the mean pressure is not smooth, rad, sorted, along the last axis."""
         kinks = [np.empty((len(self._facing), 0))]
         if self.level is not None:
             until_kink = [self._water.kinks - end[:, None] for end in self._angles]
             turns = np.concatenate(until_kink, axis=1)
             kinks.append(turns * self._facing[:, None])
         if self.in_standing_water:
-            kinks.append(room("standing").vertex_kinks(self))
+            kinks.append(lazy_import("standing").vertex_kinks(self))
         every = np.concatenate(kinks, axis=1)
         return self._shaped(np.sort(every, axis=1))
 
 
 def copy_computed(source: object, target: object, names: Collection[str]) -> None:
-    """Give an object the cached properties of another one, those of these names that have been computed."""
+    """Copy those cached properties with the given names that have been computed."""
     computed = vars(source)
     for name in names:
         if name in computed:

@@ -10,7 +10,7 @@ import numpy as np
 from slipcircle.core.scene.mass import Mass
 from slipcircle.ground.ground import FAR, continued
 
-RISE = 0.25  # of the height between entry and exit
+RISE = 0.25  # allowed rise of the toe over the height between entry and exit
 _PLANE = [1.0, 1.0j]
 _ROUNDING = 1e-12  # rad
 

@@ -1,4 +1,4 @@
-"""Where a rotation about the centre brings the mass of a section."""
+"""Position of a section's mass after a rotation about the centre."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -11,7 +11,7 @@ from slipcircle.ground.plane import Vectors
 
 
 class TurningMass:
-    """What becomes of the points of a section as its mass turns."""
+    """Mixin for the points of a section as its mass turns."""
 
     ground: Any
     level: Any
@@ -27,7 +27,7 @@ class TurningMass:
 
     @cached_property
     def surface(self) -> Floats:
-        """The ground over the mass of one section, from its left to its right end, m."""
+        """Ground above the mass of a single section, from its left to its right end, m."""
         ends = [tuple(self.entry), tuple(self.exit)]
         left, right = sorted(ends)
         ground = np.asarray(self.ground, dtype=np.float64)
@@ -57,7 +57,7 @@ class TurningMass:
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:
-    """Of a line's points below a level, at the vertices of both, m; 0 where the line is above."""
+    """Return the greatest depth of a line below a level, at the vertices of both, m; 0 if the line is above it."""
     points = Vectors.of(line)
     surface = Vectors.of(level)
     start = points.starts
@@ -66,7 +66,7 @@ def _greatest_depth(line: Floats, level: Floats) -> float:
     below_level = above_points - points.y
     vertex = surface[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        share = (vertex.x - start.x) / edge.x  # of each edge, where a vertex of the level is
+        share = (vertex.x - start.x) / edge.x  # position of each vertex of the level on each edge
     on_edge = (share > 0.0) & (share < 1.0)
     height = start.y + share * edge.y
     below_vertices = np.where(on_edge, vertex.y - height, 0.0)

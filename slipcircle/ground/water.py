@@ -1,4 +1,4 @@
-"""The water of a section, which stays in place: tables of functions of the rotation."""
+"""Tables of functions of the rotation: of the water of a section, which stays in place, and of depths."""
 
 from collections.abc import Callable
 from typing import Any
@@ -12,7 +12,7 @@ from slipcircle.tables.interpolation import TERMS, between_kinks, continuous
 
 
 def upright(mass: Mass) -> Floats:
-    """The rotation at which the normal load J_r cos(phi) - J_r' sin(phi) of the weight falls to 0, (lanes,)."""
+    """Return the rotation at which the normal load J_r cos(phi) - J_r' sin(phi) falls to 0, (lanes,)."""
     load = mass.moment_coefficients.normal_load
     slope = mass.moment_coefficients.normal_load_slope
     rotation = np.arctan2(load, slope)
@@ -20,14 +20,14 @@ def upright(mass: Mass) -> Floats:
 
 
 def first_rotation(last: Floats, upslope: bool) -> Floats:
-    """The rotation from which tables to the last one begin: 0, or half a turn before the last one."""
+    """Return the first rotation of tables: 0, or half a turn before the last rotation if the mass may move up-slope."""
     if upslope:
         return last - np.pi
     return np.zeros_like(last)
 
 
 def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslope: bool, tolerance: float) -> Data:
-    """A function of the rotation of a section whose water stays in place, until contact is lost."""
+    """Return a function of the rotation of a section as a table, up to loss of contact."""
 
     def pressure(rotation: Any) -> Any:
         *axes, _ = rotation.shape
@@ -38,7 +38,7 @@ def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslop
     last = upright(section)
     if rotates:
         first = first_rotation(last, upslope)
-        kinks = section.pressure_kinks
+        kinks = getattr(function, "kinks", section.pressure_kinks)
         *_, count = kinks.shape
         kinks = kinks.reshape(last.size, count)
         breaks, coefficients = between_kinks(pressure, kinks.T, first, last, tolerance)

@@ -1,4 +1,4 @@
-"""What a motion is asked beyond its end: states along the way, forces, stresses and energy, and where it went."""
+"""Histories of a solved motion: states, forces, stresses, energy and the path of the mass."""
 
 from slipcircle.history.forces import OUTPUTS, Forces, energy_unit, stress_unit, with_outputs
 from slipcircle.history.history import of_means

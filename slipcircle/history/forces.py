@@ -1,4 +1,4 @@
-"""Forces on the mass, at the start and along the way, as its program says them where phases begin in its states."""
+"""Forces on the mass, at the start and during the motion, evaluated by the program of its scene."""
 
 from dataclasses import replace
 from functools import cached_property
@@ -18,11 +18,11 @@ from slipcircle.core.walk.compiled import engine
 from slipcircle.core.walk.lanes import BLOCK
 from slipcircle.history.states import States, begin
 
-OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated beside the states
+OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated in addition to the states
 
 
 class Balance(NamedTuple):
-    """What drives, what resists beside friction, and the normal force, over Theta*."""
+    """Driving force, resistance other than friction, and normal force, each divided by Theta*."""
 
     driving: Any
     resisting: Any
@@ -30,30 +30,30 @@ class Balance(NamedTuple):
 
     @classmethod
     def of(cls, program: Program, cells: Floats) -> Self:
-        """Where phases begin."""
+        """Return the balance at the beginning of phases."""
         names = ("cell_driving", "cell_resisting", "cell_normal0")
         return cls(*(cells[program.roles[name]] for name in names))
 
 
 def stress_unit(mass: Mass) -> Any:
-    """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
+    """Return the stress in Pa that corresponds to a normal force of 1 over Theta*, sigma_ref Theta*/lambda."""
     return plain(mass.reference_stress / mass.moment_coefficients.resistance_factor)
 
 
 def energy_unit(mass: Mass) -> Any:
-    """J for one of omega*^2/2."""
+    """Return the energy in J that corresponds to omega*^2/2 = 1."""
     weight_of_area = np.multiply(mass.width, mass.mean_unit_weight)
     weight_times_radius = weight_of_area * np.power(mass.radius, 3.0)
     return plain(weight_times_radius * mass.dimensionless.moment_of_inertia)
 
 
 def with_outputs(problem: Problem, outputs: Names) -> Problem:
-    """The same lanes with a program that computes further outputs, too."""
+    """Return the same lanes with a program that also computes the given outputs."""
     return _with_program(problem, build_program(problem.recipe, outputs))
 
 
 def _with_steady_shaking(problem: Problem) -> Problem:
-    """The same lanes with a constant horizontal coefficient, initially 0, in place of their shaking."""
+    """Return the same lanes with a constant horizontal coefficient, initially 0, instead of their shaking."""
     effects, laws, moving, absent = problem.recipe
     shaking = symbols_of("shaking").values()
     effects = in_order((*effects, "shaking"))
@@ -63,7 +63,7 @@ def _with_steady_shaking(problem: Problem) -> Problem:
 
 
 def _with_program(problem: Problem, program: Program) -> Problem:
-    """The same lanes with a program that computes more of them."""
+    """Return the same lanes with another program."""
     return replace(problem, program=program, start={**problem.start, **program.constants})
 
 
@@ -90,27 +90,41 @@ class Forces:
         return outputs | {"mu": outputs["mu"] / self._strength(states.lane)}
 
     def _strength(self, lanes: Any) -> Any:
-        """Return the factor of lanes by which friction in the program exceeds friction as entered."""
+        """Return the factor by which friction in the program exceeds friction as entered."""
         factor = self.problem.start["strength_factor"]
         return factor[lanes] if np.ndim(factor) else factor
 
     def factor_of_safety(self, states: States) -> Floats:
-        """Return the resistance over the drive of a mass that is at rest in some states; infinite without a drive."""
+        """Return the ratio of resistance to drive for a mass at rest in the given states, infinite without a drive."""
+        (driving, resisting, normal), friction = self._at_rest(states)
+        strength = resisting + np.maximum(friction * normal, 0.0)
+        is_driven = driving > 0.0
+        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+
+    def _at_rest(self, states: States) -> tuple[Balance, Floats]:
+        """Return the balance in the direction of the drive and the friction of a mass at rest in some states."""
         program = self._with_outputs.program
         at_rest = states._replace(omega=np.zeros(states.lane.size))
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
         pull = cells[program.roles["cell_driving"]]
         cells, _ = begin(self._with_outputs, at_rest, np.where(pull < 0.0, -1.0, 1.0))
-        driving, resisting, normal = Balance.of(program, cells)
-        friction = cells[program.roles["cell_mu"]] * normal
-        strength = resisting + np.maximum(friction, 0.0)
-        is_driven = driving > 0.0
-        return np.where(is_driven, strength / np.where(is_driven, driving, 1.0), np.inf)
+        balance = Balance.of(program, cells)
+        friction = cells[program.roles["cell_mu"]]
+        return balance, friction
+
+    def strengths(self, states: States) -> tuple[Floats, Floats]:
+        """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
+        (driving, resisting, _), _ = self._at_rest(states)
+        moving = self.outputs(states)
+        friction = moving["mu"] * moving["normal"]
+        friction = np.maximum(friction, 0.0)
+        mobilised = resisting + friction * self._strength(states.lane)
+        return mobilised, driving
 
     def holding_friction(self, states: States) -> Floats:
-        """Friction coefficient required for equilibrium of the mass where it is; NaN where nothing presses.
+        """Return the friction coefficient required for equilibrium in the given states, NaN without contact.
 
-        The greater one of both ways, where both are open to it.
+        If the mass may start in both directions, the result is the greater coefficient.
         """
         at_rest = states._replace(omega=np.zeros(states.lane.size))
         down_slope = self._holding(at_rest, 1.0)
@@ -118,7 +132,7 @@ class Forces:
         return np.fmax(down_slope, up_slope)
 
     def _holding(self, at_rest: States, side: float) -> Floats:
-        """Friction required in one direction; NaN without contact, or where a mass cannot start."""
+        """Return the friction required in one direction, NaN without contact or where the mass cannot start."""
         program = self._with_outputs.program
         cells, _ = begin(self._with_outputs, at_rest, side)
         forces = Balance.of(program, cells)
@@ -136,7 +150,7 @@ class Forces:
 
     @property
     def brake(self) -> Floats:
-        """q = 2 (lambda A mu + d)/Theta* at the start: twice the decrease of the rate per unit of omega^2."""
+        """Return q = 2 (lambda A mu + d)/Theta* at the start, twice the decrease of the rate per unit of omega^2."""
         program = self.problem.program
         tables = self.problem.tables()
         cells = self.problem.cells()
@@ -149,16 +163,16 @@ class Forces:
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
-        """Limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
+        """Return limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
 
-        All are read off the program. The excess of drive over resistance is linear in k_h: k_y is where it is zero.
+        The program supplies all forces. The excess of drive over resistance is linear in k_h and vanishes at k_y.
         """
         problem = _with_steady_shaking(self.problem)
         parts = [self._statics(problem, slice(k, k + BLOCK)) for k in range(0, max(problem.lanes, 1), BLOCK)]
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
     def _statics(self, problem: Problem, which: slice) -> dict[str, Floats]:
-        """The same of some lanes, under a steady shaking that is 0."""
+        """Return `statics` of some lanes of a problem whose steady shaking is 0."""
         program = problem.program
         tables = problem.tables(which)
         cells = problem.cells(which)
@@ -168,10 +182,10 @@ class Forces:
         cells[ix.DIRECTION] = downhill
         cells[program.places["k_h"]] = 0.0
         shaken = cells.copy()
-        shaken[program.places["k_h"]] = downhill  # a unit of k_h, the way in which gravity drives
+        shaken[program.places["k_h"]] = downhill  # k_h = 1 in the direction in which gravity drives
         for each in (cells, shaken):
             engine().begin_phase(program, tables, each)
-        mu = cells[program.roles["cell_mu"]].copy()  # so that the cells may go
+        mu = cells[program.roles["cell_mu"]].copy()  # a view would keep all cells alive
         limit = cells[program.roles["cell_limit"]]
         with np.errstate(all="ignore"):
             found = equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
@@ -180,7 +194,7 @@ class Forces:
 
 
 def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> dict[str, Floats]:
-    """`Forces.statics` from the forces at rest and under a unit of k_h, the friction and the limit friction."""
+    """Return `Forces.statics` from the forces at rest, the forces with k_h = 1, the friction and the limit friction."""
     driving, resisting, normal = at_rest
     pressed = normal > 0.0
     frictionless = driving - resisting

@@ -1,6 +1,6 @@
-"""A motion along the way: states, stresses, friction and energy at any times.
+"""Histories of a motion: states, stresses, friction and energy at any times.
 
-The integration keeps a few cells of each lane's end; what happens on the way is integrated again on request.
+The solver stores only the end of each lane. Histories are integrated again on request.
 """
 
 from copy import copy
@@ -25,22 +25,30 @@ from slipcircle.history.forces import Forces, energy_unit, stress_unit, with_out
 from slipcircle.history.phases import Energy, Phase
 from slipcircle.history.states import States, read
 
-_LONG = 1e15  # slip over R, after which every law is at its residual strength
-ENERGY_CHECKS = 21  # times at which the energy balance is looked at
+_LONG = 1e15  # slip over R at which every law has reached its residual strength
+ENERGY_CHECKS = 21  # number of times at which the energy balance is checked
 ALLOWED_TIMES = (-5e-324, INFINITY, "times in s, not before 0")
 
 
 class Stresses(NamedTuple):
-    """Mean normal stress with the water and without, Pa, each of the shape of states."""
+    """Total and effective mean normal stress in Pa, each of the shape of the states."""
 
     total: Any
     effective: Any
 
 
-class FurtherFactors(NamedTuple):
-    """Factors of safety with residual strength on the original geometry, and of a single mass at rest after the slide.
+class Strengths(NamedTuple):
+    """Mean shear strength along the slip surface that is mobilised, and that required for equilibrium, Pa."""
 
-    A method is that from which the motion starts, or empty: the closure with the strength factor of the start.
+    mobilised: Any
+    required: Any
+
+
+class FurtherFactors(NamedTuple):
+    """Factors of safety with residual strength on the original geometry, and at rest after the slide.
+
+    The factor at rest is NaN for ensembles. Each method is the starting method of the scene, or empty for the closure
+    with the strength factor of the start.
     """
 
     residual: Any
@@ -50,7 +58,7 @@ class FurtherFactors(NamedTuple):
 
 
 def of_means(scene: Scene) -> Scene:
-    """The same scene, in which stresses are means over the arc, not weighted by the friction of soils."""
+    """Return the scene with stresses averaged over the arc without weighting by the friction of soils."""
     called = scene.arc.effects_of_means(scene.called)
     if called is scene.called:
         return scene
@@ -61,7 +69,7 @@ def of_means(scene: Scene) -> Scene:
 
 
 class History:
-    """What a solved scene is asked beyond its end; times and states are those of the methods of `Motion`."""
+    """Evaluation of a solved motion at given times. Its methods implement the methods of `Motion` of the same name."""
 
     def __init__(self, motion: Motion) -> None:
         self.motion = motion
@@ -76,11 +84,12 @@ class History:
 
     @cached_property
     def forces(self) -> Forces:
+        """Forces on the mass."""
         return Forces(self.problem)
 
     @cached_property
     def _mean_forces(self) -> Forces:
-        """Forces of which the stresses are means over the arc."""
+        """Return forces whose stresses are unweighted means over the arc."""
         scene = of_means(self.plan.scene)
         if scene is self.plan.scene:
             return self.forces
@@ -90,14 +99,14 @@ class History:
     # --- states ------------------------------------------------------------------------------------------------------
 
     def at(self, times: ArrayLike) -> State:
-        """`Motion.at`."""
+        """Return the states at times. See `Motion.at`."""
         time = self._checked(times)
         rotation, omega, rate, *_ = (self._over_time(time, row) for row in self._rows(time))
         every_time = np.broadcast_to(time, self.shape + time.shape)[()]
         return state_of(self.plan.scene, every_time, rotation, omega, rate, lambda: self._stresses(time).total)
 
     def _checked(self, times: ArrayLike) -> Floats:
-        """Times as an array, none of them beyond the end of a lane that still moves there."""
+        """Return times as an array, after checking that no lane still moves at a time beyond its end."""
         faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
         raise_all("Motion.at", faults)
         time = np.asarray(times, dtype=np.float64)
@@ -118,11 +127,11 @@ class History:
         return time
 
     def _dimensionless(self, flat_times: Floats) -> Floats:
-        """Times in s over the time scale of each lane, (times, lanes)."""
+        """Return times in s divided by the time scale of each lane, of shape (times, lanes)."""
         return flat_times[:, None] / np.broadcast_to(self._time_scale, self.shape).reshape(-1)
 
     def _read(self, problem: Problem, flat_times: Floats) -> Floats:
-        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
+        """Return rotation, omega, its rate, slip and further states at times in s, of shape (rows, times, lanes)."""
         increasing = np.argsort(flat_times, kind="stable")
         rows = read(problem, self._dimensionless(flat_times[increasing]))
         states = np.empty_like(rows)
@@ -130,7 +139,7 @@ class History:
         return states
 
     def _rows(self, time: Floats) -> Floats:
-        """The same of this motion; kept for the same times again."""
+        """Return `_read` of this motion. The last result is cached."""
         key = time.tobytes()
         if self._last_read is not None:
             last_key, last_rows = self._last_read
@@ -146,24 +155,24 @@ class History:
         return rows
 
     def _has_ended(self, flat_times: Floats) -> Any:
-        """Which lanes have ended at times in s, (times, lanes), whatever rounding makes of the time of the end."""
+        """Return whether each lane has ended at times in s, of shape (times, lanes), compared without rounding."""
         return flat_times[:, None] >= np.ravel(self._duration)
 
     def _over_time(self, time: Floats, values: Floats) -> Any:
-        """Values (times, lanes) in the scene's shape followed by that of the times."""
+        """Return values of shape (times, lanes) in the shape of the scene followed by that of the times."""
         return values.T.reshape(self.shape + time.shape)[()]
 
     # --- forces and energy -------------------------------------------------------------------------------------------
 
     def _states(self, time: Floats) -> States:
-        """States at times in s, as separate lanes, time by time."""
+        """Return the states at times in s as separate lanes, ordered by time."""
         rows = self._rows(time)
         rotation, omega, _, *further = rows.reshape(len(rows), time.size * self.problem.lanes)
         lane = np.tile(np.arange(self.problem.lanes), time.size)
         return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
 
     def _by_state(self, time: Floats, values: Floats) -> Any:
-        """A number of each of `_states` in the scene's shape followed by that of the times."""
+        """Return one value per element of `_states` in the shape of the scene followed by that of the times."""
         return self._over_time(time, values.reshape(time.size, self.problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:
@@ -174,18 +183,18 @@ class History:
         return Stresses(total * unit, effective * unit)
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
-        """The mean normal stress of each lane in a state of its end, Pa."""
+        """Return the mean normal stress of each lane in a state at its end, Pa."""
         at, rotation, omega = map(np.ravel, (time / self._time_scale, rotation, omega))
         states = States(at, rotation, omega, None, np.arange(self.problem.lanes))
         pressing = self.motion._shaped(self._mean_forces.outputs(states)["pressing"])
         return pressing * stress_unit(self.plan.scene.arc) + 0.0
 
     def further_factors(self) -> FurtherFactors:
-        """`Motion.further_factors`."""
+        """Return the factors of safety with residual strength and at rest. See `Motion.further_factors`."""
         lanes = np.arange(self.problem.lanes)
         unknown = np.full(lanes.size, np.nan)
         residual = unknown
-        if not self.problem.functions:  # otherwise its values at great slip are not known
+        if not self.problem.functions:  # the values of a Python function at great slip are unknown
             nothing = np.zeros(lanes.size)
             further = [nothing] * (len(self.problem.program.states) - 1)
             further[0] = np.full(lanes.size, _LONG)
@@ -205,35 +214,45 @@ class History:
         return FurtherFactors(*values, *methods)
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
-        """`Motion.pore_pressure_at`."""
+        """Return the mean pore pressure at times, Pa. See `Motion.pore_pressure_at`."""
         stresses = self._stresses(self._checked(times))
         return stresses.total - stresses.effective
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
-        """`Motion.effective_stress_at`."""
+        """Return the mean effective normal stress at times, Pa. See `Motion.effective_stress_at`."""
         stresses = self._stresses(self._checked(times))
         return np.maximum(stresses.effective, 0.0)
 
     def friction_at(self, times: ArrayLike) -> Any:
-        """`Motion.friction_at`."""
+        """Return the mobilised friction coefficient at times. See `Motion.friction_at`."""
         time = self._checked(times)
         outputs = self.forces.outputs(self._states(time))
         mobilised = np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0)
         return self._by_state(time, mobilised)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
-        """`Motion.holding_friction_at`."""
+        """Return the friction coefficient required for equilibrium at times. See `Motion.holding_friction_at`."""
         time = self._checked(times)
         return self._by_state(time, self.forces.holding_friction(self._states(time)))
 
+    def strength_at(self, times: ArrayLike) -> Strengths:
+        """Return the strengths of `Motion.strength_at`."""
+        time = self._checked(times)
+        unit = before(stress_unit(self.plan.scene.arc), time.ndim)
+        states = self._states(time)
+        mobilised, required = self.forces.strengths(states)
+        return Strengths(
+            mobilised=unit * self._by_state(time, mobilised), required=unit * self._by_state(time, required)
+        )
+
     def path_at(self, times: ArrayLike) -> Any:
-        """`Motion.path_at`."""
+        """Return the length of the path at times, m. See `Motion.path_at`."""
         time = self._checked(times)
         _, _, _, slip, *_ = self._rows(time)
         return before(self._radius, time.ndim) * self._over_time(time, slip)
 
     def energy_at(self, times: ArrayLike) -> Energy:
-        """`Motion.energy_at`."""
+        """Return the energy balance at times. See `Motion.energy_at`."""
         time = self._checked(times)
         flat_times = np.ravel(time)
         problem = with_outputs(self.problem, ("energy",))
@@ -256,14 +275,14 @@ class History:
 
     @cached_property
     def _events(self) -> Log:
-        """What happens on the way of a single motion."""
+        """Return the log of events of a single motion, empty for an ensemble."""
         log: Log = []
         if not self.shape:
             integrate(self.problem, log=log)
         return log
 
     def lift_off(self) -> tuple[float, ...]:
-        """`Motion.lift_off`."""
+        """Return the times of lift-off, s. See `Motion.lift_off`."""
         scale = self._time_scale
         times = list[float]()
         lifted = False
@@ -278,7 +297,7 @@ class History:
         return tuple(times)
 
     def phases(self) -> tuple[Phase, ...]:
-        """`Motion.phases`."""
+        """Return the phases of the motion. See `Motion.phases`."""
         scale = self._time_scale
         last = self.motion.settling_time
         phases = list[Phase]()
@@ -292,7 +311,7 @@ class History:
         return tuple(phases)
 
     def energy_error_estimate(self) -> float:
-        """`Motion.energy_error_estimate`."""
+        """Return an estimate of the relative error of the energy balance. See `Motion.energy_error_estimate`."""
         times = np.linspace(0.0, self.motion.settling_time, ENERGY_CHECKS)
         energy = self.energy_at(times)
         exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation

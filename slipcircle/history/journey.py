@@ -1,4 +1,4 @@
-"""Where a rotation brings the mass: rise and travel of toe and centroid."""
+"""Displacement of toe and centroid by a rotation."""
 
 from typing import Any, NamedTuple
 
@@ -6,18 +6,18 @@ import numpy as np
 
 
 class Journey(NamedTuple):
-    """Where a rotation brings the mass.
+    """Displacement of toe and centroid by a rotation.
 
     Attributes
     ----------
     toe : ndarray
-        x and y of the lower end of the slip surface, m; of an `Arc` from the centre of its circle.
+        x and y of the lower end of the slip surface, m. For an `Arc` the origin is the centre of its circle.
     run_out, rise
-        Of the toe, horizontally down-slope and upwards, m.
+        Displacement of the toe, horizontal down-slope and upwards, m.
     travel, fall
-        Of the centroid, horizontally down-slope and downwards, m.
+        Displacement of the centroid, horizontal down-slope and downwards, m.
     travel_angle
-        Of the centroid's way, fall over travel, rad.
+        Inclination of the displacement of the centroid, arctan(fall/travel), rad.
     """
 
     toe: Any
@@ -29,17 +29,20 @@ class Journey(NamedTuple):
 
     @property
     def toe_x(self) -> Any:
+        """Horizontal coordinate of the toe, m."""
         return self.toe[..., 0][()]
 
     @property
     def toe_y(self) -> Any:
+        """Vertical coordinate of the toe, m."""
         return self.toe[..., 1][()]
 
 
 def journey(mass: Any, rotation: Any) -> Journey:
-    """Where a rotation brings toe and centroid.
+    """Return the displacement of toe and centroid by a rotation in rad.
 
-    The chord of a rotation is the tangent at its half, also of one of zero: there the mass would begin to move.
+    The chord of a rotation is parallel to the tangent at half of it. For a rotation of zero the angle is the
+    direction in which the mass would begin to move.
     """
     toe = placed(mass, mass.exit, rotation)
     toe_moved = toe - mass.exit
@@ -62,7 +65,7 @@ def journey(mass: Any, rotation: Any) -> Journey:
 
 
 def placed(mass: Any, points: Any, rotation: Any) -> Any:
-    """Points (..., 2) of the mass after a rotation, m."""
+    """Return the positions of points of the mass, of shape (..., 2), after a rotation, m."""
     turn = np.multiply(rotation, mass.facing)
     from_centre = np.subtract(points, mass.centre)
     x = from_centre[..., 0]

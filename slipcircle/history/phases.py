@@ -1,4 +1,4 @@
-"""The energy and the phases of a motion."""
+"""Energy balance and phases of a motion."""
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -27,7 +27,10 @@ class Energy:
 
 
 class Phase(NamedTuple):
-    """A stretch of motion in one direction, between two standstills: its times, s, where it begins, and which way."""
+    """Motion in one direction between two standstills.
+
+    Start and end in s, rotation at the start in rad, and direction (1 down-slope, -1 up-slope).
+    """
 
     start: float
     end: float

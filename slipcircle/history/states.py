@@ -1,4 +1,4 @@
-"""States of lanes along the way, and phases that begin in them."""
+"""States of lanes during the motion, and the start of phases in these states."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -7,14 +7,14 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.walk.compiled import Samples, engine
 from slipcircle.core.walk.lanes import BLOCK, integrate
 
 
 class States(NamedTuple):
-    """States of lanes, dimensionless: time, rotation, omega, slip, further states, and the lane of each."""
+    """Dimensionless states of lanes: time, rotation, omega, slip, further states, and the index of the lane."""
 
     time: Any
     rotation: Any
@@ -23,7 +23,7 @@ class States(NamedTuple):
     lane: Any
 
     def parts(self) -> Iterator["States"]:
-        """The states in blocks."""
+        """Yield the states in blocks."""
         for first in range(0, max(self.lane.size, 1), BLOCK):
             which = slice(first, first + BLOCK)
             further = None if self.further is None else [values[which] for values in self.further]
@@ -31,7 +31,7 @@ class States(NamedTuple):
 
 
 def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
-    """Cells and registers of phases that begin in some states, in a direction of travel."""
+    """Return cells and registers of phases that begin in the given states with the given direction of travel."""
     cells = problem.cells(states.lane)
     cells[ix.TIME] = states.time
     cells[ix.ROTATION] = states.rotation
@@ -43,7 +43,7 @@ def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
         cells[ix.SLIP] = slip
         problem.reach_farther(states.rotation, states.lane)
         if problem.functions:
-            room("functions").extend(problem, cells)
+            lazy_import("functions").extend(problem, cells)
         for (cell, _, _), value in zip(problem.program.states[2:], others, strict=True):
             cells[cell] = value
     registers = engine().begin_phase(problem.program, problem.tables(states.lane), cells)
@@ -51,7 +51,10 @@ def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
 
 
 def read(problem: Problem, times: Floats) -> Floats:
-    """Rotation, omega, its rate, slip and further states, (rows, times, lanes), at dimensionless times, increasing."""
+    """Return rotation, omega, its rate, slip and further states at increasing dimensionless times.
+
+    The shape is (rows, times, lanes).
+    """
     rows = np.zeros((2 + len(problem.program.states), *times.shape))
     integrate(problem, samples=Samples(np.ascontiguousarray(times), rows))
     return rows

@@ -1,4 +1,4 @@
-"""Range of validity of the method: whether a motion leaves it, and in which state."""
+"""Range of validity of the method, and the state in which a motion leaves it."""
 
 from typing import Any
 
@@ -7,7 +7,7 @@ import numpy as np
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State
 
-_ROUNDS, _PARTS = 11, 33  # each round of so many times gains five bits
+_ROUNDS, _PARTS = 11, 33  # each round gains five bits
 
 
 def outside(motion: Motion) -> Any:

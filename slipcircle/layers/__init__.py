@@ -1,9 +1,9 @@
 """Layered ground: soils, stretches of the arc, strips, cracks."""
 
-from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest
+from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, growth_at_rest
 from slipcircle.layers.cracks import crack_place
 from slipcircle.layers.layers import LayeredSection
-from slipcircle.layers.soils import Soil, datum_of, layer_mistakes
+from slipcircle.layers.soils import Soil, layer_mistakes
 from slipcircle.layers.soils_along import Stretch, mean_normal_stress, soils_under, stretches
 from slipcircle.layers.strips import edge_below, line_crossings, meets_circle
 
@@ -13,9 +13,9 @@ __all__ = [
     "Stretch",
     "cohesion_at_rest",
     "crack_place",
-    "datum_of",
     "edge_below",
     "friction_at_rest",
+    "growth_at_rest",
     "layer_mistakes",
     "line_crossings",
     "mean_normal_stress",

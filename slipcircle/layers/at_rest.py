@@ -46,6 +46,18 @@ def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
     return cohesion.get("cohesion", 0.0) if isinstance(cohesion, Mapping) else cohesion
 
 
+def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
+    """Return the growth of a cohesion with depth, which its law multiplies, before any slip or after much."""
+    if not slipped or not np.any(growth):
+        return growth
+    peak = cohesion_at_rest(cohesion)
+    is_none = np.equal(peak, 0.0)
+    residual = cohesion_at_rest(cohesion, slipped)
+    divisor = np.where(is_none, 1.0, peak)
+    share = np.where(is_none, 1.0, residual / divisor)
+    return growth * share
+
+
 def least_friction(friction: Any) -> float:
     """The least coefficient of a law without a law of speed beside it, of any lane."""
     _, given = law_parts(friction)[0]

@@ -12,7 +12,7 @@ from generated.program import OF_COHESION
 from slipcircle.core.scene.effects import soil_number, without_soil
 
 _EFFECTS = (ALL_EFFECTS["soil_friction"], ALL_EFFECTS["softening_cohesion"])
-_OF_ONE_SOIL = {p.symbol for effect in _EFFECTS for p in effect.parameters} | {"soil_mu", "cohesion_law"}
+_OF_ONE_SOIL = {p.symbol for effect in _EFFECTS for p in effect.parameters if p.symbol} | {"soil_mu", "cohesion_law"}
 
 
 def fragments_of(name: str, turns: bool) -> list[Fragment]:

@@ -59,18 +59,15 @@ class LayeredNumbers:
         return numbers
 
     def numbers_without_effect(self: Any) -> list[str]:
-        """Lengths for which that of the first soil stands, and growths of cohesion without a datum."""
+        """Return lengths that the first soil's stands for, and growths of cohesion that are 0."""
         left_out: list[str] = []
         for strength in ("friction", "cohesion"):
             if share_one_law(self.soils, strength):
                 lengths = [name for name in self.other_numbers() if name.endswith(f".{strength}.length")]
                 left_out += lengths[1:]
-        soils = self.soils
-        datums = self.datums
-        for soil, datum in zip(soils, datums, strict=True):
-            if datum is None:
-                gradient = f"soils.{soil.name}.cohesion_gradient"
-                left_out.append(gradient)
+        for soil in self.soils:
+            if soil.datum is None and not np.any(soil.cohesion_gradient):
+                left_out.append(f"soils.{soil.name}.cohesion_gradient")
         return left_out
 
     def fields_with(self, values: Values) -> dict[str, Any]:

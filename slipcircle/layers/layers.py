@@ -28,10 +28,11 @@ from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import FAR
 from slipcircle.ground.section import Section, copy_computed
 from slipcircle.layers.cracks import CrackedSection
+from slipcircle.layers.depths import Depths, depths_below
 from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
 from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
-from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, datum_of, layer_mistakes, soil_mistakes
+from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, layer_mistakes, soil_mistakes, top_of
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
 from slipcircle.layers.strips import Strips, cut_into_strips
@@ -154,34 +155,27 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         shapes = [np.shape(number) for number in numbers if number is not None]
         return np.broadcast_shapes(*shapes)
 
-    @cached_property
-    def datums(self) -> tuple[Any, ...]:
-        """Heights below which the cohesion of the soils grows, m, (circles,) each; None where it does not grow."""
-        datums: list[Any] = []
-        for soil in self.soils:
-            raise_all("LayeredSection", datum_mistakes(soil, self.layers))
-            height = datum_of(soil, self.layers)
-            if height is not None:
-                height = np.broadcast_to(height, self.shape).reshape(-1)
-            datums.append(height)
-        return tuple(datums)
+    @property
+    def datums(self) -> list[Any]:
+        """Heights or lines below which the cohesion of the soils grows, None for the ground."""
+        tops = [None, *self.tops]
+        if self.foreland is not None:
+            tops.append(top_of(self.foreland, self.layers))
+        datums = []
+        for soil, top in zip(self.soils, tops, strict=True):
+            own = soil.datum
+            datums.append(top if own is None else own)
+        return datums
 
     @cached_property
-    def datum_levels(self) -> Floats:
-        """Heights of the datums above the centre of the circle, over R, (soils, circles); -1 where there is none."""
-        _, centre, radius = self._circle
-        centre_y = centre[:, 1]
-        lowest = np.full_like(radius, -1.0)
-        levels = []
-        for datum in self.datums:
-            levels.append(lowest if datum is None else (datum - centre_y) / radius)
-        return np.stack(levels)
-
-    @cached_property
-    def _datum_crossings(self) -> Floats:
-        """Directions at which these heights cross the circle, at both sides, (soils, circles); 0 where none does."""
-        depth = np.clip(-self.datum_levels, -1.0, 1.0)
-        return np.arccos(depth)
+    def depths(self) -> list[Depths | None]:
+        """Depths of the arc below the datums of the soils; None where the cohesion does not grow."""
+        raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
+        depths: list[Depths | None] = []
+        for soil, datum in zip(self.soils, self.datums, strict=True):
+            grows = np.any(soil.cohesion_gradient)
+            depths.append(depths_below(self, datum) if grows else None)
+        return depths
 
     def of_soils(self, name: str) -> Floats:
         """A number of each soil, (soils, lanes)."""
@@ -210,18 +204,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _lines_over_radius(self) -> list[Floats]:
         """Ground, tops of the layers and water level from the centre, over R, (circles or 1, V, 2)."""
         ground, centre, radius = self._circle
-        ends = ground[:, [0, -1], 0]
-        lines = [ground]
-        for top in self.tops:
-            height = np.asarray(top)
-            if height.ndim > 1:
-                lines.append(self._lines(height))
-                continue
-            if height.ndim == 1:  # one of each circle
-                height = np.broadcast_to(height, self.shape)
-            row = height.reshape(-1, 1)
-            line = np.broadcast_arrays(ends, row)
-            lines.append(np.stack(line, axis=-1))
+        lines = [ground, *map(self._top_line, self.tops)]
         if self.level is not None:
             lines.append(self._level)
         origin = centre[:, None]
@@ -247,9 +230,6 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         size = radius[:, None]
         loads = []
         cuts = []
-        for crossing in filter(np.any, self._datum_crossings):
-            across = np.sin(crossing)[:, None]
-            cuts += [across, -across]
         for x1, x2, _, _ in self.surcharge:
             from_centre = (x1 - centre_x, x2 - centre_x)
             load = [x / size for x in from_centre]
@@ -392,7 +372,16 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
     same_tops = all(map(operator.is_, one.tops, other.tops))
     if np.prod(one.shape) > 1 and not np.array_equal(one.weight_steps, other.weight_steps):
         return False  # which the profiles of many circles are of
-    return same_tops and all(map(np.array_equal, one.datums, other.datums))
+    return same_tops and _growing_below(one) == _growing_below(other)
+
+
+def _growing_below(section: LayeredSection) -> list[tuple[Any, bool]]:
+    """Return for each soil its own datum and whether its cohesion grows."""
+    rows = []
+    for soil in section.soils:
+        grows = bool(np.any(soil.cohesion_gradient))
+        rows.append((soil.datum, grows))
+    return rows
 
 
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:

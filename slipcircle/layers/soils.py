@@ -40,7 +40,8 @@ class Soil:
     cohesion_gradient : float or array_like
         Increase of c per metre below the datum, Pa/m.
     datum : float, optional
-        y below which c increases, m; by default the top of the layers of this soil, where that is one height.
+        y below which c increases, m; by default vertically below the top of the layer, a height, a line or the ground,
+        as it lies before the slide.
     pore_ratio : float or array_like
         r_u, pore pressure over the vertical stress of the layers above, at the start; in place of a water level.
     name : str
@@ -149,8 +150,8 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
         used.append(foreland)
     soils = distinct(used)
     found += _together_mistakes(soils, strength)
-    for soil in soils:
-        found += datum_mistakes(soil, pairs)
+    if not found:
+        found += datum_mistakes(foreland, pairs)
     if not isinstance(surcharge, Sequence):
         found.append(f"surcharge = {shown(surcharge)}: must be a list of x1, x2 in m and pressures there in Pa")
         return found
@@ -170,23 +171,20 @@ def _tops(soil: Soil, layers: Layers) -> list[Any]:
     return [top for other, top in layers if other is soil]
 
 
-def datum_of(soil: Soil, layers: Layers) -> Any:
-    """y below which the cohesion of a soil grows, by default the top of its layers; None where it does not grow."""
-    if soil.datum is None and np.any(soil.cohesion_gradient):
-        return next(iter(_tops(soil, layers)), None)
-    return soil.datum
+def top_of(foreland: Soil, layers: Layers) -> Any:
+    """Return the top of the layer of the soil of the foreland, None for the ground or without a layer."""
+    return next(iter(_tops(foreland, layers)), None)
 
 
-def datum_mistakes(soil: Soil, layers: Layers) -> list[str]:
-    """A sentence if the cohesion of a soil grows below no height in particular."""
-    if soil.datum is not None or not np.any(soil.cohesion_gradient):
+def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
+    """Return a message if the cohesion of the foreland grows with depth and its soil has not one top."""
+    if foreland is None or foreland.datum is not None or not np.any(foreland.cohesion_gradient):
         return []
-    tops = _tops(soil, layers)
-    are_heights = all(top is not None and np.ndim(top) < 2 for top in tops)
-    if tops and are_heights and all(np.array_equal(top, tops[0]) for top in tops):
+    tops = _tops(foreland, layers)
+    if tops and all(top is tops[0] or np.array_equal(top, tops[0]) for top in tops):
         return []
-    why = "is missing: y below which the cohesion grows, as no one height is the top of its layers"
-    return [f"soils.{soil.name}.datum: {why}"]
+    why = "is missing: y below which the cohesion grows beyond the exit, as the soil is not that of one layer"
+    return [f"soils.{foreland.name}.datum: {why}"]
 
 
 def _load_mistakes(k: int, load: Any) -> list[str]:

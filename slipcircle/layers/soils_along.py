@@ -59,7 +59,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
     shares = np.diff(weight) / weight[-1]
     normal = mean_normal_stress(section, ends)
     vertical = _means(section, ends, _from_entry(section, HEAD, ends))
-    depth = section.arc_strength._growth(ends[:, None])
+    depth = section.arc_strength.growth_up_to(ends[:, None])
     growth = _means(section, ends, depth[..., 0])
     rows = []
     for k, layer in enumerate(layers):

@@ -88,7 +88,7 @@ class ArcStrength(StretchIntegrals):
         """The parts at the start, by name, (parts, circles)."""
         circles = len(self.section._facing)
         names = ["normal", "space"]
-        if any(datum is not None for datum in self.section.datums):
+        if any(self.section.depths):
             names.append("growth")
         if self.section.level is not None:
             names.append("heads")

@@ -202,53 +202,29 @@ class StretchIntegrals:
         over_inertia: Floats = moment / inertia
         return LIKE_WEIGHTS * over_inertia[None]
 
-    def _growth(self, b: Floats) -> Floats:
-        """Integral over the arc, from its entry to directions b, of the depth below each soil's datum, over R.
+    def growth_up_to(self, there: Floats) -> Floats:
+        """Integrals of the depth below the datum of each soil from the entry to directions (..., circles), over R.
 
-        (soils, ..., circles); 0 above the datum and of soils without one.
+        (soils, ..., circles); 0 of soils without one.
         """
-        first, _ = self.span
-        axes = tuple(range(1, b.ndim))
-        level = np.expand_dims(self.section.datum_levels, axes)
-        reach = np.expand_dims(self.section._datum_crossings, axes)
-        start = np.clip(first, -reach, reach)
-        end = np.clip(b, -reach, reach)
-        above_level = level * (end - start)
-        integral: Floats = above_level + np.sin(end) - np.sin(start)
-        return integral
+        has_foreland = self.section.foreland is not None
+        limit = np.inf if has_foreland else None  # a foreland's own rule goes on beyond the exit
+        by_soil = np.zeros((len(self.section.depths), *there.shape))
+        for k, depths in enumerate(self.section.depths):
+            if depths is not None:
+                by_soil[k] = depths.integral(there, limit)
+        return by_soil
 
     def growth(self, rotation: Floats) -> Floats:
         """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
-        first, last = self.span
         there = self.space(rotation)
         if not self._base_stays:
             there = there - rotation
-        has_foreland = self.section.foreland is not None
-        limit = np.inf if has_foreland else last  # a foreland's own rule goes on beyond the exit
-        on_arc = np.clip(there, first, limit)
-        growth = self._growth(on_arc)
+        growth = self.growth_up_to(there)
         by_soil = self.incidence.transpose(1, 0, 2)
         by_direction = by_soil[:, :, None] * growth
-        parts = by_direction.sum(axis=1)
-        *_, exit_, entry = there
-        if not has_foreland:
-            from_here = np.maximum(last, entry)  # also once the mass has left its arc
-            beyond_exit = np.maximum(exit_ - from_here, 0.0)
-            at_exit = self._held_value(self.stretches.last, last, beyond_exit)
-            parts = parts + at_exit
-        to_here = np.minimum(first, exit_)
-        above_entry = np.maximum(to_here - entry, 0.0)
-        at_entry = self._held_value(self.stretches.first, first, above_entry)
-        beyond_both_ends: Floats = parts + at_entry
-        return beyond_both_ends
-
-    def _held_value(self, soil: Integers, direction: Floats, length: Floats) -> Floats:
-        """What the value at an end of the arc, which goes on beyond it over a length, adds to these parts."""
-        height = self.section.datum_levels + np.cos(direction)
-        depth = np.maximum(height, 0.0)
-        soils = np.arange(len(depth))
-        of_this_soil = np.where(soil == soils[:, None], depth, 0.0)
-        return of_this_soil[:, None] * length
+        parts: Floats = by_direction.sum(axis=1)
+        return parts
 
     @cached_property
     def rotation_kinks(self) -> Floats:
@@ -270,9 +246,8 @@ class StretchIntegrals:
         if self._base_stays:
             strips = section._strips.beta * facing
             kinks.append(_differences(joints, strips))
-            for crossing in filter(np.any, section._datum_crossings):
-                both_sides = np.stack([crossing, -crossing], axis=1)
-                kinks.append(_differences(both_sides, ends))
+            for depths in filter(None, section.depths):
+                kinks.append(_differences(depths.kinks, ends))
         every = np.concatenate(kinks, axis=1)
         return np.sort(every, axis=1).T
 

@@ -1,4 +1,4 @@
-"""Implicit steps, for brakes that explicit steps cannot follow."""
+"""Implicit integration for brakes that are too stiff for explicit steps."""
 
 from slipcircle.stiff.creep import may_creep
 

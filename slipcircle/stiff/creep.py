@@ -1,14 +1,16 @@
 """Masses that creep to their equilibrium through a viscous layer and never rest.
 
-At rest the net moment N(phi) falls to zero at the equilibrium phi_e. With y = phi_e - phi, the rotation left, and d the
-slope of the viscous moment, both over Theta*, what brakes beside viscosity only helps:
+At rest the net moment N(phi) falls to zero at the equilibrium phi_e. Let y = phi_e - phi be the remaining rotation and
+d the slope of the viscous moment, where N and d are divided by Theta*. Brakes other than viscosity only strengthen
+the inequality
 
     domega*/dt* <= N - d omega*,    dy/dt* = -omega*
 
-Where d^2 > 4 N/y all the way to the equilibrium, the line omega* = y d/2 is never crossed from below: on it domega*/dy
-is at least d/2. A mass below the line (beyond its kinks, overdamped) approaches its equilibrium without ever reaching
-it: it creeps. One that passes the equilibrium comes to rest behind it in finite time. With K = N/y at the equilibrium
-and d^2 = 4 K (1 - e) it passes it by exp(-pi/sqrt(e)) of what was left: where that is rounding, it creeps, too.
+If d^2 > 4 N/y up to the equilibrium, the line omega* = y d/2 is never crossed from below, because domega*/dy is at
+least d/2 on it. A mass below the line, beyond its kinks, is overdamped. It approaches its equilibrium without ever
+reaching it, that is, it creeps. A mass that passes the equilibrium comes to rest behind it in finite time. With
+K = N/y at the equilibrium and d^2 = 4 K (1 - e) the overshoot is exp(-pi/sqrt(e)) of the remaining rotation. If this
+is less than rounding, the mass counts as creeping, too.
 """
 
 import math
@@ -22,35 +24,35 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import Mask, first_section
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.walk import compiled
 from slipcircle.core.walk.compiled import Samples
 
 Lanes = NDArray[np.intp]
-Integrate = Callable[[Floats, Samples | None], Floats]  # final cells of those to begin with
+Integrate = Callable[[Floats, Samples | None], Floats]  # final cells from initial cells
 
-CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K from which on a mass creeps
-LEFT = 0.01  # of the run-out, when the mass is said to have arrived
-POSITIONS = 64  # up to the equilibrium, at which the net moment is looked at
-# Shares of half a turn at which it is looked at: even ones, and smaller ones for laws of a short slip.
+CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K above which a mass creeps
+LEFT = 0.01  # remaining fraction of the run-out at arrival
+POSITIONS = 64  # positions up to the equilibrium at which the net moment is evaluated
+# Fractions of half a turn at which it is evaluated: equidistant, and finer for laws with a short slip length.
 EVEN = np.linspace(0.0, 1.0, 65)
 FINE = np.geomspace(1e-6, 1.0, 193)
 AHEAD = np.union1d(EVEN, FINE)
-MARGIN = 1.25  # of the time that is tried first
-SAMPLES = (64, 2048)  # at least and at most, between which the time of arrival is narrowed down
-SECTIONS = np.linspace(0.0, 1.0, 17)  # shares at which the interval of its root is divided, again and again
-COLUMNS = 20_000  # evaluated at once
-SLOW = 1e-8  # omega* at which the viscous moment is compared with that at rest
-NEXT = 1e-6  # of the rotation left, where the stiffness at the equilibrium is taken; of a time that is to be improved
+MARGIN = 1.25  # ratio of the first end time to the estimated arrival
+SAMPLES = (64, 2048)  # least and greatest number of times per round in the search for the arrival
+SECTIONS = np.linspace(0.0, 1.0, 17)  # relative positions at which the interval of the root is divided
+COLUMNS = 20_000  # lanes evaluated in one call
+SLOW = 1e-8  # omega* at which the slope of the viscous moment is taken
+NEXT = 1e-6  # remaining rotation, relative, at which the stiffness is taken; relative tolerance of the arrival
 LONGEST = 2.0**200  # dimensionless time
-STEPS = 0.145  # explicit ones of a creeping mass, over d t: their length is bounded by stability, not by accuracy
-COMPILED, IN_NUMPY = ix.MOST_STEPS / ix.STIFF_STEP, 200  # so many explicit steps take as long as implicit ones
+STEPS = 0.145  # number of explicit steps of a creeping mass over d t, as stability bounds their length
+COMPILED, IN_NUMPY = ix.MOST_STEPS / ix.STIFF_STEP, 200  # explicit steps that take as long as the implicit solution
 
 
 class Now(NamedTuple):
-    """Some lanes of a problem, and their cells where they are, or those of all lanes."""
+    """Some lanes of a problem, with their current cells or the cells of all lanes."""
 
     problem: Problem
     lanes: Lanes
@@ -58,21 +60,24 @@ class Now(NamedTuple):
 
 
 class Ahead(NamedTuple):
-    """The equilibrium that lanes move towards: the rotation left, infinite without one, and rates close to it."""
+    """Equilibrium ahead of lanes: remaining rotation, infinite without an equilibrium, and coefficients near it."""
 
     left: Floats
     damping: Floats  # d
     stiffness: Floats  # N/y next to it
-    greatest: Floats  # N/y from here on, at most
+    greatest: Floats  # greatest N/y from here on
 
 
 def may_creep(problem: Problem) -> bool:
-    """Whether a mass may approach its equilibrium for ever: viscosity, and forces of position."""
+    """Return whether a mass may approach its equilibrium for ever.
+
+    It does if it is viscous and its other forces depend on position only.
+    """
     return "viscosity" in problem.recipe.effects and not other_than_position(problem)
 
 
 def other_than_position(problem: Problem) -> str:
-    """Something on which the net moment at rest depends beside position and slip; empty if there is none."""
+    """Return a variable other than position and slip on which the net moment at rest depends, or an empty text."""
     recipe = problem.recipe
     if any(table.kind == "time" and table.name in recipe.moving for table in problem.program.tables):
         return "what changes in time"
@@ -83,18 +88,18 @@ def other_than_position(problem: Problem) -> str:
 
 
 def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
-    """Final cells of lanes, some of which may creep: these end at an infinite time, at their equilibrium.
+    """Return final cells of lanes, where creeping lanes end at an infinite time in their equilibrium.
 
-    `ix.REST_SINCE` of such a lane is the time by which all but `LEFT` of its run-out is covered.
+    `ix.REST_SINCE` of a creeping lane is its arrival, when all but `LEFT` of its run-out is covered.
 
     Parameters
     ----------
     problem : Problem
     begin : ndarray
-        Cells that lanes begin with.
+        Initial cells of the lanes.
     samples : Samples, optional
     integrate_lanes : callable
-        Integrates all lanes to their end.
+        Function that integrates all lanes to their end.
     """
     if not may_creep(problem):
         return integrate_lanes(begin, samples)
@@ -127,9 +132,9 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
 
 
 def slow_rotation(problem: Problem) -> Floats:
-    """The rotation at which a mass rests that is moved slowly from its start; NaN without an equilibrium.
+    """Return the rotation at which a mass comes to rest if it moves quasi-statically, NaN without an equilibrium.
 
-    That is the first root of the net moment at rest; 0 where the mass stands at its start.
+    It is the first root of the net moment at rest, and 0 for a mass in equilibrium at the start.
     """
     if other_than_position(problem):
         return np.full(problem.lanes, np.nan)
@@ -149,16 +154,16 @@ def slow_rotation(problem: Problem) -> Floats:
 
 
 def _first_steps(explicit_steps: Floats) -> Floats:
-    """Steps that lanes count as done: all that are allowed where explicit ones would take longer than implicit ones.
+    """Return the initial step count of lanes, the maximum where implicit steps are faster than explicit steps.
 
-    These take over after the first one.
+    Implicit steps then begin after the first explicit step.
     """
     most = COMPILED if compiled.engine() is compiled else IN_NUMPY
     return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 
 def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:
-    """Let lanes end at their equilibrium, never."""
+    """Set the final cells of creeping lanes to their equilibrium at an infinite time."""
     cells[ix.TIME, lanes] = np.inf
     cells[ix.REST_SINCE, lanes] = arrival
     cells[ix.END_ROTATION, lanes] = rotation
@@ -172,14 +177,14 @@ def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> N
 
 
 def _until(begin: Floats, which: Lanes, end_time: Floats) -> Floats:
-    """The same cells with other ends of some lanes."""
+    """Return the cells with other end times for some lanes."""
     cells = begin.copy()
     cells[ix.END_TIME, which] = end_time
     return cells
 
 
 def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats, Floats]:
-    """Lanes without an end that are overdamped at the equilibrium ahead, the time that they approach it for, and d."""
+    """Return the lanes without end time that are overdamped at the equilibrium ahead, their first end time, and d."""
     begins = cells[ix.STATUS] == ix.START
     endless = cells[ix.END_TIME] == np.inf
     (which,) = np.nonzero(begins & endless)
@@ -198,12 +203,12 @@ def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats, Floats]
 
 
 def _direction(towards: Floats) -> Floats:
-    """The direction of travel towards a side, 1 or -1."""
+    """Return 1 for positive and -1 for negative values."""
     return np.where(towards < 0.0, -1.0, 1.0)
 
 
 def _caught(problem: Problem, which: Lanes, final: Floats) -> tuple[Any, Floats]:
-    """Lanes that have all but arrived and can no longer pass their equilibrium, and where that is."""
+    """Return whether lanes have almost arrived and can no longer pass their equilibrium, and its rotation."""
     cells = final.copy()
     rotation = final[ix.END_ROTATION]
     omega = final[ix.END_OMEGA]
@@ -222,7 +227,7 @@ def _caught(problem: Problem, which: Lanes, final: Floats) -> tuple[Any, Floats]
 
 
 def _ahead(now: Now) -> Ahead:
-    """The first equilibrium in the direction of travel."""
+    """Return the first equilibrium in the direction of travel."""
     count = now.lanes.size
     low = np.zeros(count)
     high = np.full(count, np.pi)
@@ -250,7 +255,7 @@ def _ahead(now: Now) -> Ahead:
 
 
 def _net(now: Now, distance: Floats, omega: float = 0.0) -> Floats:
-    """The net moment over Theta* farther on, (distances, lanes), at rest or at a speed."""
+    """Return the net moment over Theta* at distances ahead, (distances, lanes), at rest or at a given speed."""
     net = np.empty_like(distance)
     together = max(1, COLUMNS // max(1, now.lanes.size))
     for first in range(0, len(distance), together):
@@ -272,14 +277,14 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     cells[ix.LIFTED] = 0.0
     problem.reach_farther(cells[ix.ROTATION], lanes)
     if problem.functions:
-        room("functions").extend(problem, cells)
+        lazy_import("functions").extend(problem, cells)
     registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
     net = problem.program.roles["net"]
     return np.reshape(registers[net], distance.shape)
 
 
 def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
-    """The time from which lanes are within `LEFT` of their run-out from their equilibrium, before some end."""
+    """Return the time from which lanes are within `LEFT` of their run-out from their equilibrium, before ``end``."""
     lanes = now.lanes
     low = np.zeros(lanes.size)
     high = end
@@ -307,7 +312,7 @@ def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integr
 
 
 def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, Floats]:
-    """Rotation and omega of some lanes at times of their own, (times, lanes)."""
+    """Return rotation and omega of lanes at individual times, (times, lanes)."""
     all_times = np.zeros((len(times), now.cells.shape[1]))
     all_times[:, now.lanes] = times
     outputs = 2 + len(now.problem.program.states)

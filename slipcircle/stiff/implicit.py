@@ -1,10 +1,10 @@
-"""Implicit steps of the same program, for stiff lanes such as creep through a viscous layer.
+"""Implicit steps for stiff lanes, such as creep through a viscous layer, with the program of the explicit steps.
 
 The states at the points of a step (`slipcircle.stiff.radau`) solve residual = 0 by Newton's iteration with the
-Jacobian I - h a_ij df/dy(Y_j), from differences. Fast transients decay within one step of
-any length, and the end is accurate to order 2 s - 1. The step is as long as its polynomial, judged by its last Legendre
-coefficients, is the motion to rounding; events and samples are read off it. Phases and events are those of
-`generated.walk`.
+Jacobian I - h a_ij df/dy(Y_j), approximated by differences. Fast transients decay within one step of any length, and
+the end is accurate to order 2 s - 1. The last Legendre coefficients of the polynomial of a step determine its length,
+so that the polynomial equals the motion to rounding. Events and samples are evaluated from it. `generated.walk`
+supplies phases and events.
 """
 
 from itertools import pairwise
@@ -33,13 +33,13 @@ from slipcircle.stiff.radau import (
     step_through,
 )
 
-CREEP = 1e-12  # of the greatest speed, below which a mass without an end time creeps without end
-ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
+CREEP = 1e-12  # speed over the greatest speed below which a mass without end time creeps without end
+ENDLESS = 1e12  # dimensionless time (30,000 years and more) after which a motion has no end
 ITERATIONS = 12
-DIFFERENCE = 2.0**-26  # relative, from which the Jacobian is taken
-CONVERGED = 1e-12  # a correction, relative, from which on it is rounding that keeps it from falling
-# Of one lane, breaks of what changes with time not included. A step no longer than some explicit ones counts for ten:
-# then the motion is not stiff, but trembles or swings for long.
+DIFFERENCE = 2.0**-26  # relative step of the differences in the Jacobian
+CONVERGED = 1e-12  # relative correction below which only rounding prevents a further decrease
+# Greatest number of steps of a lane, without steps that end at a break in time. A step shorter than EXPLICIT explicit
+# steps counts as ten, since such a motion is not stiff but oscillates for long.
 MOST_STEPS = 2_000
 EXPLICIT = 8.0
 SHORT_STEP = 10
@@ -71,7 +71,7 @@ _HERE = np.ones(1, dtype=bool)
 
 
 class Event(NamedTuple):
-    """A register reaches a bound, from above, or with a negative sign from below."""
+    """Register that reaches a bound from above, or from below with a negative sign."""
 
     kind: int
     register: int
@@ -79,22 +79,23 @@ class Event(NamedTuple):
     bound: float = 0.0
 
     def margin(self, registers: Floats) -> Floats:
-        """How far a lane is from the event; positive before it."""
+        """Return the distance of a lane from the event, positive before it."""
         beyond_bound = registers[self.register] - self.bound
         return self.sign * beyond_bound
 
 
 class _Implicit(walk.Lanes):
-    """One lane; its step extends to the next event or break and consists of any number of implicit steps."""
+    """Single lane whose step extends to the next event or break and consists of any number of implicit steps."""
 
     steps_left = MOST_STEPS
 
     @property
     def status(self) -> float:
+        """Status of the lane."""
         return float(self.cells[ix.STATUS, 0])
 
     def advance(self) -> None:
-        """One step, as `generated.walk.advance` does."""
+        """Make one step, as `generated.walk.advance` does."""
         if self.status == ix.MOVING:
             self.make_step()
         else:
@@ -103,7 +104,7 @@ class _Implicit(walk.Lanes):
         walk.stop_endless(self, _HERE)
 
     def make_step(self) -> None:
-        """Implicit steps up to the next event or break."""
+        """Make implicit steps up to the next event or break."""
         self._prepare()
         self.begin = float(self.cells[ix.TIME, 0])
         start = self._at(self.begin, self.cells[self.state_cells])
@@ -136,7 +137,7 @@ class _Implicit(walk.Lanes):
         self.events = self._events()
 
     def _explicit_step(self) -> float:
-        """The step that explicit integration would take."""
+        """Return the step that explicit integration would take."""
         endless = np.full(1, np.inf)
         top = walk.expand(self, endless, _HERE, 0)
         walk.choose_step(self, _HERE, endless, top)
@@ -144,7 +145,7 @@ class _Implicit(walk.Lanes):
         return min(step, 1e3)
 
     def _events(self) -> list[Event]:
-        """The events of a step, in the order in which they are searched."""
+        """Return the events of a step in the order of the search."""
         roles = self.roles
         cells = self.cells[:, 0]
         events = [Event(ix.EVENT_STANDSTILL, roles.omega)]
@@ -172,7 +173,7 @@ class _Implicit(walk.Lanes):
         return events
 
     def _follow(self, now: Present) -> tuple[Present, int]:
-        """Steps up to the next event or the greatest number of steps: the state there, and the event."""
+        """Make steps up to the next event or the greatest number of steps, and return the state there and the event."""
         h = FIRST * self.explicit
         while now.time < self.limit and not self._is_endless(now):
             left = self.limit - now.time
@@ -204,7 +205,7 @@ class _Implicit(walk.Lanes):
         return now, ix.EVENT_NONE
 
     def _is_endless(self, now: Present) -> bool:
-        """Whether a mass without an end time has become so slow, or moved so long, that it creeps without end."""
+        """Return whether a mass without end time is so slow, or has moved for so long, that it creeps without end."""
         duration = now.time - self.begin
         if np.isfinite(self.limit) or duration == 0.0:
             return False
@@ -219,7 +220,7 @@ class _Implicit(walk.Lanes):
         return [table.data.lanes(columns) for table in self.tables]
 
     def _cells_at(self, times: Floats, states: Floats) -> Floats:
-        """Cells of this lane at some times in some states, (states, times)."""
+        """Return cells of this lane in the given states at the given times, (cells, times)."""
         cells = np.repeat(self.stored, times.size, axis=1)
         cells[ix.TIME] = times
         cells[self.state_cells] = states
@@ -229,12 +230,12 @@ class _Implicit(walk.Lanes):
         every = np.arange(times.size)
         for table in there.tables:
             if table.kind == ix.OF_TIME:
-                value_before = cells[table.cells + ix.VALUE]  # where the phase began
+                value_before = cells[table.cells + ix.VALUE]  # at the beginning of the phase
                 cells[table.cells + ix.INC] = walk.value_now(there, every, table) - value_before
         return cells
 
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
-        """Registers in these states, (registers, times)."""
+        """Return registers in the given states, (registers, times)."""
         cells = self._cells_at(times, states)
         return engine().registers(self.program, self._tables(times.size), cells)
 
@@ -243,13 +244,13 @@ class _Implicit(walk.Lanes):
         return Present(time, states, registers)
 
     def _within(self, step: Step, start: Present, time: float) -> Present:
-        """States and registers at a time within a step."""
+        """Return states and registers at a time within a step."""
         since = np.array([time - start.time])
         states = step.states(since)
         return self._at(time, states)
 
     def _jacobian(self, times: Floats, points: Floats, rates: Floats, size: Floats) -> Floats:
-        """df_j/dy_i at points (points, states), as (i, points, j), from differences."""
+        """Return df_j/dy_i at points of shape (points, states), as (i, points, j), from differences."""
         count, states = points.shape
         step = DIFFERENCE * size
         moved = np.tile(points, (states, 1, 1))
@@ -264,9 +265,9 @@ class _Implicit(walk.Lanes):
         return change / by_state
 
     def _greatest_speed(self, start: Floats) -> Floats:
-        """The greatest speed so far in the place of omega, otherwise 0.
+        """Return a vector with the greatest speed so far for omega and 0 for the other states.
 
-        Near an equilibrium drive and resistance cancel: what is left of the speed has the rounding of the greatest.
+        Near an equilibrium drive and resistance cancel, and the speed has the absolute rounding error of its maximum.
         """
         greatest = np.zeros(start.size)
         peak = abs(self.cells[ix.PEAK_OMEGA, 0])
@@ -275,7 +276,7 @@ class _Implicit(walk.Lanes):
         return greatest
 
     def _newton(self, now: Present, h: float) -> Step | None:
-        """A step; none where Newton's iteration does not converge."""
+        """Return a step, or None if Newton's iteration does not converge."""
         times = now.time + AT * h
         start = now.states.T
         first_change = h * now.registers[self.rates].T
@@ -308,7 +309,7 @@ class _Implicit(walk.Lanes):
     # --- events ------------------------------------------------------------------------------------------------------
 
     def _first_event(self, step: Step, now: Present, end: float) -> tuple[float, int]:
-        """Time and kind of the first event of a step."""
+        """Return time and kind of the first event of a step."""
         first = ix.EVENT_NONE
         for event in self.events:
             time = self._first_time(event, step, now)
@@ -318,7 +319,7 @@ class _Implicit(walk.Lanes):
         return end, first
 
     def _first_time(self, event: Event, step: Step, now: Present) -> float:
-        """Time of the first event of a kind within a step; infinity without one."""
+        """Return the time of the first event of a kind within a step, infinity without an event."""
 
         def margin(time: float) -> float:
             registers = self._within(step, now, time).registers
@@ -333,7 +334,7 @@ class _Implicit(walk.Lanes):
         return np.inf
 
     def _keep_peak(self, step: Step, now: Present, end: float) -> None:
-        """Greatest speed within the step, where the net moment passes zero."""
+        """Store the greatest speed within the step, where the net moment passes zero."""
         peak = Event(ix.EVENT_NONE, self.roles.net)
         time = self._first_time(peak, step, now)
         if time <= end:

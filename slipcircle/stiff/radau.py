@@ -1,11 +1,11 @@
-"""The mathematics of implicit steps: the collocation method Radau IIA of order 23, and zeros of functions along a step.
+"""Collocation method Radau IIA of order 23, and zeros of functions within a step.
 
-A step of length h is the polynomial through the states y where it begins whose slope is the rate f at c_i h, c_i the
-Radau points up to c_s = 1 (Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.5). The states
-Y_i there solve
+A step of length h is the polynomial through the initial states y whose slope equals the rate f at the times c_i h,
+where c_i are the Radau points up to c_s = 1 (Hairer and Wanner, Solving Ordinary Differential Equations II, section
+IV.5). The states Y_i at these times solve
 
     residual_i = Y_i - y - h sum_j a_ij f(Y_j) = 0,
-    a_ij the integral from 0 to c_i of the polynomial that is 1 at c_j and 0 at the other points.
+    a_ij = integral from 0 to c_i of the polynomial that is 1 at c_j and 0 at the other points.
 """
 
 from collections.abc import Callable
@@ -19,13 +19,13 @@ from slipcircle.base.kinds import Floats
 
 TimeAndValue = tuple[float, float]
 POINTS = 12
-LEAST_SIZE = 1e-300  # by which what is 0 is divided
-TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
-SAFETY = 0.9  # of the length of a step, over that for which its error is the tolerance
+LEAST_SIZE = 1e-300  # divisor in place of 0
+TOLERANCE = 1e-13  # relative size of the last coefficients of a step's polynomial
+SAFETY = 0.9  # ratio of a step to the step whose error would equal the tolerance
 
 
 def _radau(count: int) -> tuple[Floats, Floats, Floats]:
-    """Points c_i in (0, 1], a_ij, and the matrix from values at 0 and at the points to Legendre coefficients."""
+    """Return the points c_i in (0, 1], a_ij, and the matrix from values at 0 and c_i to Legendre coefficients."""
     difference = np.zeros(count + 1)
     difference[-2:] = -1.0, 1.0  # P_s - P_(s-1), 1 among its roots
     points = legendre.legroots(difference).real  # complex since NumPy 2.5
@@ -45,7 +45,7 @@ AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 
 
 class Present(NamedTuple):
-    """A time, with the states and all registers there, (states, 1) and (registers, 1)."""
+    """Time, with the states (states, 1) and all registers (registers, 1) at this time."""
 
     time: float
     states: Floats
@@ -53,7 +53,7 @@ class Present(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A step: Legendre coefficients of its states; times and registers at its points; its error, relative."""
+    """Implicit step: Legendre coefficients of its states, times and registers at its points, and its relative error."""
 
     length: float
     legendre: Floats
@@ -62,16 +62,16 @@ class Step(NamedTuple):
     error: float
 
     def states(self, since: Floats) -> Floats:
-        """States at times since the step began, (states, times)."""
+        """Return the states, (states, times), at times since the step began."""
         place = 2 * since / self.length - 1
         return np.asarray(legendre.legval(place, self.legendre))
 
 
 def step_through(start: Present, h: float, points: Floats, registers: Floats, rates: Floats, rounding: Floats) -> Step:
-    """The step through states at the points, (points, states), with its error; ``rounding`` is that of the states.
+    """Return the step through states at the points, (points, states), and its error.
 
-    This is the size of its last coefficients, beside rounding, of which that of the time moves every state by as much
-    as its rate.
+    The error is the relative size of the last coefficients, without rounding. The rounding of the time changes every
+    state in proportion to its rate, and ``rounding`` is the rounding of the states themselves.
     """
     values = np.vstack([start.states.T, points])
     coefficients = TO_LEGENDRE @ values
@@ -87,13 +87,13 @@ def step_through(start: Present, h: float, points: Floats, registers: Floats, ra
 
 
 def step_factor(error: float) -> float:
-    """Ratio of the next step to this one for which its error is the tolerance."""
+    """Return the ratio of the next step to this step for which the error equals the tolerance."""
     ratio = TOLERANCE / max(error, LEAST_SIZE)
     return float(SAFETY * ratio ** (1 / POINTS))
 
 
 def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats) -> Floats | None:
-    """(I - h a x df/dy)^-1 residual, all in units of ``size``; none where that is singular."""
+    """Return (I - h a x df/dy)^-1 residual in units of ``size``, or None if the matrix is singular."""
     unknowns = residual.size
     coupling = np.einsum("ij,kjl->iljk", WEIGHTS, jacobian)
     coupling = coupling.reshape(unknowns, unknowns)
@@ -109,7 +109,7 @@ def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats
 
 
 def falling_zero(function: Callable[[float], float], low: TimeAndValue, high: TimeAndValue) -> float:
-    """Where a function falls through zero between two times, by false position and, each third time, bisection."""
+    """Return the time at which a function falls through zero, by false position and every third time bisection."""
     begin, at_begin = low
     end, at_end = high
     least = 2 * EPS * abs(end)
@@ -118,7 +118,7 @@ def falling_zero(function: Callable[[float], float], low: TimeAndValue, high: Ti
         bisects = evaluations % 3 == 2
         share = 0.5 if bisects else at_begin / (at_begin - at_end)
         middle = begin + share * (end - begin)
-        middle = max(middle, begin + least)  # or only one end would move
+        middle = max(middle, begin + least)  # otherwise only one end would move
         middle = min(middle, end - least)
         value = function(middle)
         evaluations += 1

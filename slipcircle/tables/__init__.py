@@ -1,4 +1,4 @@
-"""Functions given by pieces: records, friction in pieces or by lists, Python functions."""
+"""Piecewise functions: earthquake records, tabulated friction laws, and Python functions."""
 
 from slipcircle.tables.forcing import STRONGEST, in_time
 from slipcircle.tables.series import LaneSeries, Pulse, Series, bad_sample

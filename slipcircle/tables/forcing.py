@@ -1,4 +1,4 @@
-"""Effects as a scene is given them, made of what was given: functions of time from pulses and lists."""
+"""Functions of time in the effects of a scene, built from pulses, records and lists."""
 
 from typing import Any
 
@@ -9,22 +9,22 @@ from slipcircle.base.kinds import Effects, Parameters
 from slipcircle.tables.series import Pulse, Series
 
 _FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
-_FITTING = {  # to each way to say what shakes
+_FITTING = {  # parameters allowed with each description of shaking
     "horizontal": {"vertical", *_FACTORS},
     "pulse": {*_FACTORS[:2], "start", "duration", "cycles"},
 }
-STRONGEST = 5.0  # g, beyond which no ground has shaken
+STRONGEST = 5.0  # g, above every recorded ground acceleration
 _OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
 def resolved(name: str, given: Parameters) -> dict[str, Any]:
-    """An effect's parameters, with functions of time in the place of what they are made of.
+    """Return the parameters of an effect with functions of time built from pulses and lists.
 
     Raises
     ------
     ValueError
-        Names the parameter that is wrong.
+        If a parameter is invalid. The message names it.
     """
     try:
         if name == "shaking":
@@ -40,7 +40,7 @@ def resolved(name: str, given: Parameters) -> dict[str, Any]:
 
 
 def factor(effect: str, given: Parameters, name: str) -> Any:
-    """What a parameter of a resolved effect is multiplied by: shaking has an amplitude, a scale or a peak."""
+    """Return the factor of a parameter of a resolved effect. Shaking has an amplitude, a scale or a peak."""
     if effect != "shaking":
         return 1.0
     if isinstance(given.get(name), Pulse):
@@ -52,7 +52,7 @@ def factor(effect: str, given: Parameters, name: str) -> Any:
 
 
 def record_numbers(shaking: Parameters) -> dict[str, Any]:
-    """The scale and the peak of shaking by a record, which stand for each other."""
+    """Return scale and peak of shaking by a record. Either determines the other."""
     record = shaking["horizontal"]
     if not isinstance(record, Series):
         return {}
@@ -61,7 +61,7 @@ def record_numbers(shaking: Parameters) -> dict[str, Any]:
 
 
 def in_time(called: Effects) -> dict[str, Series | Pulse]:
-    """What changes with time in the effects of a single scene, with its factors, by ``effect.parameter``."""
+    """Return the functions of time in a single scene's effects, times their factors, by ``effect.parameter``."""
     functions = {}
     for effect, given in called.items():
         for name, value in given.items():
@@ -72,7 +72,7 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
 
 
 def _water(given: Parameters) -> dict[str, Any]:
-    """A ratio and a pressure: numbers, or functions of time from lists with their times."""
+    """Return the pore-pressure parameters, with lists over time converted to functions of time."""
     rest = dict(given)
     rest.pop("time", None)
     if "record" in given:
@@ -94,7 +94,7 @@ def _water(given: Parameters) -> dict[str, Any]:
 
 
 def _shaking(given: Parameters) -> dict[str, Any]:
-    """k_h(t) and k_v(t) from a pulse, or as they are, if the ground can shake like that."""
+    """Return the shaking parameters with k_h(t) and k_v(t), after checking their plausibility."""
     made = _as_series(given)
     _check_strength(made)
     return made
@@ -133,7 +133,7 @@ def _as_series(given: Parameters) -> dict[str, Any]:
 
 
 def _check_strength(given: Parameters) -> None:
-    """Refuse a record beyond what any ground has done: its values were in another unit, or have a scale factor."""
+    """Raise an error if a record exceeds every recorded ground motion, since its unit or scale must be wrong."""
     for name in ("horizontal", "vertical"):
         record = given.get(name)
         if not isinstance(record, Series):

@@ -1,4 +1,4 @@
-"""Friction as a Python function of slip: sampled as piecewise polynomials, as far as lanes slip."""
+"""Friction laws given as Python functions of slip, sampled as piecewise polynomials as far as lanes slip."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,16 +13,16 @@ from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import NODES, ORDERS, POWERS, TERMS, TO_CHEBYSHEV, continuous
 
 Function = Callable[[Any], Any]
-FIRST_SLIP = 1 / 256  # over the radius, to which a function is sampled at first
+FIRST_SLIP = 1 / 256  # slip over the radius up to which a function is sampled initially
 _CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
 _AT_CHECKED = chebvander(_CHECKED, TERMS - 1)
-_PLACES = 1.0 + np.concatenate([NODES, _CHECKED])  # from the left end, over half a width
-CLOSE = 1e-13  # error of a piece, over its greatest value
-NARROWEST = 2.0**-40  # width of a piece, over the slip up to which the function is sampled
+_PLACES = 1.0 + np.concatenate([NODES, _CHECKED])  # distance from the left end over half a width
+CLOSE = 1e-13  # error of a piece relative to its greatest value
+NARROWEST = 2.0**-40  # least width of a piece relative to the slip up to which the function is sampled
 
 
 def first_table(function: Function, radius: Any) -> Data:
-    """A function up to the slip to which it is sampled at first."""
+    """Return a function sampled up to the initial slip."""
     return sampled(function, FIRST_SLIP * float(np.max(radius)))
 
 
@@ -43,7 +43,7 @@ def extend(problem: Problem, cells: Floats) -> None:
 
 
 def extend_to_end(problem: Problem, cells: Floats, integrate: Callable[..., object]) -> None:
-    """Extend the table as far as the first lane that waits for it needs it up to its end."""
+    """Extend the tables until the first waiting lane reaches its end."""
     which = np.flatnonzero(cells[ix.STATUS] == ix.NEED)[:1]
     one = cells[:, which]
     while one[ix.STATUS, 0] == ix.NEED:
@@ -54,12 +54,14 @@ def extend_to_end(problem: Problem, cells: Floats, integrate: Callable[..., obje
 
 
 def sampled(function: Function, end: float, known: Data | None = None) -> Data:
-    """A Python function of slip up to an end, starting from a known table; error 1e-13 of its greatest value.
+    """Return a Python function of slip up to ``end`` as a piecewise polynomial.
+
+    The error is 1e-13 of its greatest value. A known table is extended.
 
     Raises
     ------
     ValueError
-        Where it returns no numbers, negative ones or another shape than that of its argument, or is not smooth.
+        If the function returns anything but non-negative numbers in the shape of its argument, or is not smooth.
     """
     breaks = list[float]()
     pieces = list[Floats]()
@@ -90,7 +92,7 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
 
 
 def _piece(function: Function, left: float, width: float) -> Floats | None:
-    """Coefficients of a function in powers of the distance to the left end; None where they are not close to it."""
+    """Return coefficients in powers of the distance to the left end, or None if they are not accurate enough."""
     half = width / 2
     values = _values(function, left + half * _PLACES)
     chebyshev = TO_CHEBYSHEV @ values[:TERMS]
@@ -102,7 +104,7 @@ def _piece(function: Function, left: float, width: float) -> Floats | None:
 
 
 def _values(function: Function, slip: Floats) -> Floats:
-    """The values of a user's function, checked."""
+    """Return the values of a user's function after checking them."""
     try:
         values = np.asarray(function(slip))
         if values.dtype.kind == "c":

@@ -1,6 +1,6 @@
-"""Functions of the rotation known by their values, as piecewise polynomials between their kinks.
+"""Piecewise polynomials for functions of the rotation that are smooth between their kinks.
 
-Each piece interpolates at the nodes of Chebyshev; it is halved until the coefficients that follow are negligible.
+Each piece interpolates at Chebyshev nodes. It is halved until the neglected coefficients are small enough.
 """
 
 import math
@@ -15,18 +15,21 @@ from slipcircle.base.sections import distinct
 from slipcircle.core.scene.piecewise import Data
 
 Function = Callable[[Any], Any]
-TERMS = 8  # of a piece
+TERMS = 8  # coefficients of a piece
 ORDERS = np.arange(TERMS)
 _ANGLES = np.pi * (ORDERS + 0.5) / TERMS
 NODES = np.cos(_ANGLES)
 _POLYNOMIALS = np.cos(np.outer(np.arccos(NODES), ORDERS))
 TO_CHEBYSHEV = np.linalg.inv(_POLYNOMIALS)
 _SHORTEST = 2e-3  # width of a piece of a function of the rotation, rad
-_SAME = 1e-13  # rad, between kinks that are one
+_SAME = 1e-13  # rad, distance below which two kinks are identical
 
 
 def _powers_of_chebyshev() -> Floats:
-    """T_0 to T_7 in powers of 1 + x, the distance to the left end of a piece over half its width; (powers, T)."""
+    """Return the coefficients of T_0 to T_7 in powers of 1 + x, of shape (powers, T).
+
+    1 + x is the distance to the left end over half the width.
+    """
     from_middle = Polynomial([-1.0, 1.0])
     powers = np.zeros((TERMS, TERMS))
     for k in range(TERMS):
@@ -43,7 +46,7 @@ POWERS = _powers_of_chebyshev()
 def between_kinks(
     function: Function, kinks: Floats, least: Floats, most: Floats, tolerance: float
 ) -> tuple[Floats, Floats]:
-    """Functions of the rotation as piecewise polynomials of degree 7.
+    """Return functions of the rotation as piecewise polynomials of degree 7.
 
     Parameters
     ----------
@@ -52,16 +55,16 @@ def between_kinks(
     kinks : ndarray
         Rotations at which a function may not be smooth, (kinks, n), increasing.
     least, most : ndarray
-        Range of rotations, (n,), beyond which the polynomials extend as constants.
+        Range of rotations, (n,), beyond which the polynomials are constant.
     tolerance : float
-        First neglected Chebyshev coefficient of a piece, over the greatest value.
+        Bound of the first neglected Chebyshev coefficient of a piece, relative to the greatest value.
 
     Returns
     -------
     breaks : ndarray
-        Where pieces begin, (pieces, n).
+        Left ends of the pieces, (pieces, n).
     coefficients : ndarray
-        In powers of the distance to the break, (pieces, TERMS, functions, n).
+        Coefficients in powers of the distance to the break, (pieces, TERMS, functions, n).
     """
     inside = np.clip(kinks, least, most)
     edges = distinct(np.vstack([least, inside, most]), _SAME)
@@ -93,14 +96,14 @@ def between_kinks(
 
 
 def _widest(tolerance: float) -> float:
-    """Width of a piece that interpolation meets the tolerance on, if no derivative exceeds 1."""
+    """Return the width at which interpolation meets the tolerance if all derivatives are at most 1."""
     inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
     half = (tolerance * inverse_error) ** (1 / TERMS)
     return float(2 * half)
 
 
 def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
-    """Both ends of the pieces to begin with, (pieces, n): between edges, none wider than some."""
+    """Return both ends of the initial pieces, (pieces, n), each between two edges and at most ``widest`` wide."""
     widths = np.diff(edges, axis=0)
     greatest_width = widths.max(axis=1, initial=0.0)
     pieces = np.ceil(greatest_width / widest - 1e-9)
@@ -117,12 +120,12 @@ def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
     last = start + width * share_after[:, None]
     at_end = share_after == 1.0
     last[at_end] = end[at_end]
-    first[:1] = edges[0]  # also where the kinks next to it are one with it
+    first[:1] = edges[0]  # even if adjacent kinks coincide with it
     return first, last
 
 
 def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
-    """Both ends of the two halves of each piece."""
+    """Return both ends of the two halves of each piece."""
     middle = (first + last) / 2
     firsts = np.concatenate([first, middle])
     lasts = np.concatenate([middle, last])
@@ -130,7 +133,7 @@ def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
 
 
 def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
-    """Chebyshev coefficients of functions on pieces (pieces, n): (pieces, TERMS, functions, n)."""
+    """Return the Chebyshev coefficients, (pieces, TERMS, functions, n), of functions on pieces of shape (pieces, n)."""
     half = (last - first) / 2
     from_first = 1.0 + NODES[:, None]
     distance = half[:, None] * from_first  # pieces, nodes, n
@@ -143,7 +146,7 @@ def _chebyshev(function: Function, first: Floats, last: Floats) -> Floats:
 
 
 def _next_coefficients(chebyshev: Floats) -> Floats:
-    """The coefficients that follow, if they fall like the last two pairs of them, of the functions: (pieces, n)."""
+    """Return an estimate of the first neglected coefficient, (pieces, n), extrapolated from the last two pairs."""
     size = np.abs(chebyshev)
     last = size[:, -2:].max(axis=1)
     before = size[:, -4:-2].max(axis=1)
@@ -154,9 +157,9 @@ def _next_coefficients(chebyshev: Floats) -> Floats:
 
 
 def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
-    """The same polynomials in powers of the distance to the beginning of each piece."""
+    """Return polynomials in powers of the distance to the left end of each piece."""
     powers = np.einsum("tk,pkfn->ptfn", POWERS, chebyshev)
-    is_empty = width <= _SAME  # of which only the value has digits
+    is_empty = width <= _SAME  # only their value is accurate
     half = np.where(is_empty, np.inf, width / 2)
     exponents = ORDERS[:, None, None]
     units = half[:, None, None] ** exponents
@@ -164,7 +167,7 @@ def _in_powers(chebyshev: Floats, width: Floats) -> Floats:
 
 
 def _constant(function: Function, end: Floats) -> Floats:
-    """Coefficients of the values at the end, (1, TERMS, functions, n)."""
+    """Return the coefficients of constant functions with the values at the end, (1, TERMS, functions, n)."""
     value = function(end[None])[:, 0]
     coefficients = np.zeros((1, TERMS, *value.shape))
     coefficients[0, 0] = value
@@ -172,6 +175,6 @@ def _constant(function: Function, end: Floats) -> Floats:
 
 
 def continuous(breaks: Floats, coefficients: Floats, sine: bool = False) -> Data:
-    """A piecewise polynomial without discontinuities."""
+    """Return a continuous piecewise polynomial."""
     jumps = np.zeros(len(breaks))
     return Data(breaks, coefficients, jumps, sine)

@@ -14,7 +14,10 @@ PULSES = ("rectangular", "half-sine", "triangular", "sine")
 
 
 def bad_sample(time: Floats, values: Floats) -> tuple[int, str] | None:
-    """The first sample that is not finite or not later than the one before, and a sentence about it."""
+    """Return the index of the first invalid sample and a message about it, or None.
+
+    Samples must be finite, and times must increase.
+    """
     for what, unit, of in (("time", " s", time), ("value", "", values)):
         (bad,) = np.nonzero(~np.isfinite(of))
         if bad.size:
@@ -42,16 +45,16 @@ class Series:
     Parameters
     ----------
     time : array_like
-        s, increasing, two at least.
+        Increasing times in s, at least two.
     values : array_like
-        SI units; over gravity for shaking.
+        Values in SI units, or divided by gravity for shaking.
     held : bool, optional
-        Whether the first and the last value continue beyond the samples; otherwise it is zero there.
+        Whether the first and the last value continue beyond the samples. Otherwise the function is zero there.
 
     Raises
     ------
     ValueError
-        Says which sample is wrong.
+        If a sample is invalid. The message gives its index.
     """
 
     time: Floats
@@ -74,16 +77,16 @@ class Series:
             index, sentence = fault
             raise ValueError(f"Series: sample {index + 1}: {sentence}")
 
-    crests = np.empty(0)  # between its kinks
+    crests = np.empty(0)  # extrema between kinks
 
     def __call__(self, t: ArrayLike) -> Any:
-        """Values at times, s."""
+        """Return the values at times in s."""
         outside = {} if self.held else {"left": 0.0, "right": 0.0}
         return np.interp(np.asarray(t, dtype=np.float64), self.time, self.values, **outside)
 
     @property
     def kinks(self) -> Floats:
-        """Times at which it is not smooth, s."""
+        """Times at which the function is not smooth, s."""
         return self.time
 
     @property
@@ -92,50 +95,50 @@ class Series:
         return float(np.max(np.abs(self.values)))
 
     def scaled(self, factor: float) -> "Series":
-        """The same times, the values times a factor."""
+        """Return the function multiplied by a factor."""
         return Series(self.time, self.values * factor, self.held)
 
 
 @dataclass(frozen=True, eq=False)
 class LaneSeries:
-    """Functions of time, of which each lane of an ensemble has one.
+    """One function of time for each lane of an ensemble.
 
     Attributes
     ----------
     series : tuple of Series
     which : ndarray of int
-        The place of each lane's among them.
+        Index of the function of each lane.
     """
 
     series: tuple[Series, ...]
     which: NDArray[np.intp]
 
     def __call__(self, t: ArrayLike) -> Any:
-        """Values of each lane's function at times, s; lanes are the first axis."""
+        """Return the values of each lane's function at times in s. Lanes are the first axis."""
         values = [function(t) for function in self.series]
         return np.stack(values)[self.which]
 
     @property
     def kinks(self) -> Floats:
-        """Times at which any is not smooth, s."""
+        """Times at which any function is not smooth, s."""
         times = [function.kinks for function in self.series]
         return np.unique(np.concatenate(times))
 
 
 @dataclass(frozen=True)
 class Pulse:
-    """One pulse, or a train of sine waves; zero before its start and after its end.
+    """Single pulse or train of sine waves, zero before its start and after its end.
 
     Parameters
     ----------
     name : str
-        One of ``PULSES``. A triangle has its top in the middle; a half-sine is half a wave.
+        One of ``PULSES``. A triangle is symmetric; a half-sine is half a wave.
     amplitude : float
-        Greatest value; over gravity for shaking. May be negative.
+        Greatest value, divided by gravity for shaking. May be negative.
     start, duration : float
-        s.
+        Start and duration in s.
     cycles : float, optional
-        Waves of a sine.
+        Number of waves of a sine.
     """
 
     name: str
@@ -160,21 +163,21 @@ class Pulse:
         raise_all("Pulse", faults)
 
     def scaled(self, factor: float) -> "Pulse":
-        """The same pulse, its values times a factor."""
+        """Return the pulse multiplied by a factor."""
         return replace(self, amplitude=self.amplitude * factor)
 
     @property
     def end(self) -> float:
-        """s."""
+        """End time, s."""
         return self.start + self.duration
 
     @property
     def _phase(self) -> float:
-        """Phase of the sine over the whole pulse, rad; 0 for a pulse that is straight between its kinks."""
+        """Phase of the sine at the end of the pulse, rad; 0 for pulses made of straight lines."""
         return math.pi * {"sine": 2 * self.cycles, "half-sine": 1.0}.get(self.name, 0.0)
 
     def __call__(self, t: Any) -> Any:
-        """Values at times, s."""
+        """Return the values at times in s."""
         time = np.asarray(t, dtype=np.float64)
         tau = np.clip(time - self.start, 0.0, self.duration)
         shape = np.ones_like(tau)
@@ -187,13 +190,13 @@ class Pulse:
 
     @property
     def kinks(self) -> Floats:
-        """Times at which it is not smooth, s."""
+        """Times at which the pulse is not smooth, s."""
         middle = [self.start + self.duration / 2] if self.name == "triangular" else []
         return np.array([self.start, *middle, self.end])
 
     @property
     def crests(self) -> Floats:
-        """Times of its greatest absolute values other than kinks, s."""
+        """Times of extrema other than kinks, s."""
         quarters = np.arange(math.pi / 2, self._phase, math.pi)
         return self.start + self.duration * quarters / (self._phase or 1.0)
 

@@ -1,4 +1,4 @@
-"""Piecewise polynomials of slip, speed, time or rotation: friction laws, records and pulses."""
+"""Piecewise polynomials of slip, speed, time or rotation for friction laws, records and pulses."""
 
 from collections.abc import Mapping, Sequence
 from itertools import chain
@@ -18,7 +18,7 @@ from slipcircle.tables.series import LaneSeries, Pulse, Series
 
 
 def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> tuple[Data, Any, str]:
-    """A friction law in pieces, of lanes of a shape, or by a list; the scale of its argument, and the unit of that."""
+    """Return a tabulated friction law: its pieces, the scale of its argument, and the argument's unit."""
     if name in PIECES:
         length, _, _ = PIECES[name]
         return _of_pieces(name, parameters, shape), parameters[length], "m"
@@ -32,7 +32,7 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...
 
 
 def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> list[str]:
-    """Return the mistakes in a law that is a table: its slips, speeds or times, and its ``values``."""
+    """Return the mistakes in a tabulated law, where ``values`` names its second list."""
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], dtype=float)
     coefficients = np.asarray(parameters[values], dtype=float)
@@ -50,7 +50,7 @@ def list_faults(path: str, name: str, parameters: Parameters, values: str = "coe
 
 
 def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> Data:
-    """A friction law that is declared in pieces, of the slip over its scale."""
+    """Return a friction law that is declared in pieces, as a function of slip over its scale."""
     _, breaks, polynomials = PIECES[name]
     arrays = dict[str, Floats]()
     for key, value in parameters.items():
@@ -69,7 +69,7 @@ def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int,
 
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
-    """Linear interpolation of samples, constant before the first and after the last."""
+    """Return the linear interpolation of samples, with constant values before the first and after the last."""
     first = places[0] - 1.0
     breaks = np.concatenate([[first], places])
     first_values = values[:-1]
@@ -87,7 +87,7 @@ def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
 
 
 def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
-    """A sine between its start and its end, zero elsewhere."""
+    """Return a sine between its start and its end, zero elsewhere."""
     before = start - 1.0
     end = start + duration
     zero = [0.0, 0.0, 0.0]
@@ -98,10 +98,10 @@ def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
 
 
 def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
-    """Monotone cubic interpolation (Fritsch and Carlson 1980), smoothly continued by the last value.
+    """Return the monotone cubic interpolation of samples (Fritsch and Carlson 1980), continued by the last value.
 
-    Interior slopes are weighted harmonic means (Fritsch and Butland 1984); the first is that of the parabola through
-    three points, limited, or 0 for a smooth start.
+    Interior slopes are weighted harmonic means (Fritsch and Butland 1984). The first slope is the limited slope of
+    the parabola through three points, or 0 for a smooth start.
     """
     step = np.diff(places)
     rise = np.diff(values)
@@ -122,7 +122,7 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
 
 
 def _interior_slopes(step: Floats, secant: Floats) -> Floats:
-    """Weighted harmonic means of neighbouring secants; 0 where they differ in sign."""
+    """Return weighted harmonic means of neighbouring secants, 0 where their signs differ."""
     before = secant[:-1]
     after = secant[1:]
     step_before = step[:-1]
@@ -138,7 +138,7 @@ def _interior_slopes(step: Floats, secant: Floats) -> Floats:
 
 
 def _first_slope(step: Floats, secant: Floats) -> float:
-    """Slope of the parabola through the first three points, limited so that the interpolation is monotone."""
+    """Return the slope of the parabola through the first three points, limited to preserve monotonicity."""
     if step.size == 1:
         return float(secant[0])
     near, far, *_ = step
@@ -154,7 +154,7 @@ def _first_slope(step: Floats, secant: Floats) -> float:
 
 
 def of_speed(speeds: Floats, values: Floats) -> Data:
-    """Monotone cubics in the logarithm of the speed, continued by the end values; the first piece begins at speed 0."""
+    """Return monotone cubics in the logarithm of speed, continued by the end values down to speed 0."""
     cubics = monotone(np.log(speeds), values, smooth_start=True)
     constant = [values[0], 0.0, 0.0, 0.0]
     breaks = np.concatenate([[0.0], speeds])
@@ -163,7 +163,7 @@ def of_speed(speeds: Floats, values: Floats) -> Data:
 
 
 def of_list(argument: str, places: Floats, values: Floats) -> Data:
-    """A friction law given as a table of slip, speed or time."""
+    """Return a friction law given as a table of slip, speed or time."""
     if argument == "slip":
         return monotone(places, values)
     if argument == "speed":
@@ -172,14 +172,14 @@ def of_list(argument: str, places: Floats, values: Floats) -> Data:
 
 
 def _held_lines(places: Floats, values: Floats) -> Data:
-    """Linear interpolation of samples; the first and the last one continue."""
+    """Return the linear interpolation of samples, continued by the first and the last value."""
     first = float(values[0])
     last = float(values[-1])
     return lines(places, values, first, last)
 
 
 def of_time(function: Series | LaneSeries | Pulse) -> Data:
-    """A function of time, or of each lane one."""
+    """Return the pieces of a function of time, or of one function per lane."""
     if isinstance(function, LaneSeries):
         return _side_by_side([of_time(series) for series in function.series], function.which)
     if isinstance(function, Pulse):
@@ -190,7 +190,7 @@ def of_time(function: Series | LaneSeries | Pulse) -> Data:
 
 
 def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
-    """Functions of time in straight lines one after the other; behind each a piece that begins at infinity."""
+    """Return functions of time one after the other, each followed by a piece that begins at infinity."""
     breaks = list[Floats]()
     coefficients = list[Floats]()
     jumps = list[Floats]()

@@ -1,4 +1,4 @@
-"""What is said of a scene and its motion: equation, warnings, summary, error estimate."""
+"""Texts about a scene and its motion: equation, warnings, summary and error estimate."""
 
 from slipcircle.words.accuracy import ROUNDED, RUNS, perturbed_runs
 from slipcircle.words.choice import integrator

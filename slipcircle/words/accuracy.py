@@ -1,4 +1,4 @@
-"""How well a motion is known: seven more runs, with longer series, other steps and inputs moved by rounding."""
+"""Error estimate of a motion from seven further runs with longer series, other steps and perturbed inputs."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -17,38 +17,38 @@ from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.walk.compiled import Samples
 from slipcircle.core.walk.lanes import integrate
 
-Final = Mapping[int, Any]  # state entries of lanes at their end, by their places
+Final = Mapping[int, Any]  # entries of lanes at their end, by index
 
-# Plackett and Burman (1946): seven factors in eight runs, the first of which is the motion itself. Random signs miss
+# Design of Plackett and Burman (1946): seven factors in eight runs, where run 0 is the motion itself. Random signs miss
 # the combination that matters more often.
 RUNS = 8
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 _ROWS = [np.roll(_FIRST, k) for k in range(7)]
 SIGNS = np.array(_ROWS, dtype=float)
-# Steps over those of the motion itself, of the motion and the other runs, which go two orders further, as from rest
-# every other coefficient is 0. Longer ones cost less than shorter ones would, and still truncate less.
+# Increase of the order, and ratio of step lengths, of each run relative to the motion. Two orders are added because
+# every other coefficient is 0 at rest. Longer steps of higher order cost less than shorter steps and truncate less.
 FURTHER = np.full(RUNS, 2.0)
 FURTHER[0] = 0.0
 LONGER = np.array([1.0, 1.005, 1.02, 1.035, 1.05, 1.07, 1.095, 1.115])
-# What the spread counts for: where the ends of the series are the error, as of an ensemble's lanes, and where rounding
-# is, as of single scenes, of which in 2,000 random ones the error was up to 5.1 times the spread.
+# Ratio of the estimate to the spread of the runs: CUT where truncation dominates, as in ensembles, and ROUNDED where
+# rounding dominates, as in single scenes (in 2,000 random scenes the error was at most 5.1 times the spread).
 CUT = 4.5
 ROUNDED = 6.0
-LEAST_SIZE = 1e-300  # by which what is 0 is divided
-LEAST = 8 * EPS / 2  # that an estimate is
-UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
-# Functions of the rotation are laid out to a share of the accuracy: beside the motion closer, down to their rounding.
+LEAST_SIZE = 1e-300  # divisor in place of 0
+LEAST = 8 * EPS / 2  # least estimate
+UNDECIDED = 8.0  # units of rounding below which it is uncertain whether the mass moves
+# Functions of the rotation are interpolated to a fraction of the accuracy, in the further runs down to rounding.
 CLOSER = 1e-3
 CLOSEST = 1e-13
-# What single motions are compared by.
+# Cells by which single motions are compared.
 COMPARED = np.array([ix.STATUS, ix.PHASES, ix.END_TIME, ix.REST_SINCE, ix.REACH_ROTATION, ix.PEAK_OMEGA])
-# Shares of the duration at which states are compared, of each run the same.
+# Fractions of the duration at which the states of all runs are compared.
 SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
 @lru_cache(maxsize=256)
 def _moves(program: Program, rounding: float) -> Floats:
-    """By what each run multiplies cells, (cells, 8): inputs of the program to move them by rounding, and its steps."""
+    """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths."""
     inputs = program.cells[len(ix.CELLS) : program.given]
     moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
     for table in program.tables:
@@ -65,13 +65,16 @@ def _moves(program: Program, rounding: float) -> Floats:
 
 
 def _is_of_table(cell: str) -> bool:
-    """Whether a cell belongs to a table, as ``k_h.PIECE`` does, and not to a law, as ``exponential.peak``."""
+    """Return whether a cell belongs to a table, such as ``k_h.PIECE``, not to a law, as ``exponential.peak``."""
     _, dot, name = cell.rpartition(".")
     return bool(dot) and name.isupper()
 
 
 def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
-    """Cells of the same lanes with other steps, two orders more, inputs moved by rounding; run 0 is the motion itself.
+    """Return cells of further runs with other steps, two more orders and inputs perturbed by rounding.
+
+    Run 0 is the motion itself. A single lane may have several runs at once. ``rounding`` is the relative error of an
+    input.
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
@@ -82,10 +85,10 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
 
 def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
-    """The estimated relative error of each lane's peak velocity, run-out and duration.
+    """Return the estimated relative error of each lane's peak velocity, run-out and duration.
 
-    Of a single lane also of its states along the way, relative to peak velocity and run-out. It is 1 where rounding
-    decides whether the mass moves or rests.
+    For a single lane it includes the states during the motion, relative to peak velocity and run-out. It is 1 if
+    rounding decides whether the mass moves.
     """
     rounding = plan.scene.arc.rounding
     error: Any
@@ -105,7 +108,7 @@ def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
 
 
 def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
-    """The greatest difference of any run from each lane's results, relative, and whether one ends otherwise."""
+    """Return the greatest relative difference of any run from each lane's results, and whether a run ends otherwise."""
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
@@ -122,7 +125,7 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
 
 
 def _closer(plan: Plan, problem: Problem) -> Problem:
-    """The same lanes with the functions of their rotation closer to what these stand for."""
+    """Return the same lanes with more accurate interpolation of functions of the rotation."""
     if not any(table.kind == "rotation" for table in problem.program.tables):
         return problem
     accuracy = max(CLOSER * plan.accuracy, CLOSEST)
@@ -131,9 +134,9 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
 
 
 def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, bool]:
-    """The same of one lane: all runs at once, beside the motion itself, with their states along the way.
+    """Return `_of_ensemble` of one lane, including its states during the motion. All runs are solved in one call.
 
-    Results are compared as Python's floats, of which a few cost less than an array.
+    Results are compared as Python floats, since a few floats cost less than an array.
     """
     states = np.zeros((2 + len(problem.program.states), len(SHARES), RUNS))
     of_motion = _summary(final)
@@ -158,7 +161,7 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
 
 
 def _ends_otherwise(cells: Floats, final: Final) -> Any:
-    """Whether runs end with another status than the motion, or move where it does not."""
+    """Return whether runs end with another status than the motion, or move where the motion does not."""
     other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
     moves = cells[ix.PHASES] > 0.0
     phases = final[ix.PHASES]
@@ -166,7 +169,7 @@ def _ends_otherwise(cells: Floats, final: Final) -> Any:
 
 
 def _end_alike(status: list[float], final: Final) -> bool:
-    """Return whether all runs end as the motion does."""
+    """Return whether all runs end with the status of the motion."""
     return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
 
 
@@ -177,11 +180,11 @@ def _ending(status: Any) -> Any:
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:
-    """Duration, run-out and peak velocity, dimensionless, of final cells."""
+    """Return dimensionless duration, run-out and peak velocity from final cells."""
     duration = choose(_ends_in_time(final), final[ix.END_TIME], final[ix.REST_SINCE])
     return duration, final[ix.REACH_ROTATION], abs(final[ix.PEAK_OMEGA])
 
 
 def _ends_in_time(final: Final) -> Any:
-    """Whether motions end at their end time; that of a mass that creeps ends when it has all but arrived."""
+    """Return whether motions end at their end time. The duration of a creeping mass is its arrival."""
     return (final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)

@@ -1,4 +1,4 @@
-"""Why an arc is no mass that can slide, or which of many is none; by the names of `Arc.geometry_errors`."""
+"""Messages for impossible arcs, by the names of `Arc.geometry_errors`."""
 
 import numpy as np
 
@@ -6,19 +6,19 @@ from slipcircle.core import Arc
 
 
 def swapped(arc: Arc, lane: int) -> str:
-    """The second end is not above the first."""
+    """Return the message for a second end that is not above the first."""
     one, two = _degrees(arc, lane)
     return f"{{theta_2}} = {two:.10g} deg: must be above {{theta_1}} = {one:.10g} deg; swap them?"
 
 
 def too_wide(arc: Arc, lane: int) -> str:
-    """The arc is more than a half circle."""
+    """Return the message for an arc of more than a half circle."""
     one, two = _degrees(arc, lane)
     return f"{{theta_2}} - {{theta_1}} = {two - one:.10g} deg: must be at most 180 deg{_were_degrees(arc)}"
 
 
 def without_load(arc: Arc, lane: int) -> str:
-    """The weight does not press on the arc."""
+    """Return the message for an arc on which the weight does not press."""
     one, two = _degrees(arc, lane)
     return (
         f"{{theta_1}} = {one:.10g} deg, {{theta_2}} = {two:.10g} deg: there is no normal load; the middle of "
@@ -27,14 +27,14 @@ def without_load(arc: Arc, lane: int) -> str:
 
 
 def _degrees(arc: Arc, lane: int) -> list[float]:
-    """Both ends."""
+    """Return both ends of a lane in degrees."""
     ends = np.broadcast_arrays(arc.theta_1, arc.theta_2)
     of_lane = [end.flat[lane] for end in ends]
     return np.degrees(of_lane).tolist()
 
 
 def _were_degrees(arc: Arc) -> str:
-    """A question, where an end is more than two turns: 12.6 rad are more than anybody turns, and few degrees."""
+    """Return a question about units if an end exceeds two turns, as degrees passed for radians do."""
     is_beyond = np.abs(arc.theta_1) > 4 * np.pi
     if np.any(is_beyond):
         return "; theta_1 and theta_2 are in rad: were they in degrees?"

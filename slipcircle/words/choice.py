@@ -1,4 +1,4 @@
-"""A plan in words: the law, the method and the reason for it."""
+"""Description of a plan: friction law, method, and the reasons for the method."""
 
 from collections.abc import Iterator
 from functools import cache
@@ -18,7 +18,7 @@ WORDS = {"speed": "the speed", "layered_strength": _SOILS, "soil_friction": _SOI
 
 
 class PlanWords(NamedTuple):
-    """What `Plan` says of itself."""
+    """Description of a plan by friction law, method and reasons."""
 
     law: str
     method: str
@@ -26,7 +26,7 @@ class PlanWords(NamedTuple):
 
 
 def words_of(plan: Plan) -> PlanWords:
-    """What a plan says in words."""
+    """Return the description of a plan."""
     words = _words(plan.recipe)
     binary = module()
     is_straight = binary is not None and binary.straight_line(encoded(plan.program), widest()) >= 0
@@ -35,7 +35,7 @@ def words_of(plan: Plan) -> PlanWords:
 
 
 def integrator() -> str:
-    """What integrates here: compiler and level of the integrator, lanes of a vector, straight-line programs or not."""
+    """Return the description of the integrator: compiler, vector level, lanes and straight-line programs."""
     kind = level()
     if not kind:
         return "NumPy, not compiled"
@@ -69,7 +69,7 @@ def _words(recipe: Recipe) -> PlanWords:
 
 
 def _law_in_words(laws: Names) -> str:
-    """The friction law, or those of soils, times the law of speed."""
+    """Return the friction law, or the laws of the soils, and the law of speed as a product."""
     of_soils = [without_soil(law) for law in laws if OF_SOIL in law]
     factors = [law for law in laws if OF_SOIL not in law]
     if of_soils:
@@ -78,7 +78,7 @@ def _law_in_words(laws: Names) -> str:
 
 
 def _reasons(effect: str, in_time: bool) -> Iterator[str]:
-    """What asks for an integration: that an effect turns the mass, or what it depends on."""
+    """Yield the reasons for an integration: an effect turns the mass, or depends on a variable."""
     declared = ALL_EFFECTS[effect]
     for variable in declared.depends_on:
         if variable == "time" and not in_time:

@@ -1,7 +1,7 @@
-"""The equation of motion of one scene, in plain symbols and in LaTeX, with the numbers of its coefficients.
+"""Equation of motion of a scene, as text and in LaTeX, with the values of its coefficients.
 
-Its terms come from `generated.flow.TERMS`, which is derived from the declarations of effects and laws; its numbers are
-those that the integrator takes. Where several soils lie along the slip surface, it is a sum over them (`SOIL_TERMS`).
+The terms come from `generated.flow.TERMS`, which is derived from the declarations of effects and laws. The values are
+the integrator's. With several soils along the slip surface the equation is a sum over soils (`SOIL_TERMS`).
 """
 
 from collections.abc import Iterator
@@ -40,20 +40,20 @@ VARIABLES = {
 
 @dataclass(frozen=True)
 class Equation:
-    """The equation of motion of one scene, dimensionless: time over sqrt(R/g), stresses over the reference stress.
+    """Dimensionless equation of motion of a scene. Time is divided by sqrt(R/g), stress by the reference stress.
 
     Attributes
     ----------
     balance : EquationTerm
         The balance of momentum (3.11) with (2.20).
     sums : tuple of EquationTerm
-        What its quantities are sums of (friction of two laws: a product).
+        Terms of the quantities in the balance. With two friction laws the friction is their product.
     numbers : tuple of EquationTerm
         The coefficients.
     soils : tuple of str
-        Names of the soils over which it sums; none where the ground is one soil.
+        Names of the soils in the sum, empty for homogeneous ground.
     changing : tuple of str
-        Symbols of those of their numbers that change with the rotation, and are given as they are at the start.
+        Symbols of soil coefficients that change with the rotation. Their values are those at the start.
     """
 
     balance: EquationTerm
@@ -86,7 +86,7 @@ class Equation:
         return SOIL_QUANTITIES if self.soils else EQUATION_QUANTITIES
 
     def _lines(self) -> Iterator[str]:
-        """A line for each term; a quantity to which nothing adds is 0."""
+        """Yield a line for each term. A quantity without terms is 0."""
         last = ""
         zero = set(self._quantities)
         for term in self.sums:
@@ -99,7 +99,7 @@ class Equation:
             yield f"  {name:>12} = 0"
 
     def _values(self) -> Iterator[str]:
-        """A line for each number, those of the soils last."""
+        """Yield a line for each number, with the numbers of the soils last."""
         of_soils = list[tuple[str, str]]()
         for number in self.numbers:
             if isinstance(number.value, tuple):
@@ -120,7 +120,7 @@ class Equation:
 
     @property
     def latex(self) -> str:
-        """The equation in LaTeX, aligned, without the numbers."""
+        """Equation in LaTeX, aligned, without numbers."""
         sums = {self.balance.symbol: [self.balance.latex]}
         for term in self.sums:
             addends = sums.setdefault(term.symbol, [])
@@ -138,7 +138,7 @@ class Equation:
         return f"$\\displaystyle {self.latex}$"
 
     def to_dict(self) -> dict[str, Any]:
-        """For JSON: the balance, its terms and its numbers."""
+        """Return the balance, its terms and its numbers for JSON."""
         keys = ("symbol", "formula", "effect", "value", "unit")
         return {
             "balance": self._balance_in_words,
@@ -149,7 +149,7 @@ class Equation:
 
 
 def equation_of(plan: Plan) -> Equation:
-    """The equation of motion of a plan's scene."""
+    """Return the equation of motion of a plan's scene."""
     arc: Any = plan.scene.arc
     soils = tuple(arc.arc_strength.distinct_soils) if "layered_strength" in plan.recipe.effects else ()
     every_number = [*numbers_of(plan, problem_of(plan), soils)]
@@ -170,7 +170,10 @@ def equation_of(plan: Plan) -> Equation:
 
 
 def _changing(plan: Plan, numbers: tuple[EquationTerm, ...]) -> Names:
-    """Which numbers of the soils change as the mass turns: with strength of the base all that are sums along them."""
+    """Return the symbols of soil coefficients that change as the mass turns.
+
+    With the strength of the base these are all sums along the surface.
+    """
     arc: Any = plan.scene.arc
     if not rotates(plan.effects):
         return ()
@@ -179,7 +182,7 @@ def _changing(plan: Plan, numbers: tuple[EquationTerm, ...]) -> Names:
 
 
 def _shown(value: Any, digits: int = 6) -> str:
-    """A value to some digits; the range of an array."""
+    """Return a value rounded to some digits, or the range of an array."""
     if value is None:
         return "..."
     ends = (f"{end:.{digits}g}" for end in (np.min(value), np.max(value)))
@@ -187,7 +190,7 @@ def _shown(value: Any, digits: int = 6) -> str:
 
 
 def _latex(symbol: str) -> str:
-    """The LaTeX of a quantity's symbol."""
+    """Return the LaTeX form of a quantity's symbol."""
     if symbol == BALANCE[0]:
         return r"\Theta\,\frac{d\omega}{dt}"
     quantities = EQUATION_QUANTITIES | SOIL_QUANTITIES

@@ -1,8 +1,8 @@
-"""Numbers of an unusual size are questioned: a soil's weight, strength or friction that was meant in another unit.
+"""Questions about numbers of unusual size, such as a unit weight that was probably meant in another unit.
 
-One rule for all parameters, by what `generated.effects` declares for their unit: a value outside what soils have, which
-another unit would bring inside. Such a scene is solved all the same; `Motion.warnings` asks, and a scene that is made
-in Python warns.
+One rule serves all parameters: `generated.effects` declares the usual range of each unit, and a value outside it is
+questioned if another unit would bring it inside. The scene is solved nevertheless. The question appears in
+`Motion.warnings`, and as a warning if the scene is created in Python.
 """
 
 import math
@@ -21,9 +21,10 @@ _STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
 
 
 def questions(scene: Scene, written: Callable[[str, float], str] | None) -> Iterator[str]:
-    """A sentence for each number of a scene that was probably meant in another unit.
+    """Yield a question for each number of a scene that was probably meant in another unit.
 
-    It begins with the number as its user wrote it: from a name and a value in SI units, without ``written`` just these.
+    ``written`` converts a name and a value in SI units to the number as the user wrote it. Without it, the question
+    begins with name and value.
     """
     known = possible_parameters(scene)
     units = {name: parameter.unit for name, parameter in known.items()}
@@ -53,7 +54,10 @@ _MAKERS = ("slipcircle.core.scene.scene", "dataclasses", "copy", __name__)
 
 
 def warn(scene: Scene) -> None:
-    """Warn of unusual numbers where a user makes a scene; a scene file's are printed with its result."""
+    """Warn of unusual numbers where a user creates a scene.
+
+    For scene files the questions are printed with the result.
+    """
     level = 1
     frame = sys._getframe()
     while frame.f_back and frame.f_globals["__name__"] in _MAKERS:
@@ -70,7 +74,7 @@ def _is_friction(name: str, unit: str) -> bool:
 
 
 def _question(name: str, value: float, unit: str) -> str:
-    """What to ask about a number; empty where it is a usual one."""
+    """Return the question about a number, empty if the number is usual."""
     if name == "shaking.amplitude" and abs(value) > _STRONGEST:
         return f"no ground has shaken with more than {_STRONGEST:g} g; is that in m/s^2 or in %?"
     is_strength = name.startswith("surcharge.") or name.endswith("cohesion")

@@ -1,4 +1,4 @@
-"""Why a single scene has no result."""
+"""Errors of single scenes without a result."""
 
 import math
 from typing import Any
@@ -10,13 +10,13 @@ from slipcircle.base.checks import InputError
 from slipcircle.core import Status
 from slipcircle.core.scene.effects import rotates
 
-STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
+STRONGEST = 1e7  # greatest q = 2 (lambda A mu + d)/Theta* that the solver follows
 
 _REMEDIES = {"friction": "less friction", "drag": "a greater xi", "viscosity": "a lower viscosity"}
 
 
 def refusal(motion: Any) -> InputError:
-    """Why a single scene has no result, and what to change."""
+    """Return the error that explains why a single scene has no result and how to change the scene."""
     scene = motion.plan.scene
     speed = float(np.asarray(scene.initial_velocity))
     status = motion.status
@@ -51,7 +51,7 @@ def refusal(motion: Any) -> InputError:
 
 
 def _too_strong(motion: Any) -> str:
-    """Return the message about brakes that are too strong: the numbers of the scene that brake, and remedies."""
+    """Return the message for brakes that are too strong, with the inputs that brake and the remedies."""
     brakes = [name for name in _REMEDIES if name in ("friction", *motion.plan.recipe.effects)]
     remedies = " or ".join(_REMEDIES[name] for name in brakes)
     return (

@@ -1,4 +1,4 @@
-"""What happened to a mass, or to those of an ensemble, in one line."""
+"""Summary of a motion, or of an ensemble, in one line."""
 
 from typing import Any
 
@@ -8,11 +8,11 @@ from slipcircle.base.text import digits_left, shown
 from slipcircle.core.motion.states import Status
 
 OUTSIDE = "outside the range of the method"
-SWING = 1e-6  # of the run-out: a mass that ends farther from it has swung back
+SWING = 1e-6  # relative distance of the end from the run-out above which the mass has swung back
 
 
 def standing(motion: Any) -> str:
-    """Return words for a single mass that does not move, with the factor of safety that its motion would start from."""
+    """Return the summary of a single mass that does not move, with its factor of safety by the starting method."""
     factor = shown(float(motion.factor_of_safety))
     by_closure = ""
     if motion.plan.scene.strength_factor == 1.0:
@@ -21,7 +21,7 @@ def standing(motion: Any) -> str:
 
 
 def summary(motion: Any) -> str:
-    """What happened to a single mass, in half a sentence."""
+    """Return the summary of a single motion: peak velocity, run-out and end."""
     if not motion.moves:
         return standing(motion)
     digits = digits_left(motion.error_estimate)
@@ -40,7 +40,7 @@ def summary(motion: Any) -> str:
 
 
 def ensemble_summary(motion: Any) -> str:
-    """How many lanes ended in which way, and the range of their run-outs."""
+    """Return the number of lanes by status, and the range of their run-outs."""
     counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
     unknown = np.isnan(motion.run_out)
     known = motion.run_out[~unknown]
@@ -58,6 +58,6 @@ def swings_back(motion: Any) -> Any:
 
 
 def range_words(motion: Any) -> str:
-    """Return when and where a single motion leaves the range of validity, in words; empty if it does not."""
+    """Return when and where a single motion leaves the range of validity, as text; empty if it does not."""
     state = motion.range_end
     return f"after {shown(state.time, 3)} s, {shown(state.displacement, 3)} m" if state else ""

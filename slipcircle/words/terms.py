@@ -1,4 +1,4 @@
-"""Terms of the equation of motion of one scene, and the numbers in them."""
+"""Terms of the equation of motion of a scene, and the numbers in them."""
 
 import re
 from collections.abc import Iterator
@@ -19,20 +19,20 @@ from slipcircle.core.scene.scene import Scene
 
 
 class EquationTerm(NamedTuple):
-    """A term of the equation of motion, or a number in it.
+    """Term of the equation of motion, or number in it.
 
     Attributes
     ----------
     symbol : str
-        Of the quantity that the term belongs to ("M", "sigma", "u", "mu", "T", "J_theta", ...), or of the number.
+        Symbol of the quantity that contains the term ("M", "sigma", "u", "mu", "T", "J_theta", ...), or of the number.
     formula : str
-        The term; of a number what it is.
+        Formula of the term, or meaning of the number.
     effect : str
-        What asks for it: "gravity", an effect, a friction law, or "frozen" geometry.
+        Origin of the term: "gravity", an effect, a friction law, or "frozen" geometry.
     value : float, ndarray, tuple or None
-        Of a number; of a number of each soil a tuple; None of a term, and of what changes with time or the rotation.
+        Value of a number, or a tuple with one value per soil. None for terms and for functions of time or rotation.
     unit : str
-        SI; "" where dimensionless.
+        SI unit, "" if dimensionless.
     latex : str
     """
 
@@ -45,7 +45,7 @@ class EquationTerm(NamedTuple):
 
 
 def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> list[EquationTerm]:
-    """What gravity and effects add, without those of absent parameters, and how the weight turns or does not."""
+    """Return the terms of gravity and effects, without terms of absent parameters, and the rotation of the weight."""
     names = ["gravity", *plan.effects]
     if not rotates(plan.effects):
         names.append("frozen")
@@ -62,7 +62,7 @@ def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> li
 
 
 def _indexed(term: EquationTerm, index: str) -> EquationTerm:
-    """A term of one soil, whose symbols end on its number, ``peak_1``; of all soils on ``i``, with one length."""
+    """Return a term with the index of a soil in its symbols, such as ``peak_1``, or ``i`` for a sum over soils."""
     if not index:
         return term
     effect = without_soil(term.effect)
@@ -71,7 +71,7 @@ def _indexed(term: EquationTerm, index: str) -> EquationTerm:
     names += [p.name for p in law.parameters if p.kind == "number" and (index != "i" or not p.unit)] if law else []
     any_name = "|".join(names)
     symbol = re.sub(rf"^({any_name})$", rf"\1_{index}", term.symbol)
-    if term.value is not None:  # of a number the formula is what it is, in words
+    if term.value is not None:  # the formula of a number is its meaning in words
         return term._replace(symbol=symbol, effect=effect)
     formula = re.sub(rf"\b({any_name})\b(?!\()", rf"\1_{index}", term.formula)
     latex = re.sub(r"\\mu_([pr0])", rf"\\mu_{{\1,{index}}}", term.latex)
@@ -81,7 +81,7 @@ def _indexed(term: EquationTerm, index: str) -> EquationTerm:
 
 
 def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
-    """The friction coefficient of a law, or the product of a law of slip and one of speed; of soils with an index."""
+    """Return the terms of the friction coefficient, a law of slip or the product of laws of slip and speed."""
     of_soils = [law for law in laws if soil_number(law)]
     shared = laws[len(of_soils) :]
     with_rate = len(shared) > (not of_soils)
@@ -113,18 +113,19 @@ def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
 
 
 def _term_of_law(symbol: str, law: str) -> EquationTerm:
-    """A friction coefficient by a law."""
+    """Return the term of a coefficient by a law."""
     (term,) = TERMS[without_soil(law)]
     _, formula, latex = term
     return EquationTerm(symbol, formula, law, latex=latex)
 
 
 def symbols_in(formula: str) -> list[str]:
+    """Return the symbols in a formula."""
     return re.findall(r"[A-Za-z_]\w*'?", formula)
 
 
 def used(terms: list[EquationTerm]) -> list[EquationTerm]:
-    """Without components of the weight that no other term takes."""
+    """Return the terms without components of the weight that no other term contains."""
     taken = set[str]()
     of_weight = set[str]()
     for term in terms:
@@ -137,7 +138,7 @@ def used(terms: list[EquationTerm]) -> list[EquationTerm]:
 
 
 def place(term: EquationTerm) -> int:
-    """Terms in the order of the quantities, then what they are made of."""
+    """Return the sort key of a term, in the order of the quantities followed by their parts."""
     order = [*EQUATION_QUANTITIES]
     if term.symbol.startswith(("mu_slip", "mu_rate")):
         return len(order)
@@ -146,7 +147,7 @@ def place(term: EquationTerm) -> int:
 
 
 def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator[EquationTerm]:
-    """Every number that a formula may name, with its value."""
+    """Yield every number that may occur in a formula, with its value."""
     scene = plan.scene
     of_arc = {symbol: _per_lane(value, scene) for symbol, value in _of_the_arc(scene.arc).items()}
     for symbol, value in of_arc.items():
@@ -174,7 +175,7 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
 
 
 def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
-    """The numbers of the law of a cohesion that changes with slip."""
+    """Yield the numbers in the law of a cohesion that changes with slip."""
     for name, given in scene.laws:
         if not name.endswith(OF_COHESION):
             continue
@@ -186,7 +187,7 @@ def _numbers_of_cohesion(scene: Scene) -> Iterator[EquationTerm]:
 
 
 def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> dict[str, tuple[Any, ...]]:
-    """The numbers in `SOIL_COEFFICIENTS`, each of every soil."""
+    """Return the numbers in `SOIL_COEFFICIENTS`, each with one value per soil."""
     if not soils:
         return {}
     arc: Any = scene.arc
@@ -209,7 +210,7 @@ def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> d
 
 
 def _numbers_of_effect(effect: str, scene: Scene, problem: Problem) -> Iterator[EquationTerm]:
-    """The numbers of an effect, and what it gives as functions of time or the rotation."""
+    """Yield the numbers of an effect, and its functions of time or rotation."""
     for p in EFFECTS[effect].parameters:
         if p.symbol in problem.recipe.moving:
             argument = "the rotation" if p.kind == "rotation" else "time"
@@ -221,7 +222,7 @@ def _numbers_of_effect(effect: str, scene: Scene, problem: Problem) -> Iterator[
 
 
 def _definition(effect: str, p: Parameter) -> str:
-    """How a number is made of the scene's, or what it is."""
+    """Return the formula of a parameter in terms of the scene, or its meaning."""
     start = f"{p.symbol}* = "
     for formula in EFFECTS[effect].formulas:
         if formula.startswith(start):
@@ -231,7 +232,7 @@ def _definition(effect: str, p: Parameter) -> str:
 
 
 def _of_the_arc(arc: Mass) -> Parameters:
-    """The numbers in `COEFFICIENTS`, from what the integrator takes, whose coefficients are over Theta."""
+    """Return the numbers in `COEFFICIENTS`. The integrator stores them divided by Theta."""
     coefficients = arc.moment_coefficients
     theta = arc.dimensionless.moment_of_inertia
     return {
@@ -247,7 +248,7 @@ def _of_the_arc(arc: Mass) -> Parameters:
 
 
 def _per_lane(value: Any, scene: Scene) -> Any:
-    """A number of a single scene; an array of the scene's shape where it has one."""
+    """Return a float for a single scene, and otherwise an array of the scene's shape."""
     if not scene.shape:
         return float(np.ravel(value)[0])
     if np.ndim(value) == 1 and np.size(value) == np.prod(scene.shape):  # one a lane

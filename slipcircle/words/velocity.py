@@ -1,4 +1,4 @@
-"""The velocity classes of Cruden and Varnes (1996), and how long a mass moves in each."""
+"""Velocity classes of Cruden and Varnes (1996), and the time that a mass spends in each class."""
 
 from typing import Any, NamedTuple
 
@@ -7,16 +7,15 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.base.sections import Mask, first_section
 
-# Least velocities of the classes above the slowest, m/s: 16 mm and 1.6 m a year, 13 m a month, 1.8 m an hour, 3 m a
-# minute, 5 m a second.
+# Lower limits of all classes but the slowest, m/s: 16 mm/year, 1.6 m/year, 13 m/month, 1.8 m/hour, 3 m/min, 5 m/s.
 LIMITS = (5e-10, 5e-8, 5e-6, 5e-4, 5e-2, 5.0)
-SAMPLES = 401  # of a phase, closer at its ends
-SECTIONS = np.linspace(0.0, 1.0, 17)  # shares at which the interval of a crossing is divided, again and again
+SAMPLES = 401  # times in a phase, denser at its ends
+SECTIONS = np.linspace(0.0, 1.0, 17)  # relative positions at which the interval of a crossing is divided
 ROUNDS = 12
 
 
 class VelocityTimes(NamedTuple):
-    """How long a mass moves in each velocity class, s."""
+    """Time that a mass spends in each velocity class, s."""
 
     extremely_slow: float
     very_slow: float
@@ -31,7 +30,7 @@ CLASSES = tuple(name.replace("_", " ") for name in VelocityTimes._fields)
 
 
 def velocity_class(motion: Any) -> str:
-    """The class of the peak velocity of a single motion; empty if it does not move."""
+    """Return the class of the peak velocity of a single motion, empty if it does not move."""
     if not motion.moves:
         return ""
     place = np.searchsorted(LIMITS, motion.peak.velocity, side="right")
@@ -39,7 +38,10 @@ def velocity_class(motion: Any) -> str:
 
 
 def velocity_times(motion: Any) -> VelocityTimes:
-    """How long a single motion is in each class, s, standstills apart; of one that creeps until its settling time."""
+    """Return the time in s that a single motion spends in each class, without standstills.
+
+    A creeping mass counts until its settling time.
+    """
     above = np.zeros(len(CLASSES) + 1)  # times above the least velocity of each class, the slowest first
     phases = motion.phases if motion.moves else ()
     angle = np.linspace(0.0, np.pi, SAMPLES)
@@ -57,7 +59,7 @@ def velocity_times(motion: Any) -> VelocityTimes:
 
 
 def _time_above(motion: Any, times: Floats, limit: float) -> float:
-    """Time between the first and the last of some times during which a motion is faster than a limit, s."""
+    """Return the time in s between the first and the last of ``times`` during which a motion is faster than a limit."""
     faster = _speed(motion, times) > limit
     before = faster[:-1]
     after = faster[1:]

@@ -1,4 +1,4 @@
-"""What a user should know of a single motion beside its numbers."""
+"""Warnings about a single motion."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -8,17 +8,17 @@ import numpy as np
 from slipcircle.words.plausible import questions
 from slipcircle.words.summary import OUTSIDE, range_words
 
-FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
-ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
+FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits the accuracy
+ENERGY_TOLERANCE = 1e-12  # imbalance relative to the exchanged energy above which it is reported
 NEAR_LIMIT = 1e-3  # relative distance of friction from its limit that makes a motion ill-conditioned
-SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is reported
-LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
+SUBMERGED = 1e-6  # depth below the water level, relative to the radius, above which it is reported
+LISTED, MANY_PHASES = 3, 100  # greatest number of lift-offs listed individually; number of phases that counts as many
 
 
 def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
-    """Sentences about odd input as it was written, lift-off, conditioning, water and range of validity.
+    """Return warnings about odd input, lift-off, conditioning, water and range of validity.
 
-    ``written`` words a number by its name and its value in SI units.
+    ``written`` converts a name and a value in SI units to the number as the user wrote it.
     """
     odd_input = questions(motion.plan.scene, written)
     outside = [f"{OUTSIDE} {range_words(motion)}"] * motion.outside_range
@@ -36,7 +36,7 @@ def _lift_offs(motion: Any) -> Iterator[str]:
 
 
 def _conditioning(motion: Any) -> Iterator[str]:
-    """Whether the requested accuracy is missed, and the likely cause; or else whether energy is not balanced."""
+    """Yield a warning if the requested accuracy is missed, with the likely cause, or if energy is not balanced."""
     error, accuracy = motion.error_estimate, motion.plan.accuracy
     if error > accuracy:
         limit = motion.limit_friction
@@ -57,7 +57,7 @@ def _conditioning(motion: Any) -> Iterator[str]:
 
 
 def _submergence(motion: Any) -> Iterator[str]:
-    """Turning may bring ground below a water level, whose weight on it the method does not count."""
+    """Yield warnings about standing water and about ground that sinks below a water level."""
     section = motion.plan.scene.arc
     if section.in_standing_water:
         yield "the mass moves through standing water, whose drag and added mass are not included"

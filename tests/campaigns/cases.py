@@ -23,7 +23,7 @@ OBSERVABLE: Mapping[str, tuple[str, Callable[[Any], float]]] = {
     "factor_of_safety": ("factor of safety", lambda motion: motion.factor_of_safety),
     "ordinary_factor": (
         "factor of safety, the ordinary method",
-        lambda motion: motion.plan.scene.stability.factor_of_safety["ordinary"],
+        lambda motion: motion.plan.scene.stability.factors_of_safety["ordinary"],
     ),
 }
 Row = tuple[str, str, float | None]  # a key, in words, what comes out
@@ -55,7 +55,7 @@ def computed(case: Mapping[str, Any]) -> tuple[list[Row], str]:
     """
     if "benchmark" in case:
         (given,) = (g for g in layered_benchmarks.CASES if g["name"] == case["benchmark"])
-        factors = layered_benchmarks.solved(given).factor_of_safety
+        factors = layered_benchmarks.solved(given).factors_of_safety
         methods = (("Bishop", "bishop"), ("the paper's method", "paper"))
         return [("factor_of_safety", f"factor of safety, {words}", factors[name]) for words, name in methods], ""
     path = FOLDER / f"{case['scene']}.toml"

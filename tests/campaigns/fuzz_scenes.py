@@ -26,7 +26,7 @@ from generated.effects import LAWS
 from slipcircle.__main__ import main
 from slipcircle.base import VERSION
 from slipcircle.workbench.files.keys import WITH_ARC, fitted
-from slipcircle.workbench.files.scenefile import find, shipped
+from slipcircle.workbench.files.shipped import find, shipped
 from slipcircle.workbench.stability.stability import METHODS
 
 SECONDS = 5.0

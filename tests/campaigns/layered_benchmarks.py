@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Section, Soil
-from slipcircle.workbench.stability.search import Critical, at_circle, critical
+from slipcircle.workbench.stability.critical import Critical, at_circle
+from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import Slope
 
 CASES: list[dict[str, Any]] = json.loads(Path(__file__).with_suffix(".json").read_text("utf-8"))
@@ -44,7 +45,7 @@ def solved(case: Mapping[str, Any]) -> Critical:
 
 def differences(case: Mapping[str, Any], found: Critical) -> dict[str, float]:
     """Our factors over the prototype's, less 1."""
-    return {name: (found.factor_of_safety[ours] or np.nan) / case[name] - 1.0 for name, ours in OURS.items()}
+    return {name: (found.factors_of_safety[ours] or np.nan) / case[name] - 1.0 for name, ours in OURS.items()}
 
 
 if __name__ == "__main__":
@@ -54,6 +55,6 @@ if __name__ == "__main__":
         found = solved(case)
         row = f"{case['name'][:44]:45}{' ' if 'circle' in case else '*'}{case['published'][:44]:45}"
         for name in ("bishop", "strips"):
-            row += f" {found.factor_of_safety[OURS[name]]:8.4f} {100 * differences(case, found)[name]:+7.3f}%"
+            row += f" {found.factors_of_safety[OURS[name]]:8.4f} {100 * differences(case, found)[name]:+7.3f}%"
         print(f"{row} {time.perf_counter() - start:6.2f}", flush=True)
     print("* least factor by Bishop's method; the others are those of that circle")

@@ -60,7 +60,7 @@ def compared(seed: int) -> Compared:
     given, height = slope(rng)
     method = str(rng.choice([*METHODS]))
     times = [time.process_time()]
-    factor = critical(given, method, depth=0.05 * height).factor_of_safety[method] or np.nan
+    factor = critical(given, method, depth=0.05 * height).factors_of_safety[method] or np.nan
     times.append(time.process_time())
     other = evolved(Search(given, method, None, None, 0.05 * height), seed)
     times.append(time.process_time())

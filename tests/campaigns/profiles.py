@@ -50,7 +50,7 @@ def least(slope: Slope, method: str) -> tuple[float, float]:
     """Least factor and processor time of a search, s."""
     begun = time.process_time()
     found = critical(slope, method)
-    factor = found.yield_coefficient if method == "k_y" else found.factor_of_safety[method]
+    factor = found.yield_coefficient if method == "k_y" else found.factors_of_safety[method]
     assert factor is not None
     return factor, time.process_time() - begun
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle import Scene, backanalyse, load, parameters, solve
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.files.shipped import shipped
 
 OBSERVED = ("run_out", "peak_velocity", "duration")
 CLOSE = 1e-6  # relative to the number

@@ -1,6 +1,6 @@
 """What holds for every motion: finite states, rest after an arrest, energy in balance."""
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -38,3 +38,8 @@ def finite(motion: Motion) -> None:
     said = max(motion.error_estimate, motion.energy_error_estimate) if ill_conditioned(motion) else 0.0
     assert residual(motion, 21) <= max(1e-12, said)
     assert size(states[0].velocity) <= abs(float(motion.peak.velocity)) * (1 + 1e-12)
+
+
+def from_method(scene: Any, method: str) -> Any:
+    """Return a scene on a ground that starts from the factor of safety of a method."""
+    return replace(scene, start=method)

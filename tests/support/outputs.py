@@ -7,6 +7,9 @@ from xml.etree import ElementTree
 
 from PIL import Image
 
+from slipcircle import Motion
+from slipcircle.workbench.outputs.tables import motion_groups
+
 COMPUTING = "slipcircle: computing; Ctrl-C stops it\n"  # which a busy machine prints
 
 
@@ -19,6 +22,11 @@ def columns(table: str) -> dict[str, list[str]]:
     """The cells of a printed table by the label of their row."""
     found = (re.split(r"  +", line) for line in table.splitlines() if "  " in line.strip())
     return {label: cells for label, *cells in found if label}
+
+
+def printed(motion: Motion) -> dict[str, str]:
+    """All printed results of a motion by label."""
+    return {label: text for rows in motion_groups(motion).values() for label, text in rows.items()}
 
 
 def blocks(text: str, kind: str) -> list[str]:

@@ -27,8 +27,8 @@ def drawn(size: tuple[float, float] = (7.0, 5.0)) -> Any:
 
 
 def legend(ax: Any) -> list[str]:
-    """What the axis and its twins say beside curves and in legends."""
-    said = []
+    """What the axis and its twins say beside curves, in legends and in notes above the axis."""
+    said = [words for words in [ax.get_title("right")] if words]
     for one in ax.figure.axes:
         if one.bbox.bounds == ax.bbox.bounds:
             explained = one.get_legend().get_texts() if one.get_legend() else []

@@ -22,8 +22,9 @@ from typing import Any
 import generated
 import slipcircle
 from slipcircle import __main__ as line
-from slipcircle.workbench.files.scenefile import shipped
+from slipcircle.workbench.commands import COMMANDS
 from slipcircle.workbench.files.schema import schema
+from slipcircle.workbench.files.shipped import shipped
 
 ROOT = Path(__file__).parents[2]
 FILE = Path(__file__).with_suffix(".txt")
@@ -106,10 +107,9 @@ def _parameters(called: Callable[..., Any], path: str) -> Iterator[str]:
 
 
 def _of_commands() -> Iterator[str]:
-    parser = line._parser([])
-    (commands,) = (action.choices for action in parser._actions if isinstance(action.choices, dict))
-    for name, command in commands.items():
-        for action in command._actions:
+    for name in COMMANDS:
+        (commands,) = (action.choices for action in line._parser(name)._actions if isinstance(action.choices, dict))
+        for action in commands[name]._actions:
             for option in action.option_strings or [str(action.metavar)]:
                 yield f"slipcircle {name} {option}"
 

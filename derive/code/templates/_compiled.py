@@ -1,4 +1,4 @@
-"""What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
+"""Selection of the compiled loops or of NumPy for a kernel, and of its tier of accuracy.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
 of a level, such as ``baseline``, asks for the loops of lesser processors.
@@ -27,7 +27,7 @@ FREE_THREADED = "wheels have no binary for free-threaded Python; pip install --n
 
 
 def binary(name: str, digest: str) -> Any:
-    """A compiled module of this package; None if there is none, if NumPy is asked for, or if it does not fit.
+    """Return a compiled module of this package, or None if it is absent, disabled, or does not match.
 
     One that was made from another source, or with float flags under which the proofs do not hold, is refused with a
     warning.
@@ -71,7 +71,7 @@ def _report_free_threads() -> None:
 
 
 def _is_cut_short(spec: ModuleSpec | None) -> bool:
-    """Whether a binary of Linux ends before its table of sections, which comes last: to load it would be a crash."""
+    """Return whether a Linux binary is truncated before its final section table, so that loading it would crash."""
     if spec is None or spec.origin is None:
         return False
     with open(spec.origin, "rb") as file:
@@ -81,7 +81,7 @@ def _is_cut_short(spec: ModuleSpec | None) -> bool:
 
 
 def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]]:
-    """The levels that can run here, the fastest first: level -> (form of its programs, tier -> kernel -> ufunc).
+    """Return the levels that this processor supports, the fastest first, with the form of their programs and ufuncs.
 
     NumPy comes last and has no ufuncs.
     """
@@ -95,7 +95,7 @@ LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:
-    """The function behind a public one, from its NumPy text of every tier.
+    """Return the implementation of a public function from its NumPy text of every tier.
 
     Of ``(alpha, out, where, accuracy)``, or with ``both_ends`` of ``(theta_1, theta_2, out, where, accuracy)``.
     """
@@ -146,7 +146,7 @@ def _general(
     where: Any,
     accuracy: float | None,
 ) -> Any:
-    """Any arguments that NumPy takes, by the compiled loop of a tier or by its text."""
+    """Compute arguments of any type that NumPy accepts, by the compiled loop of a tier or by its text."""
     items, kind = real(name, args)
     tier = "float32" if kind.char == "f" and "float32" in texts else "best"
     if accuracy is not None:
@@ -159,14 +159,14 @@ def _general(
 
 
 def _checked(name: str, cheapest: Callable[[str, float], str], kind: str, accuracy: float) -> str:
-    """The cheapest tier, of one number only."""
+    """Return the cheapest tier for a single number."""
     if not isinstance(accuracy, _NUMBERS):
         raise TypeError(f"{name}: accuracy is one number, a relative error above 0, not {accuracy!r}")
     return cheapest(kind, accuracy)
 
 
 def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
-    """The cheapest tier that is proved to meet a relative error in a float format.
+    """Return the cheapest tier that is proved to satisfy a relative error in a float format.
 
     Plain operations are the same in NumPy and in C; NumPy has a form of its own only where its text calls a library.
     """
@@ -187,7 +187,7 @@ def _cheapest(name: str, form: str, kind: str, accuracy: float) -> str:
 
 
 def _masked(loop: Any, args: Sequence[Array], out: Any, where: Any) -> Any:
-    """A compiled loop where a mask is true; elsewhere `out` keeps what it holds, and without one there is NaN."""
+    """Apply a compiled loop where a mask is true. Elsewhere `out` is unchanged, or NaN without `out`."""
     if where is True:
         return loop(*args) if out is None else loop(*args, out)
     mask = np.asarray(where, dtype=bool)
@@ -203,7 +203,7 @@ _SCALARS = frozenset((float, np.float64, np.float32))
 
 
 def _numpy(name: str, text: Text, items: Sequence[Any], kind: np.dtype[Any], out: Any, where: Any) -> Any:
-    """By blocks; those that lie in [0, pi/2], as a rule, need no masks."""
+    """Compute blocks. Blocks within [0, pi/2], the usual case, need no masks."""
     body = partial(_clipped, text)
     if where is not True:
         return evaluate(name, body, _inside, (0.5,), tuple(items), out, where)
@@ -227,7 +227,7 @@ def _numpy(name: str, text: Text, items: Sequence[Any], kind: np.dtype[Any], out
 
 
 def _numpy_of_ends(name: str, text: Text, items: Sequence[Any], _: np.dtype[Any], out: Any, where: Any) -> Any:
-    """Where nothing presses on an arc its limit friction is infinite, without a flag."""
+    """Set the limit friction of arcs without normal load to infinity, without a flag."""
 
     def body(theta_1: Array, theta_2: Array) -> Array:
         with np.errstate(divide="ignore", over="ignore", under="ignore"):
@@ -258,7 +258,7 @@ LIBRARIES = ("xarray", "pandas", "pint", "dask", "jax", "jaxlib")
 
 
 class _Space:
-    """The functions of an array library that traces. At a tie, minimum and maximum pass on the whole slope."""
+    """Functions of a tracing array library. At a tie, minimum and maximum propagate the complete derivative."""
 
     def __init__(self, functions: Any, least: float) -> None:
         self._functions = functions

@@ -1,4 +1,4 @@
-"""How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
+"""Calls of generated functions: types, broadcasting, domain, `out` and `where`, as in NumPy's ufuncs."""
 
 import warnings
 from collections.abc import Callable, Sequence
@@ -13,7 +13,7 @@ BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
 def horner(x: Any, coefficients: Sequence[float]) -> Any:
-    """The polynomial with these coefficients, lowest first."""
+    """Return the polynomial with these coefficients, lowest first."""
     result: Any = coefficients[-1]
     for c in coefficients[-2::-1]:
         result = result * x + c
@@ -21,7 +21,7 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
 
 
 def lost(a: Any, b: Any) -> Any:
-    """The rounding error of a + b (TwoSum)."""
+    """Return the rounding error of a + b (TwoSum)."""
     total = a + b
     of_b = total - a
     return (a - (total - of_b)) + (b - of_b)
@@ -102,7 +102,7 @@ def evaluate(
 
 
 def _raise_invalid(name: str) -> None:
-    """NumPy's own `invalid`, handled as np.errstate says, in the name of the function."""
+    """Raise NumPy's `invalid` flag, handled as np.errstate requires, in the name of the function."""
     said = f"invalid value encountered in {name}"
     handling = np.geterr()["invalid"]
     if handling == "raise":
@@ -121,7 +121,7 @@ def _block(
     arrays: Sequence[NDArray[Any]],
     result: NDArray[Any],
 ) -> bool:
-    """Fill one part of the result; whether an element that the mask selects is invalid."""
+    """Compute one part of the result, and return whether a selected element is invalid."""
     values = [np.asarray(x, dtype=np.float64) for x in arrays[:-1]]
     selected = arrays[-1]
     with np.errstate(all="ignore"):  # elements outside, or not selected, may be anything here

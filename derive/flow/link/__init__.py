@@ -1,6 +1,6 @@
-"""The linker: fragments of effects and laws -> definitions by name -> ordered operations -> a program with places.
+"""Linker: fragments of effects and laws -> definitions by name -> ordered operations -> a program with places.
 
-Its modules are the text of `generated.program`, which links the programs of scenes at run time.
+Its modules are the source of `generated.program`, which links the programs of scenes at run time.
 """
 
 import ast

@@ -1,7 +1,7 @@
-"""Definitions of cells and registers by name, from the fragments of a scene's effects and laws, and the balance's sums.
+"""Definitions of cells and registers by name, from fragments of effects and laws, and the sums of the balance.
 
-Names that fragments share: ``q_0`` is quantity q of the balance where a phase begins, ``q_size`` the size of its terms,
-``dq`` its increment since; ``t.VALUE`` is a cell of table t; ``=1.0`` is a constant.
+Fragments share these names: ``q_0`` is quantity q of the balance at the beginning of a phase, ``q_size`` the size of
+its terms, ``dq`` its increment since the beginning, ``t.VALUE`` a cell of table t, and ``=1.0`` a constant.
 """
 
 from collections.abc import Callable, Collection, Sequence
@@ -14,22 +14,22 @@ from derive.flow.lowering import Fragment
 from derive.flow.recurrences import RESULTS
 
 Names = tuple[str, ...]
-OnCells = tuple[str, ...]  # the kind of an operation on cells, then its arguments
+OnCells = tuple[str, ...]  # kind of an operation on cells, and its arguments
 ZERO, ONE = "=0.0", "=1.0"
 OF_SOIL = "#"  # before the number of a soil, in the names of its laws, effects, cells and registers
-OF_COHESION = "#c"  # before that of a soil whose cohesion changes with slip
+OF_COHESION = "#c"  # before the number of a soil whose cohesion changes with slip
 Lookup = Callable[[str, bool], Sequence[Fragment]]  # fragments of an effect or a law, and whether the mass turns
 
 
 class Recipe(NamedTuple):
-    """The input of the linker: effects and laws by name, as in `generated.effects`, and kinds of parameters.
+    """Input of the linker: effects and laws by name, as in `generated.effects`, and kinds of parameters.
 
     Attributes
     ----------
     effects : tuple of str
     laws : tuple of str
-        The friction law, or "callable", or the laws of soils, ``linear#0``; then the law of speed that multiplies it,
-        and the laws of cohesion, ``linear#c``.
+        The friction law, "callable", or the laws of soils, ``linear#0``, followed by the law of speed that multiplies
+        it, and the laws of cohesion, ``linear#c``.
     moving : tuple of str
         Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
@@ -43,12 +43,12 @@ class Recipe(NamedTuple):
 
     @property
     def of_friction(self) -> Names:
-        """Its laws without those of cohesion."""
+        """Laws without the laws of cohesion."""
         return tuple(law for law in self.laws if OF_COHESION not in law)
 
 
 class OnSeries(NamedTuple):
-    """An operation on series: its kind, its registers and its cells, and the table of a ramp.
+    """Operation on series: its kind, its registers and cells, and the table of a ramp.
 
     The cells of a sum are its constant and the factor of each register.
     """
@@ -59,11 +59,11 @@ class OnSeries(NamedTuple):
     table: str = ""
 
 
-Computed = tuple[OnSeries, Names]  # with its results
+Computed = tuple[OnSeries, Names]  # operation and its results
 
 
 class DeclaredTable(NamedTuple):
-    """A piecewise function: its name, its variable, the register of its argument, and the degree of its pieces."""
+    """Piecewise function: its name, its variable, the register of its argument, and the degree of its pieces."""
 
     name: str
     kind: str
@@ -72,19 +72,19 @@ class DeclaredTable(NamedTuple):
 
     @property
     def coefficients(self) -> list[str]:
-        """The cells of a piece's coefficients beyond its value."""
+        """Cells of a piece's coefficients other than its value."""
         return [f"{self.name}.Q{k + 1}" for k in range(self.degree)]
 
     @property
     def cells(self) -> list[str]:
-        """All its cells, in order; Q1, the last of `TABLE`, is the first coefficient."""
+        """Cells of the table in order. Q1, the last of `TABLE`, is the first coefficient."""
         *before, _ = TABLE
         return [*(f"{self.name}.{cell}" for cell in before), *self.coefficients]
 
 
 @dataclass
 class Definitions:
-    """Definitions by name: cells are numbers where a phase begins, registers are series in time since then.
+    """Definitions by name. Cells are numbers at the beginning of a phase, registers series in time since then.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ class Definitions:
     inputs : list of str
         Cells that are set from a scene.
     states : dict of str
-        Registers of the states, with those of their rates.
+        Registers of the states, with the registers of their rates.
     tables : list of DeclaredTable
     addends : dict of list
         Addends of each quantity of the balance: base, size, and terms of the increment.
@@ -108,12 +108,12 @@ class Definitions:
 
     @property
     def moving(self) -> list[str]:
-        """Cells that change from phase to phase: those of states and of the pieces of tables."""
+        """Cells that change from phase to phase, of states and of the pieces of tables."""
         return [*self.states, *(cell for table in self.tables for cell in table.cells)]
 
 
 def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> Definitions:
-    """Collect the definitions of a recipe's effects and laws, and of ``further`` fragments."""
+    """Return the definitions of a recipe's effects and laws, and of ``further`` fragments."""
     effects, _, moving, absent = recipe
     made = Definitions()
     slip_factor = _include_laws(made, recipe, fragments)
@@ -125,7 +125,7 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
     made.cells |= dict.fromkeys((*absent, *not_shaken), ("set", ZERO))
     for quantity in dict.fromkeys((*QUANTITIES, "mu", *made.addends)):
         _define_quantity(made, quantity)
-    if slip_factor == "mu":  # without a law of speed the factor that depends on slip is the coefficient
+    if slip_factor == "mu":  # without a law of speed the coefficient itself depends on slip
         made.cells["slip_mu_0"] = ("set", "mu_0")
         made.series["dslip_mu"] = (OnSeries("lin", ("dmu",), (ZERO, ONE)), ("dslip_mu",))
     given = dict.fromkeys(made.inputs)
@@ -135,9 +135,10 @@ def definitions_of(recipe: Recipe, fragments: Lookup, further: Names = ()) -> De
 
 
 def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
-    """Include all laws; return the name of the quantity to which laws of slip add.
+    """Include all laws, and return the name of the quantity to which laws of slip add.
 
-    It is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over soils.
+    This quantity is the friction coefficient, or with a law of speed one of its two factors. It may be a sum over
+    soils.
     """
     of_soils = [law for law in recipe.of_friction if OF_SOIL in law]
     shared = [law for law in recipe.of_friction if law not in of_soils]
@@ -147,7 +148,7 @@ def _include_laws(made: Definitions, recipe: Recipe, fragments: Lookup) -> str:
         _include(made, fragments("product", False)[0])
     if of_soils:
         _include(made, fragments("soils", False)[0])
-    for law in recipe.laws:  # those of soils and of cohesion add to quantities of their own
+    for law in recipe.laws:  # laws of soils and of cohesion add to separate quantities
         quantity = factors[-1] if law in shared[-1:] else factors[0]
         for fragment in fragments(law, False):
             tables = [name for name, *_ in fragment.tables]
@@ -171,7 +172,7 @@ def _include(made: Definitions, fragment: Fragment, moving: Collection[str] = ()
         table = DeclaredTable(*declared)
         if table.name in moving:
             made.tables.append(table)
-        else:  # one number in place of a function, or absent
+        else:  # a number instead of a function, or absent
             made.inputs.append(table.name)
             made.cells |= dict.fromkeys(table.coefficients, ("set", ZERO))
 
@@ -185,12 +186,12 @@ def _on_series(kind: Any, *names: Any) -> Computed:
         cells = [cell for cell, _ in terms]
         registers = tuple(register for _, register in terms)
         return OnSeries(kind, registers, (constant or ZERO, *cells)), results
-    taken = len(arguments) - (kind == "pow")  # whose exponent is a cell
+    taken = len(arguments) - (kind == "pow")  # the exponent is a cell
     return OnSeries(kind, arguments[:taken], arguments[taken:]), results
 
 
 def _define_functions_of_time(made: Definitions, moving: Names) -> None:
-    """Define each parameter that changes with time: its value where the phase begins, and its increment, a ramp."""
+    """Define each parameter that changes with time by its initial value and its increment, a ramp."""
     known = [table.name for table in made.tables]
     for symbol in moving:
         made.cells[symbol] = ("set", f"{symbol}.VALUE")
@@ -202,7 +203,7 @@ def _define_functions_of_time(made: Definitions, moving: Names) -> None:
 
 
 def _define_quantity(made: Definitions, quantity: str) -> None:
-    """Sum what fragments add to a quantity: value where the phase begins, size of its terms, and increment."""
+    """Define a quantity as a sum over fragments: initial value, size of its terms, and increment."""
     addends = made.addends.get(quantity, [])
     _define_sum(made, f"{quantity}_0", [base for base, _, _ in addends])
     _define_sum(made, f"{quantity}_size", [size for _, size, _ in addends])
@@ -212,7 +213,7 @@ def _define_quantity(made: Definitions, quantity: str) -> None:
 
 
 def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
-    """Define a cell as the sum of others, added in their order."""
+    """Define a cell as the sum of other cells, added in order."""
     total = ZERO
     for k, addend in enumerate(addends):
         part = f"{name}.{k}"
@@ -222,9 +223,9 @@ def _define_sum(made: Definitions, name: str, addends: list[str]) -> None:
 
 
 def _departed(made: Definitions) -> OnCells:
-    """Define the cell that is zero as long as the arguments of the limit friction have their initial values.
+    """Return the definition of a cell that is zero while the arguments of the limit friction have their initial values.
 
-    It is the time, the slip or the rotation, whichever suffices.
+    The cell is the time, the slip or the rotation, whichever suffices.
     """
     taken = dict.fromkeys(("driving_0", "resisting_0", "normal_0"))
     pending = list(taken)

@@ -1,4 +1,4 @@
-"""From definitions by name to ordered operations, each done once, without those that are identically zero.
+"""Ordered operations from definitions by name, each performed once, without operations that are identically zero.
 
 Equal operations are computed once, and sums of sums are flattened.
 """
@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from derive.flow.link.definitions import ONE, ZERO, Computed, Definitions, Names, OnCells, OnSeries
 
-EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and a chord that stands upright
+EVENTS = ("normal", "upright")  # registers whose roots are lift-off, and an upright chord
 # Cells that the integrator reads, by role: drive, size of its terms, normal force, components of the weight.
 OUTPUT_CELLS = {
     "cell_drive": "drive",
@@ -25,17 +25,17 @@ OUTPUT_CELLS = {
 
 
 class Linked(NamedTuple):
-    """The operations that a program needs, in order, with their results, and where it has what is read."""
+    """Operations of a program in order, with their results, and the names of the required registers and cells."""
 
     scalar: list[tuple[OnCells, Names]]
     series: list[tuple[OnSeries, Names]]
-    registers: Mapping[str, str | None]  # of what is read, by name; None for an event that never happens
+    registers: Mapping[str, str | None]  # required registers by name; None for an event that never happens
     outputs: Mapping[str, str]  # cells by role
     constants: list[str]
 
 
 def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked:
-    """The operations that compute what the integrator reads, and further registers, from cells that are given."""
+    """Return the operations that compute the integrator's input, and further registers, from given cells."""
     arguments = [table.argument for table in definitions.tables]
     read = dict.fromkeys((*definitions.states, *definitions.states.values(), *EVENTS, *arguments, *asked))
     linker = Linker(definitions, given)
@@ -44,7 +44,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
     for name in registers:
         if name in EVENTS and name not in asked:
             registers[name] = linker.event(registers[name])
-        elif registers[name] is None:  # it is read, although it is zero
+        elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
     pending = {*definitions.states, *registers.values(), *outputs.values()}
@@ -55,7 +55,7 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
 
 
 def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tuple[Any, Names]]:
-    """The operations on which results depend that are pending, in order; what these take is pending, too."""
+    """Return the operations on which pending results depend, in order. Their operands become pending, too."""
     selected = []
     for operation, results in reversed(operations.items()):
         if not pending.isdisjoint(results):
@@ -66,7 +66,7 @@ def _needed(operations: dict[Any, Names], pending: set[str | None]) -> list[tupl
 
 
 class Linker:
-    """Finds the operations that compute cells and registers.
+    """Collector of the operations that compute cells and registers.
 
     Attributes
     ----------
@@ -78,15 +78,15 @@ class Linker:
         self.scalar: dict[OnCells, Names] = {}
         self.series: dict[OnSeries, Names] = {}
         self._definitions = definitions
-        self._shared: set[str] = set()  # registers that more than sums take
-        # The names under which they are computed; None for a register that is zero.
+        self._shared: set[str] = set()  # registers used by operations other than sums
+        # Names under which cells and registers are computed; None for a register that is zero.
         self._cells = {name: name for name in given}
         self._registers: dict[str, str | None] = {name: name for name in definitions.states}
 
     # --- cells -------------------------------------------------------------------------------------------------------
 
     def cell(self, name: str) -> str:
-        """The cell that a name stands for, computed if necessary."""
+        """Return the cell for a name, computed if necessary."""
         if name.startswith("="):
             return name
         if name not in self._cells:
@@ -96,7 +96,7 @@ class Linker:
         return self._cells[name]
 
     def _result(self, kind: str, operands: list[str], name: str = "") -> str:
-        """The cell of an operation's result: one that holds it already, or a new one."""
+        """Return the cell of an operation's result, an existing cell or a new one."""
         known = _simplified(kind, operands)
         if known is not None:
             return known
@@ -107,11 +107,11 @@ class Linker:
     # --- registers ---------------------------------------------------------------------------------------------------
 
     def _definition(self, name: str) -> Computed:
-        """What computes a register; without a definition it is an empty sum."""
+        """Return the definition of a register. Without a definition it is an empty sum."""
         return self._definitions.series.get(name, (OnSeries("lin", (), (ZERO,)), (name,)))
 
     def mark_shared(self, read: Iterable[str]) -> None:
-        """Note registers that are read, or that more than sums take: sums among them are computed, not flattened."""
+        """Mark registers that are read, or used by operations other than sums. Sums among them are not flattened."""
         pending = list(read)
         self._shared.update(pending)
         seen = set(self._registers)
@@ -126,7 +126,7 @@ class Linker:
                 self._shared.update(operation.registers)
 
     def _is_zero(self, name: str) -> bool:
-        """Whether a register is identically zero: an operation on zero, or a sum of zeros."""
+        """Return whether a register is identically zero, an operation on zero or a sum of zeros."""
         if name in self._registers:
             return self._registers[name] is None
         (kind, registers, cells, _), _ = self._definition(name)
@@ -142,7 +142,7 @@ class Linker:
         return zero
 
     def register(self, name: str) -> str | None:
-        """The register that a name stands for, computed if necessary; None where it is zero."""
+        """Return the register for a name, computed if necessary, or None if it is zero."""
         if not self._is_zero(name) and name not in self._registers:
             operation, results = self._definition(name)
             if operation.kind == "lin":
@@ -156,17 +156,17 @@ class Linker:
         return self._registers[name]
 
     def event(self, register: str | None) -> str | None:
-        """A register whose roots are events; None where it is constant during a phase."""
+        """Return a register whose roots are events, or None if it is constant during a phase."""
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
 
     def zero(self, name: str) -> str:
-        """A register that holds zero."""
+        """Return a register that contains zero."""
         (zero,) = self.series.setdefault(OnSeries("lin", (), (ZERO,)), (name,))
         return zero
 
     def _sum(self, name: str, operation: OnSeries) -> str:
-        """The register of a sum, in which each register occurs once."""
+        """Return the register of a sum, in which each register occurs once."""
         start = self.cell(operation.cells[0])
         factors: dict[str, str] = {}
         for cell, register in self._flat(operation, ONE):
@@ -175,27 +175,27 @@ class Linker:
         if start == ZERO and list(factors.values()) == [ONE]:
             (register,) = factors
             return register
-        in_order = sorted(factors)  # equal sums are one, whatever the order of their terms
+        in_order = sorted(factors)  # sums with permuted terms are equal
         cells = (start, *(factors[register] for register in in_order))
         (result,) = self.series.setdefault(OnSeries("lin", tuple(in_order), cells), (name,))
         return result
 
     def _flat(self, operation: OnSeries, factor: str) -> Iterator[tuple[str, str]]:
-        """A sum's terms that are not zero, times a factor; a sum that only sums take is replaced by its terms."""
+        """Yield a sum's nonzero terms times a factor. A sum used only by sums is replaced by its terms."""
         for cell, register in zip(operation.cells[1:], operation.registers, strict=True):
             scaled = self._result("mul", [factor, self.cell(cell)])
             if scaled == ZERO or self._is_zero(register):
                 continue
             inner, _ = self._definition(register)
             kept = register in self._shared or register in self._registers
-            if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is no term
+            if inner.kind == "lin" and inner.cells[0] == ZERO and not kept:  # a constant is not a term
                 yield from self._flat(inner, scaled)
             else:
                 yield scaled, str(self.register(register))
 
 
 def _simplified(kind: str, operands: list[str]) -> str | None:
-    """The cell that the result of an operation on cells equals; None where it has to be computed."""
+    """Return the cell that equals the result of an operation on cells, or None if it must be computed."""
     first, last = operands[0], operands[-1]
     match kind:
         case "set":

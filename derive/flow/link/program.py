@@ -1,4 +1,4 @@
-"""Flow programs: operations on the cells and registers of a lane, and those that the integrator reads."""
+"""Flow programs: operations on the cells and registers of a lane, and the places that the integrator reads."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,10 +13,10 @@ from derive.flow.recurrences import RESULTS
 
 
 class Table(NamedTuple):
-    """A piecewise function in a program.
+    """Piecewise function in a program.
 
-    ``kind`` is its variable, ``register`` has its argument (or, if that is time, its increment), ``cells`` is the first
-    of its cells, and ``degree`` that of its pieces.
+    ``kind`` is its variable, ``register`` contains its argument (for functions of time its increment), ``cells`` is the
+    first of its cells, and ``degree`` the degree of its pieces.
     """
 
     name: str
@@ -28,13 +28,13 @@ class Table(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """Operations on the cells and the registers of a lane, by their places, and the places that the integrator reads.
+    """Operations on the cells and the registers of a lane by place, and the places that the integrator reads.
 
-    The first ``given`` cells are set at the start of a lane, the next ones are computed where a phase begins, and
-    ``constants``, by name, are the last. An operation is its kind, its results, its registers and then its cells, or
-    its table. A sum is the cell of its constant, -1 for zero, and a pair (cell, register) for each term. ``states`` are
-    (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time alone where
-    ``autonomous`` is 2, also on omega where it is 1, and on further registers where it is 0.
+    The first ``given`` cells are set at the start of a lane, the following cells are computed at the beginning of a
+    phase, and ``constants`` by name are the last. An operation consists of its kind, its results, its registers, and
+    its cells or its table. A sum consists of the cell of its constant, -1 for zero, and a pair (cell, register) for
+    each term. ``states`` are (cell, register, register of the rate). Between breaks in time d(omega)/dt depends on time
+    alone if ``autonomous`` is 2, also on omega if it is 1, and on further registers if it is 0.
     """
 
     cells: Names
@@ -50,12 +50,12 @@ class Program:
 
     @cached_property
     def places(self) -> Mapping[str, int]:
-        """Places of the cells, by name."""
+        """Places of the cells by name."""
         return {name: k for k, name in enumerate(self.cells)}
 
     @cached_property
     def split(self) -> tuple[list[int], list[int]]:
-        """Places of the operations that rates depend on, and of those that can wait until the states are complete."""
+        """Places of the operations on which rates depend, and of those that can wait until states are complete."""
         needed = {rate for _, _, rate in self.states}
         rates = list[int]()
         others = list[int]()
@@ -70,15 +70,15 @@ class Program:
 
 
 def build(recipe: Recipe, fragments: Lookup, outputs: Names = (), further: Names = ()) -> Program:
-    """Link the program of a recipe and of ``further`` fragments; the registers ``outputs`` have roles, too."""
+    """Return the program of a recipe and of ``further`` fragments, with roles for the registers ``outputs``."""
     definitions = definitions_of(recipe, fragments, further)
-    given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are among both
+    given = tuple(dict.fromkeys((*CELLS, *definitions.inputs, *definitions.moving)))  # x and omega are in both
     linked = link(definitions, given, outputs)
     return _encoded(definitions, linked, given, outputs)
 
 
 class _Places(NamedTuple):
-    """Places of a program's cells, registers and tables, by name."""
+    """Places of a program's cells, registers and tables by name."""
 
     cells: dict[str, int]
     registers: dict[str, int]
@@ -86,7 +86,7 @@ class _Places(NamedTuple):
 
     @classmethod
     def of(cls, definitions: Definitions, linked: Linked, given: Names) -> Self:
-        """Number the cells (given, computed, constant), the registers (of states, computed) and the tables."""
+        """Return numbers for cells (given, computed, constant), registers (of states, computed) and tables."""
         computed = chain.from_iterable(results for _, results in linked.scalar)
         made = chain.from_iterable(results for _, results in linked.series)
         tables = [table.name for table in definitions.tables]
@@ -95,7 +95,7 @@ class _Places(NamedTuple):
 
 
 def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Names) -> Program:
-    """Return a program with places instead of names; the registers ``outputs`` have roles, too."""
+    """Return a program with places instead of names, with roles for the registers ``outputs``."""
     places = _Places.of(definitions, linked, given)
     cells = places.cells
     registers = places.registers
@@ -131,7 +131,7 @@ def _encoded(definitions: Definitions, linked: Linked, given: Names, outputs: Na
 def _placed(operation: OnSeries, results: Names, places: _Places) -> tuple[Any, ...]:
     """Return an operation on series with places: its results, registers, and cells or the table.
 
-    The terms of a sum are in the order in which their registers are ready, so that it waits for the last one only.
+    The terms of a sum are in the order in which their registers become available, so that it waits only for the last.
     """
     made = [places.registers[name] for name in results]
     taken = [places.registers[name] for name in operation.registers]

@@ -1,7 +1,7 @@
-"""One lane of the integrator as plain Python, with floats or any other numbers that mpmath's functions take.
+"""Definitions that execute the integrator for one lane as plain Python, with floats or numbers of mpmath.
 
-The text of the integrator runs here as it stands: what it says about vectors means one number, a mask a truth value,
-and a piece of an `if` on a mask the lane itself. Tests compare it with what is written from it in C and in NumPy.
+The text of the integrator is executed unchanged. A vector is one number, a mask a truth value, and the part of an `if`
+on a mask the lane itself. Tests compare the results with the integrators in C and in NumPy.
 """
 
 import math
@@ -27,7 +27,7 @@ INFINITY = math.inf
 
 
 def _codes(name: str) -> Any:
-    """The members of an enumeration of the layout."""
+    """Return the members of an enumeration of the layout."""
     row = layout.NUMBERED[name]
     return SimpleNamespace(**{x: k for k, x in enumerate(row.members, row.first)})
 
@@ -38,12 +38,12 @@ Share: Any = SimpleNamespace(**layout.SHARES)
 
 
 def up(first: int, last: int) -> range:
-    """From the first number to the last."""
+    """Return the numbers from ``first`` up to ``last``."""
     return range(first, last + 1)
 
 
 def down(first: int, last: int) -> range:
-    """From the first number down to the last."""
+    """Return the numbers from ``first`` down to ``last``."""
     return range(first, last - 1, -1)
 
 
@@ -67,12 +67,12 @@ all_lanes = any_lane
 
 
 def none_of(s: Lanes) -> bool:
-    """The mask of no lane."""
+    """Return the mask without lanes."""
     return False
 
 
 def greatest(x: V) -> int:
-    """The greatest of integers, of all lanes; here the one."""
+    """Return the greatest integer over all lanes, here of one lane."""
     return int(x)
 
 
@@ -93,24 +93,24 @@ numbers = new_series
 
 
 def tail(p: S) -> S:
-    """A series without its constant term."""
+    """Return a series without its constant term."""
     return p[1:]
 
 
 def log2_of(x: V) -> float:
-    """log2 |x| with 40 bits behind the point, straight between powers of two, as `radius_of_convergence` takes it."""
+    """Return log2 |x| with 40 fractional bits, linear between powers of two, for `radius_of_convergence`."""
     significand, exponent = math.frexp(float(abs(x)))
     return float(math.floor((exponent + 2.0 * significand - 2.0) * 2.0**40)) if x else -1023.0 * 2.0**40
 
 
 def power_of_two(y: float) -> float:
-    """The inverse of `log2_of`."""
+    """Return the inverse of `log2_of`."""
     exponent, share = divmod(min(max(float(y), -1000.0 * 2.0**40), 1000.0 * 2.0**40) * 2.0**-40, 1.0)
     return math.ldexp(1.0 + share, int(exponent))
 
 
 def _of(name: str) -> Callable[..., Any]:
-    """A function of floats, or of mpmath's numbers."""
+    """Return a function of floats, or of mpmath numbers."""
 
     def function(*x: Any) -> Any:
         space = math if all(isinstance(a, float) for a in x) else mpmath
@@ -120,47 +120,47 @@ def _of(name: str) -> Callable[..., Any]:
 
 
 sin, cos, log, hypot, isnan = map(_of, ("sin", "cos", "log", "hypot", "isnan"))
-# What the text asks of a lane: of its tables, of its program, and to keep records.
+# Operations of a lane on its tables, its program and its records.
 
 
 def break_of(lane: Lane, t: T, piece: int) -> Any:
-    """Where a piece begins, in the table's own argument."""
+    """Return the left end of a piece in the table's argument."""
     return t.breaks[piece]
 
 
 def jump_of(lane: Lane, t: T, piece: int) -> Any:
-    """By how much a function of time jumps where a piece begins."""
+    """Return the jump of a function of time at the left end of a piece."""
     return t.jumps[piece]
 
 
 def constant_of(lane: Lane, t: T, piece: int) -> Any:
-    """The first of the coefficients of a piece."""
+    """Return the first coefficient of a piece."""
     return t.polynomials[piece][0]
 
 
 def coefficients_of(lane: Lane, t: T, piece: int, terms: A) -> None:
-    """The coefficients of a piece, in powers of what is beyond its break."""
+    """Copy the coefficients of a piece, in powers of the distance from its left end."""
     terms[: t.terms] = t.polynomials[piece]
 
 
 def prologue(s: Lanes, which: M) -> None:
-    """The numbers of the phase that begins."""
+    """Compute the numbers of the phase that begins."""
     s.prologue()
 
 
 def operate(s: Lanes, n: int) -> None:
-    """Coefficient n of every register that the rates need."""
+    """Compute coefficient n of every register that the rates need."""
     s.operate(n)
 
 
 def operate_later(s: Lanes, n: int) -> None:
-    """Coefficients below n of the others."""
+    """Compute the coefficients below n of the other registers."""
 
 
 def note(lane: Lane, event: int) -> None:
-    """An event of the motion."""
+    """Log an event of the motion."""
     lane.notes.append((event, lane.time, lane.rotation, lane.direction))
 
 
 def read_samples(lane: Lane, begin: V, end: V, moving: int, top: int) -> None:
-    """The states at sample times, which this lane does not keep."""
+    """Evaluate the states at sample times, which this lane does not store."""

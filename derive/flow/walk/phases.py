@@ -1,6 +1,6 @@
 """Phases of one lane: stick or slip at a standstill, and the numbers of the phase that begins.
 
-What a lane waits for before its next step is in the cell `pending`: the queue from which phases begin.
+The cell `pending` contains the action that a lane needs before its next step, such as the beginning of a phase.
 """
 
 from derive.flow.walk.one_lane import (
@@ -31,10 +31,10 @@ CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all a
 
 
 def update_peak(lane: Lane, rate: float, now: float) -> None:
-    """Record the present speed, at a time from the lane's own on, if it is the greatest.
+    """Record the current speed, at a time not before the lane's own, if it is the greatest.
 
-    Of peaks that differ by rounding the earliest is recorded, so that every processor reports the same one. A speed
-    that has risen from a record at the lane's time is compared exactly.
+    If peaks differ by rounding, the earliest is recorded, so that every processor reports the same peak. A speed that
+    has risen from a record at the lane's time is compared exactly.
     """
     rises = lane.peak_time == lane.time
     if lane.omega > where(rises, 1.0, 1.0 + TIE) * abs(lane.peak_omega):
@@ -45,7 +45,7 @@ def update_peak(lane: Lane, rate: float, now: float) -> None:
 
 
 def update_reach(lane: Lane) -> None:
-    """Record the present rotation if it is the greatest from the start."""
+    """Record the current rotation if it is the greatest from the start."""
     rotation = lane.rotation + lane.direction * lane.x
     if abs(rotation) > abs(lane.reach_rotation):
         lane.reach_rotation = rotation
@@ -53,21 +53,21 @@ def update_reach(lane: Lane) -> None:
 
 
 def note_lift_off(lane: Lane) -> None:
-    """Contact with the slip surface is lost."""
+    """Log the loss of contact with the slip surface."""
     note(lane, Note.LIFTS)
     if isnan(lane.lift_time):
         lane.lift_time = lane.time
 
 
 def advance_origin(lane: Lane) -> None:
-    """Count rotation and slip from where the lane is now, where another phase begins."""
+    """Reset the origin of rotation and slip to the current position, where another phase begins."""
     lane.rotation = lane.rotation + lane.direction * lane.x
     lane.slip = lane.slip + lane.x
     lane.x = 0.0
 
 
 def face(lane: Lane, side: float) -> None:
-    """Face a direction at a standstill."""
+    """Set the direction of travel at a standstill."""
     lane.x = 0.0
     lane.omega = 0.0
     lane.direction = side
@@ -75,7 +75,7 @@ def face(lane: Lane, side: float) -> None:
 
 
 def start(lane: Lane) -> None:
-    """A lane begins, with a velocity or at rest."""
+    """Start a lane with a velocity or at rest."""
     lane.direction = where(lane.omega < 0.0, -1.0, 1.0)
     lane.omega = abs(lane.omega)
     lane.x = 0.0
@@ -88,7 +88,7 @@ def start(lane: Lane) -> None:
 
 
 def start_moving(lane: Lane, rate: float) -> None:
-    """Slip begins in the present direction."""
+    """Start slip in the current direction."""
     lane.status = Status.MOVING
     lane.passed = Passed.NOTHING
     lane.phases = lane.phases + 1.0
@@ -102,7 +102,7 @@ def start_moving(lane: Lane, rate: float) -> None:
 
 
 def stay(lane: Lane, status: float) -> None:
-    """The lane stays where it is, until its end."""
+    """Keep the lane at rest until its end."""
     lane.status = status
     lane.end_rotation = lane.rotation
     lane.end_omega = 0.0
@@ -114,14 +114,14 @@ def stay(lane: Lane, status: float) -> None:
 
 
 def may_start(lane: Lane) -> bool:
-    """Whether a mass at rest may start the way it faces: shaking starts a one-way mass only down-slope."""
+    """Return whether a mass at rest may start in its direction. Shaking starts a one-way mass only down-slope."""
     pull = lane.driving_moment
     down_slope = pull > 0.0 or (pull == 0.0 and lane.direction > 0.0)
     return lane.one_way == 0.0 or down_slope
 
 
 def never_rests(lane: Lane) -> bool:
-    """Whether a mass swings on for ever: at its lowest next to nothing presses on it, and that will not change."""
+    """Return whether a mass swings for ever, because almost no force presses on it at its lowest point."""
     load = lane.normal_load
     most = hypot(load, lane.normal_load_slope)
     carried = lane.normal0 + (most - load) <= Share.CARRIED * most
@@ -129,7 +129,7 @@ def never_rests(lane: Lane) -> bool:
 
 
 def stick(lane: Lane) -> None:
-    """Nothing moves it now: it waits for another time, or stays."""
+    """Keep the mass at rest, until a force changes or for good."""
     lane.pending = Pending.READY
     if not still_changes(lane):
         stay(lane, Status.ARRESTED)
@@ -143,7 +143,7 @@ def stick(lane: Lane) -> None:
 
 
 def resolve_stick_or_slip(lane: Lane) -> None:
-    """At rest: slip in the present direction, otherwise in the other one if it may, otherwise stick."""
+    """Start slip in the current direction, otherwise in the other direction if it is allowed, otherwise stick."""
     if lane.first_only > 0.0 and lane.phases > 0.0 and never_rests(lane):
         stay(lane, Status.STOPPED)
         return
@@ -163,7 +163,7 @@ def resolve_stick_or_slip(lane: Lane) -> None:
 
 
 def carry_net_moment(lane: Lane, net: float) -> None:
-    """A phase begins in motion: its drive is computed anew or carried over, whichever is more accurate."""
+    """Begin a phase in motion with the drive computed anew or continued, whichever is more accurate."""
     terms = abs(lane.rate_before) + abs(net - lane.drive) + abs(lane.drive_before)
     carried = lane.scale_before + EPS * terms
     if carried < lane.drive_scale:
@@ -173,7 +173,7 @@ def carry_net_moment(lane: Lane, net: float) -> None:
 
 
 def resolve_pending(lane: Lane, net: float, force: float) -> None:
-    """Begin the phase that the lane waits for, whose numbers are known: net moment and normal force now among them."""
+    """Begin the phase for which the lane waits, from its net moment and normal force."""
     if lane.pending == Pending.ENTER_PHASE:
         carry_net_moment(lane, net)
         return
@@ -182,7 +182,7 @@ def resolve_pending(lane: Lane, net: float, force: float) -> None:
         return
     lifts = where(lane.pending == Pending.START_MOVING, force < 0.0, lane.normal0 <= 0.0)
     if lifts and lane.lifted == 0.0:
-        lane.lifted = 1.0  # and with the numbers of a lifted mass again
+        lane.lifted = 1.0  # the phase begins again as a lifted mass
         return
     if lane.pending == Pending.START_MOVING:
         start_moving(lane, net)
@@ -195,7 +195,7 @@ def resolve_pending(lane: Lane, net: float, force: float) -> None:
 
 
 def on_discontinuity(lane: Lane, force: float) -> None:
-    """Forces have jumped: contact is decided again; if it changes, another phase begins."""
+    """Decide about contact after a jump of forces. If contact changes, another phase begins."""
     lifted = where(force < 0.0, 1.0, 0.0)
     if lifted > lane.lifted:
         note_lift_off(lane)
@@ -206,7 +206,7 @@ def on_discontinuity(lane: Lane, force: float) -> None:
 
 
 def begin_phases(s: Lanes) -> None:
-    """Begin the phases that lanes wait for and decide what follows, until every lane is ready for a step."""
+    """Begin all pending phases, until every lane is ready for a step."""
     sudden = s.pending == Pending.DISCONTINUITY
     if any_lane(sudden):
         evaluate(s)
@@ -228,7 +228,7 @@ def begin_phases(s: Lanes) -> None:
 
 
 def begin_here(lane: Lane) -> None:
-    """A phase begins in the present state, wherever that came from; its prologue follows."""
+    """Begin a phase in the current state. Its prologue follows."""
     lane.x = 0.0
     find_pieces(lane)
     begin_pieces(lane)

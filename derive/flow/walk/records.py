@@ -1,7 +1,7 @@
-"""Samples that are passed without series.
+"""Samples of a record that are passed without series.
 
-Where one function of time in straight lines is all that changes, the net moment and the normal force are straight lines
-of its value: of a mass at rest, and of one whose geometry and friction stay as they are while it moves.
+If only one piecewise linear function of time changes, net moment and normal force are linear in its value. This applies
+to a mass at rest, and to a moving mass with constant geometry and friction.
 """
 
 from derive.flow.walk.one_lane import (
@@ -28,12 +28,12 @@ from derive.flow.walk.one_lane import (
 from derive.flow.walk.phases import update_peak
 from derive.flow.walk.tables import end_of_piece, pass_break
 
-SURE = 1.0 - 2.0**-20  # share of a margin that may be used up: the rest is left to series
-ROUNDINGS = 2.0**27  # of its terms, which a margin exceeds
+SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
+ROUNDINGS = 2.0**27  # least margin, in roundings of its terms
 
 
 def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
-    """Whether a piece ends before the end time, and not at the last break: there, and at the first, it may jump."""
+    """Return whether a piece ends before the end time and not at the last break, where the function may jump."""
     last: N = t.pieces - 1
     following = minimum(piece + 1, last)
     ends = end_of_piece(lane, t, following) < INFINITY
@@ -41,12 +41,12 @@ def passes_quietly(lane: Lane, t: T, piece: int) -> bool:
 
 
 def value_at_break(lane: Lane, t: T, piece: int) -> float:
-    """A function of time in straight lines where a piece begins."""
+    """Return a piecewise linear function of time at the left end of a piece."""
     return t.scaled_by * constant_of(lane, t, piece)
 
 
 def stand_before(lane: Lane, t: T, piece: int, now: float) -> None:
-    """The lane is where a piece begins, which it has yet to enter."""
+    """Place the lane at the left end of a piece, which it has not entered yet."""
     lane.time = now
     t.piece = number(piece - 1)
     t.way = INFINITY
@@ -56,7 +56,7 @@ def stand_before(lane: Lane, t: T, piece: int, now: float) -> None:
 
 
 def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
-    """Bound the function of time where sign p, a straight line of it with such terms, keeps some of what it is."""
+    """Bound the values of the function of time for which sign p, linear in it, certainly keeps its sign."""
     now = t.value + t.inc
     level = t.rise == 0.0
     way = sign * p[1] * t.rise
@@ -69,7 +69,7 @@ def keep_quiet(s: Lanes, here: M, t: T, p: S, sign: V, terms: V) -> None:
 
 
 def look_for_quiet(s: Lanes, here: M) -> None:
-    """Between which values of one function of time the mass certainly rests on, the way it faces."""
+    """Find the range of one function of time in which the mass certainly stays at rest in its direction."""
     terms_of_normal = EPS * (abs(s.normal_load) + abs(s.normal_load_slope))
     for t in s.tables:
         if t.kind == Kind.TIME and t.terms == 2:
@@ -79,14 +79,14 @@ def look_for_quiet(s: Lanes, here: M) -> None:
 
 
 def rests_on(lane: Lane, t: T, piece: int) -> bool:
-    """Whether the mass certainly rests through a piece: what moves or lifts it is between its values at both ends."""
+    """Return whether the mass certainly rests through a piece, as both its end values are in the quiet range."""
     last: N = t.pieces - 1
     value = value_at_break(lane, t, minimum(piece + 1, last))
     return lane.quiet_from <= value and value <= lane.quiet_to and passes_quietly(lane, t, piece)
 
 
 def rest_through(lane: Lane, t: T) -> None:
-    """Pass the pieces through which the mass certainly rests, up to where the last of them ends."""
+    """Pass the pieces through which the mass certainly rests."""
     piece = integer(t.piece)
     while rests_on(lane, t, piece):
         piece = piece + 1
@@ -101,12 +101,12 @@ def rest_through(lane: Lane, t: T) -> None:
 
 
 def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: float, by_load: float) -> bool:
-    """Whether the mass certainly moves and presses through a piece, and its greatest speed is at an end of it.
+    """Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
 
-    At the end net moment and normal force are by so much more than where the phase began.
+    ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began.
     """
     after = lane.drive + by_drive
-    # Of one lane `minimum` is a call of the C library, for each sample of a record.
+    # For one lane `minimum` would be a C library call for each sample of a record.
     lowest = where(net < after, net, after)
     slowest = omega + length * where(lowest < 0.0, lowest, 0.0)
     peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
@@ -115,9 +115,9 @@ def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: flo
 
 
 def glide(lane: Lane, t: T) -> None:
-    """Pass the pieces through which the net moment is a straight line of time, and nothing happens.
+    """Pass the pieces in which the net moment is linear in time and no event occurs.
 
-    The rates of net moment and normal force are those of the step before.
+    The rates of net moment and normal force are taken from the preceding step.
     """
     rise = t.series[1]
     if lane.pending == Pending.READY and rise != 0.0 and lane.series.net[2] == 0.0 and lane.lifted == 0.0:

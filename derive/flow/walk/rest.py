@@ -1,4 +1,4 @@
-"""Lanes at rest, until their motion begins; and one round of the integration."""
+"""Lanes at rest, until their motion begins, and one round of the integration."""
 
 from derive.flow.walk.one_lane import (
     INFINITY,
@@ -27,12 +27,12 @@ from derive.flow.walk.series import expand, radius_of_convergence
 from derive.flow.walk.step import make_step
 from derive.flow.walk.tables import next_break, pass_breaks
 
-TOUCHES = 2.0  # units of rounding of the drive, within which the net moment at rest is zero
-TOGETHER = 1e-9  # relative times that are the same
+TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
+TOGETHER = 1e-9  # relative difference below which two times are equal
 
 
 def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
-    """When contact is lost or regained, within the time ahead that is known."""
+    """Find the time at which contact is lost or regained, within the known time ahead."""
     normal = s.series.normal
     sign = where(s.lifted > 0.0, -1.0, 1.0)
     passed = s.passed == number(Passed.LIFT)
@@ -46,10 +46,10 @@ def look_for_lift_off(s: Lanes, here: M, top: N) -> None:
 
 
 def look_ahead(s: Lanes, here: M, room: V) -> None:
-    """What lies ahead of a mass at rest, in the direction it faces, where it comes before what is known already.
+    """Find the next change of a mass at rest in its direction, if it precedes the changes that are known already.
 
-    The net moment at rest is a series of time alone. At its root slip begins, with no drive at all; immediately, if it
-    is zero and rises, or has jumped above it.
+    The net moment at rest is a series of time alone. Slip begins at its root, where the drive is zero, or immediately
+    if the net moment is zero and rises, or has jumped above zero.
     """
     top: N = expand(s, room, here, 1)
     net = s.series.net
@@ -75,13 +75,13 @@ def look_ahead(s: Lanes, here: M, room: V) -> None:
 
 
 def turn_back(lane: Lane) -> None:
-    """Face the other way at rest."""
+    """Reverse the direction at rest."""
     lane.direction = -lane.direction
     lane.pending = Pending.BEGIN_PHASE
 
 
 def leave_rest(lane: Lane, limit: float, room: float) -> None:
-    """To the first of what lies ahead: start of slip, change of contact, break, end, or nothing yet."""
+    """Advance to the first change: start of slip, change of contact, break or end."""
     stretch = lane.stretch
     lifts = lane.lift_ahead <= stretch
     starts = lane.start_ahead <= stretch
@@ -90,10 +90,12 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
     for_ever = not starts and not (until < INFINITY)
     if lane.samples:
         read_samples(lane, lane.time, minimum(until, lane.end_time), 0, 0)
-    rested = starts and stretch > TOGETHER * until  # a start at once after an arrest counts: the mass may tremble
+    rested = (
+        starts and stretch > TOGETHER * until
+    )  # an immediate start after an arrest counts as a step: it may tremble
     lane.steps = where(breaks or rested, 0.0, lane.steps + 1.0)
     lane.passed = Passed.NOTHING
-    if for_ever or until >= lane.end_time:  # what happens after its end time decides nothing
+    if for_ever or until >= lane.end_time:  # changes after the end time have no influence
         lane.time = where(for_ever, lane.time, lane.end_time)
         stay(lane, where(for_ever, Status.ARRESTED, Status.PAUSED))
         return
@@ -117,7 +119,7 @@ def leave_rest(lane: Lane, limit: float, room: float) -> None:
 
 
 def rest_on(s: Lanes, here: M) -> None:
-    """One step of lanes at rest under forces that change: to the next break, or to where the mass starts."""
+    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
     limit = next_break(s)
     room = where(limit < INFINITY, limit - s.time, 1.0)
     s.stretch = room
@@ -134,7 +136,7 @@ def rest_on(s: Lanes, here: M) -> None:
             turn_back(s)
         begin_phases(s)
         look_ahead(s, both, room)
-    lifts = s.lift_ahead <= s.start_ahead * (1.0 + TOGETHER)  # then the mass does not start
+    lifts = s.lift_ahead <= s.start_ahead * (1.0 + TOGETHER)  # in this case the mass does not start
     s.start_ahead = where(lifts, INFINITY, s.start_ahead)
     s.stretch = minimum(s.start_ahead, s.stretch)
     for t in s.tables:
@@ -148,9 +150,9 @@ def rest_on(s: Lanes, here: M) -> None:
 
 
 def stop_endless(s: Lanes, here: M) -> None:
-    """Stop lanes that take too many steps since they last rested or passed a break, or too many turns, or overflow."""
+    """Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow."""
     going = s.status <= number(Status.RESTING)
-    most = where(s.omega > 0.0, number(Limit.MOST_STEPS), number(2 * Limit.MOST_STEPS))  # at rest it can wait
+    most = where(s.omega > 0.0, number(Limit.MOST_STEPS), number(2 * Limit.MOST_STEPS))  # rest allows more
     too_long = s.steps > most
     if not s.timed:
         too_long = too_long or s.turns > number(Limit.MOST_TURNS)
@@ -160,9 +162,9 @@ def stop_endless(s: Lanes, here: M) -> None:
 
 
 def advance(s: Lanes, here: M) -> None:
-    """One step of the moving or of the resting lanes, of those that are more: along their series, or to the next break.
+    """Make one step of the moving lanes or of the lanes at rest, whichever are more.
 
-    It costs the same for any number of lanes: the others wait until more of them take it together.
+    The cost does not depend on the number of lanes, so that the other lanes wait until they are the majority.
     """
     moving = here and s.status == number(Status.MOVING)
     resting = here and s.status == number(Status.RESTING)

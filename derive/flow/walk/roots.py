@@ -1,13 +1,13 @@
-"""Polynomials in the time of a step, p[0] to p[n]: values and roots."""
+"""Values and roots of polynomials p[0] to p[n] in the time of a step."""
 
 from derive.flow.walk.one_lane import EPS, INFINITY, M, N, S, V, any_lane, down, new_series, number, tail, up, where
 
-LAST_STEP = 2.0**-30  # of Newton's method, relative: the next one would be below rounding
+LAST_STEP = 2.0**-30  # relative step of Newton's method after which the next one would be below rounding
 MOST_ITERATIONS = 200
 
 
 def value(p: S, n: N, t: V) -> V:
-    """The value at a time, by Horner's scheme."""
+    """Return the value at a time by Horner's scheme."""
     total = p[n]
     for k in down(n - 1, 0):
         total = total * t + p[k]
@@ -15,12 +15,12 @@ def value(p: S, n: N, t: V) -> V:
 
 
 def increment(p: S, n: N, t: V) -> V:
-    """The value less the constant term, without cancellation."""
+    """Return the value minus the constant term, without cancellation."""
     return t * value(tail(p), n - 1, t) if n > 0 else 0.0
 
 
 def value_and_slope(p: S, n: N, t: V) -> tuple[V, V]:
-    """The value and the derivative at a time."""
+    """Return the value and the derivative at a time."""
     total = p[n]
     slope: V = 0.0
     for k in down(n - 1, 0):
@@ -30,20 +30,20 @@ def value_and_slope(p: S, n: N, t: V) -> tuple[V, V]:
 
 
 def differentiate(rates: S, p: S, n: N) -> None:
-    """The coefficients of the derivative."""
+    """Compute the coefficients of the derivative."""
     for k in up(1, n):
         rates[k - 1] = p[k] * number(k)
 
 
 def inside_or_middle(at: V, low: V, high: V) -> V:
-    """A place if it lies between two bounds, otherwise their middle."""
+    """Return a place if it lies between two bounds, otherwise their middle."""
     return where(at >= low and at <= high, at, 0.5 * (low + high))
 
 
 def bracketed_root(p: S, n: N, low: V, at_low: V, high: V, at_high: V, which: M) -> V:
-    """A root between bounds at which values have opposite signs.
+    """Return a root between bounds at which values have opposite signs.
 
-    By Newton's method, which starts where the chord crosses zero and halves where a step leaves the bounds.
+    Newton's method starts where the chord crosses zero, and bisects if a step leaves the bounds.
     """
     falls = at_low > 0.0
     at = inside_or_middle(low + (high - low) * (at_low / (at_low - at_high)), low, high)
@@ -63,11 +63,11 @@ def bracketed_root(p: S, n: N, low: V, at_low: V, high: V, at_high: V, which: M)
 
 
 def first_root(p: S, n: N, h: V, which: M) -> V:
-    """The first zero in (0, h] of polynomials that are positive at first; infinity where there is none.
+    """Return the first zero in (0, h] of initially positive polynomials, infinity without a zero.
 
-    Within a step the terms fall like 0.2^k: a polynomial that neither has changed its sign at h nor falls at first
-    and rises at last has no root there. Where it falls and rises, its least value decides. One that only touches zero
-    does not cross it, and one that is zero has no root.
+    Within a step the terms decrease like 0.2^k. A polynomial that has the same sign at h, and does not fall at first
+    and rise at the end, therefore has no root. If it falls and rises, its least value decides. A polynomial that only
+    touches zero does not cross it, and the zero polynomial has no root.
     """
     high = h
     last, slope = value_and_slope(p, n, h)
@@ -92,14 +92,14 @@ def first_root(p: S, n: N, h: V, which: M) -> V:
 
 
 def may_cross(p: S, n: N, t: V, sign: V, constant: V, divided: M) -> M:
-    """Whether sign p + constant may have a zero in (0, t]: from its value and slope there."""
+    """Return whether sign p + constant may have a zero in (0, t], from its value and slope at t."""
     last, slope = value_and_slope(p, n, t)
     falls_and_rises = sign * p[1] < 0.0 and sign * slope > 0.0
     return sign * last + constant <= 0.0 or falls_and_rises or divided
 
 
 def margin_of(e: S, p: S, n: N, sign: V, constant: V, divided: M) -> None:
-    """The coefficients of sign p + constant, divided by the time where its root is now."""
+    """Compute the coefficients of sign p + constant, divided by the time if its root at 0 is to be removed."""
     for k in up(0, n):
         e[k] = sign * p[k]
     e[0] = e[0] + constant
@@ -110,7 +110,7 @@ def margin_of(e: S, p: S, n: N, sign: V, constant: V, divided: M) -> None:
 
 
 def falling_root(p: S, n: N, t: V, last: V, slope: V, here: M) -> V:
-    """The zero in (0, t] through which polynomials fall, possibly beyond a maximum; infinity where there is none.
+    """Return the zero in (0, t] at which polynomials become negative, possibly beyond a maximum, otherwise infinity.
 
     ``last`` and ``slope`` are the value and the derivative at t.
     """

@@ -1,4 +1,4 @@
-"""The series of a step: coefficients of every register, how many of them count, and how long a step they allow."""
+"""Series of a step: coefficients of every register, their number, and the length of the step."""
 
 from derive.flow.walk.one_lane import (
     INFINITY,
@@ -26,12 +26,12 @@ from derive.flow.walk.one_lane import (
 )
 from derive.flow.walk.tables import expand_sine
 
-ROUNDING = 2.0**-56  # of the largest term of a series, below which a term is rounding
-LARGEST = 1000.0 * 2.0**40  # log2 of a radius, as `log2_of` has it
+ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
+LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`
 
 
 def begin_series(s: Lanes) -> None:
-    """Order 0 of the registers that do not come from operations."""
+    """Set order 0 of the registers that do not result from operations."""
     for q in s.states:
         q.series[0] = q.now
     for t in s.tables:
@@ -40,14 +40,14 @@ def begin_series(s: Lanes) -> None:
 
 
 def evaluate(s: Lanes) -> None:
-    """Order 0 of all registers."""
+    """Compute order 0 of all registers."""
     begin_series(s)
     operate(s, 0)
     operate_later(s, 1)
 
 
 def normal_force(s: Lanes) -> V:
-    """On the slip surface, once order 0 is there; contact is lost below zero."""
+    """Return the normal force on the slip surface from order 0. Contact is lost if it is negative."""
     force = s.normal0
     if s.has.normal:
         force = s.series.normal[0]
@@ -55,9 +55,10 @@ def normal_force(s: Lanes) -> V:
 
 
 def find_negligible(lane: Lane) -> None:
-    """The last terms, over the largest, of a step that a break cuts short: factor^order, as after a whole one.
+    """Compute the size of the last terms over the largest term of a step that a break cuts short, factor^order.
 
-    It is truncated after such a term times the step over the radius of convergence: in time as much as whole steps are.
+    The truncation error is such a term times the step over the radius of convergence, per time the same as in complete
+    steps.
     """
     lane.negligible = 1.0
     n = lane.order
@@ -68,12 +69,12 @@ def find_negligible(lane: Lane) -> None:
 
 
 def is_negligible(s: Lanes, term: V, largest: V) -> M:
-    """Whether a term does not count beside the largest one."""
+    """Return whether a term is negligible compared with the largest term."""
     return term <= s.negligible * largest and largest > 0.0 and largest < INFINITY
 
 
 def cut(s: Lanes, order: V, top: N) -> None:
-    """End the series that events read beyond each lane's order."""
+    """Truncate the series that events use at each lane's order."""
     for n in up(0, top - 1):
         within = order > number(n)
         s.series.net[n] = where(within, s.series.net[n], 0.0)
@@ -84,7 +85,7 @@ def cut(s: Lanes, order: V, top: N) -> None:
 
 
 def begin_expansion(s: Lanes, which: M, top: N) -> None:
-    """Order 0 of the registers that do not come from operations, and the series of functions of time."""
+    """Set order 0 of the registers that do not result from operations, and the series of functions of time."""
     begin_series(s)
     for t in s.tables:
         if t.kind == Kind.TIME:
@@ -94,7 +95,10 @@ def begin_expansion(s: Lanes, which: M, top: N) -> None:
 
 
 def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
-    """Coefficient n + 1 of the states, from coefficient n of their rates; zero beyond a lane's order, and at rest."""
+    """Compute coefficient n + 1 of the states from coefficient n of their rates.
+
+    It is zero beyond a lane's order and at rest.
+    """
     for q in s.states:
         coefficient: V = 0.0
         if not at_rest:
@@ -103,7 +107,7 @@ def integrate_rates(s: Lanes, n: N, order: V, alike: N, at_rest: N) -> None:
 
 
 def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
-    """Whether coefficient n times a power of the step counts beside the largest term so far."""
+    """Return whether coefficient n times a power of the step is significant beside the largest term so far."""
     x = s.series.net if at_rest else s.series.x
     omega = s.series.net if at_rest else s.series.omega
     term_x = abs(x[n]) * power
@@ -115,11 +119,11 @@ def next_term_counts(s: Lanes, n: N, power: V, at_rest: N) -> M:
 
 
 def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
-    """Fill the series of all registers; those of states have one order more than their rates.
+    """Compute the series of all registers, where states have one order more than rates, and return the highest order.
 
-    Where a function of time cuts the step short after ``room``, a series ends early, as soon as two terms in a row do
-    not count there. At rest states stay as they are, and the net moment decides. Returns the highest order; each lane's
-    is `series_order`, and the net moment, the normal force and the dip are zero beyond it.
+    If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+    negligible there. At rest the states are constant, and the net moment decides. Each lane's order is `series_order`,
+    and net moment, normal force and dip are zero beyond it.
     """
     order = where(which, s.order, 1.0)
     top: N = greatest(order)
@@ -152,9 +156,10 @@ def expand(s: Lanes, room: V, which: M, at_rest: N) -> N:
 
 
 def radius_of_convergence(s: Lanes, p: S, top: N, order: V) -> V:
-    """The least that the last four coefficients of each lane suggest, each against the largest of the first five.
+    """Return the least radius suggested by the last four coefficients, each with the largest of the first five.
 
-    |c_k/c_n|^(1/(n - k)), k < 5, n the last four orders; 2^1000 where these are zero.
+    The radius is |c_k/c_n|^(1/(n - k)) with k < 5 and n one of the last four orders, and 2^1000 if these coefficients
+    are zero.
     """
     first = new_series()
     comparable = p[0] != 0.0

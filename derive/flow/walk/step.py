@@ -1,4 +1,4 @@
-"""One step of lanes that move, up to their next event, and what follows there."""
+"""One step of moving lanes up to their next event, and the consequences of the event."""
 
 from derive.flow.walk.one_lane import (
     INFINITY,
@@ -34,14 +34,14 @@ from derive.flow.walk.roots import falling_root, first_root, increment, margin_o
 from derive.flow.walk.series import expand, radius_of_convergence
 from derive.flow.walk.tables import next_break, pass_breaks
 
-FAR = 1e300  # a bound that is never reached
+FAR = 1e300  # unreachable bound
 
 
-# --- what follows an event -------------------------------------------------------------------------------------------
+# --- consequences of events ----------------------------------------------------------------------------------------
 
 
 def enter_phase(lane: Lane, rate: float) -> None:
-    """Another phase begins in motion: the lane enters another piece of a table, is lifted or lands."""
+    """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
     lane.rate_before = rate
     lane.drive_before = lane.drive
     lane.scale_before = lane.drive_scale
@@ -50,7 +50,7 @@ def enter_phase(lane: Lane, rate: float) -> None:
 
 
 def on_standstill(lane: Lane) -> None:
-    """The lane comes to its standstill. It does not go on the way it came, whatever its rounding."""
+    """Bring the lane to its standstill, reversed, so that rounding cannot continue its motion."""
     advance_origin(lane)
     update_reach(lane)
     lane.rest_since = lane.time
@@ -61,7 +61,7 @@ def on_standstill(lane: Lane) -> None:
 
 
 def on_contact_change(lane: Lane, rate: float) -> None:
-    """Contact with the slip surface is lost or regained."""
+    """Change contact with the slip surface."""
     lane.lifted = 1.0 - lane.lifted
     if lane.lifted > 0.0:
         note_lift_off(lane)
@@ -72,7 +72,7 @@ def on_contact_change(lane: Lane, rate: float) -> None:
 
 
 def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
-    """An edge of a table of slip, speed or rotation is passed: the lane is set exactly there, in the next piece."""
+    """Pass an edge of a table of slip, speed or rotation. The lane is placed exactly there, in the next piece."""
     enter_phase(lane, rate)
     if t.kind == Kind.ROTATION:
         lane.rotation = break_of(lane, t, integer(t.piece) + where(lane.direction > 0.0, 1, 0))
@@ -89,7 +89,7 @@ def on_breakpoint(lane: Lane, t: T, rate: float, upwards: bool) -> None:
 
 
 def end_motion(lane: Lane, rate: float, status: float) -> None:
-    """The end time, or an upright chord, while the lane moves."""
+    """End a moving lane at its end time or with an upright chord."""
     lane.status = status
     lane.end_rotation = lane.rotation + lane.direction * lane.x
     lane.end_omega = lane.direction * lane.omega
@@ -98,7 +98,7 @@ def end_motion(lane: Lane, rate: float, status: float) -> None:
 
 
 def on_limit(lane: Lane, rate: float) -> None:
-    """The end time, or a break of a function of time."""
+    """End the lane at its end time, or pass breaks of functions of time."""
     if lane.time >= lane.end_time:
         end_motion(lane, rate, Status.ENDED)
         return
@@ -109,7 +109,7 @@ def on_limit(lane: Lane, rate: float) -> None:
 
 
 def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
-    """What follows the step: an event, a break of a function of time, the end time, or another step."""
+    """Apply the consequences of a step: an event, a break of a function of time, the end time, or another step."""
     if endless:
         lane.status = Status.TOO_LONG
     if at_limit:
@@ -135,13 +135,19 @@ def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
 
 
 def consider(s: Lanes, here: M, at: V, event: N) -> None:
-    """An event at some time, infinite without one: each is searched in what the ones before leave of the step."""
+    """Shorten the step to an event at a time, infinite without an event.
+
+    Each event is searched in the step that earlier events leave.
+    """
     s.event = where(at <= s.step, number(event), s.event)
     s.step = minimum(at, s.step)
 
 
 def find_standstill(s: Lanes, here: M, top: N) -> None:
-    """When the speed becomes zero; immediately if, from rest, the drive points backwards or is rounding."""
+    """Find the time at which the speed becomes zero.
+
+    It is immediate if the drive from rest points backwards or is rounding.
+    """
     omega = s.series.omega
     net = s.series.net
     last, slope = value_and_slope(omega, top, s.step)
@@ -151,16 +157,16 @@ def find_standstill(s: Lanes, here: M, top: N) -> None:
     asked = here and (last <= 0.0 or (decelerates and slope > 0.0) or falls_from_rest)
     if any_lane(asked):
         e = new_series()
-        margin_of(e, omega, top, 1.0, 0.0, from_rest)  # from rest it is zero at first: remove that root
+        margin_of(e, omega, top, 1.0, 0.0, from_rest)  # remove the root at a start from rest
         margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
         margin_of(e, e, top, 1.0, 0.0, from_rest and e[0] == 0.0)
         at = first_root(e, top, s.step, asked)
-        vanishes = from_rest and e[0] == 0.0 and last == 0.0  # its drive does, to rounding
+        vanishes = from_rest and e[0] == 0.0 and last == 0.0  # the drive is zero to rounding
         consider(s, here, where(asked and (e[0] < 0.0 or vanishes), 0.0, at), Event.STANDSTILL)
 
 
 def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M, event: N) -> None:
-    """When sign p + constant falls through zero, except where the phase began with this event."""
+    """Find the time at which sign p + constant falls through zero, unless the phase began with this event."""
     asked = here and may_cross(p, n, s.step, sign, constant, passed)
     if any_lane(asked):
         e = new_series()
@@ -169,7 +175,7 @@ def find_crossing(s: Lanes, here: M, p: S, n: N, sign: V, constant: V, passed: M
 
 
 def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
-    """When an edge of a table's piece is passed."""
+    """Find the time at which an edge of a table's piece is passed."""
     upper = minimum(t.upper, FAR)
     event: N = Event.BREAKPOINT + 2 * t.number
     if t.kind == Kind.SPEED:
@@ -182,10 +188,10 @@ def find_edges(s: Lanes, here: M, t: T, top: N) -> None:
 
 
 def find_events(s: Lanes, here: M, top: N) -> None:
-    """The first event of the step; of equal times the event that is searched last.
+    """Find the first event of the step. Of simultaneous events the last one in the order of the search is used.
 
-    Water over a mass may change faster than its motion, for which the step was chosen: the normal force is a function
-    of the position until the first other event only, and may pass zero twice beyond it.
+    Water over a mass may change faster than its motion, which determines the step. The normal force is therefore valid
+    only until the first other event, beyond which it may pass zero twice.
     """
     s.event = number(Event.NONE)
     find_standstill(s, here, top)
@@ -194,7 +200,7 @@ def find_events(s: Lanes, here: M, top: N) -> None:
     for t in s.tables:
         if t.kind != Kind.TIME:
             known: N = t.number > 0 and t.kind == Kind.ROTATION and t.before.kind == Kind.ROTATION
-            if known:  # where its pieces end with those of the table before
+            if known:  # its pieces end where the pieces of the preceding table end
                 known = not any_lane(here and minimum(t.upper, FAR) != t.before.upper)
             if not known:
                 find_edges(s, here, t, top)
@@ -204,9 +210,9 @@ def find_events(s: Lanes, here: M, top: N) -> None:
 
 
 def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
-    """Record a candidate for the greatest speed, in the present step, where it exceeds the record.
+    """Record a candidate for the greatest speed in the current step if it exceeds the record.
 
-    Where the record is not where the step began, it has to do so by more than rounding.
+    If the record is not at the beginning of the step, the difference must exceed rounding.
     """
     faster = here and speed > abs(s.peak_omega)
     if any_lane(faster):
@@ -218,9 +224,9 @@ def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
 
 
 def choose_step(s: Lanes, here: M, room: V, top: N) -> None:
-    """A fraction of the least radius of convergence of the states, or all of the room where series end early.
+    """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early.
 
-    The rotation's is that of its rate, the angular velocity.
+    The radius of the rotation equals the radius of the angular velocity.
     """
     radius: V = INFINITY
     for q in s.states:
@@ -239,9 +245,9 @@ def advance_states(s: Lanes, here: M, top: N) -> None:
 
 
 def is_endless(s: Lanes, here: M, room: V) -> M:
-    """Whether a motion goes on for ever.
+    """Return whether a motion continues for ever.
 
-    Where its rate depends on the speed alone, and hardly changes it, the rate never falls below zero again.
+    If the rate depends on the speed alone and hardly changes it, the rate never becomes negative again.
     """
     endless = none_of(s)
     if s.autonomous:
@@ -262,7 +268,7 @@ def keep_peak(s: Lanes, here: M, top: N, rate: V, slope: V) -> None:
 
 
 def make_step(s: Lanes, here: M) -> None:
-    """One step of lanes that move."""
+    """Make one step of moving lanes."""
     limit = minimum(next_break(s), s.end_time)
     room = limit - s.time
     top: N = expand(s, room, here, 0)

@@ -1,10 +1,10 @@
-"""The piece of each table in which a lane is: its ends, and its coefficients about the start of a phase.
+"""Pieces of tables: their ends, and their coefficients about the start of a phase.
 
-Several functions of time may follow each other in one table, with a piece between them that begins at infinity: a lane
-has the one with whose first piece it begins.
+Several functions of time may follow each other in one table, separated by a piece that begins at infinity. The first
+piece of a lane selects its function.
 
-A table is a function in pieces of slip, speed, rotation or time. Of the first three a phase holds the coefficients in
-powers of what is beyond its start; of time the increment since.
+A table is a piecewise function of slip, speed, rotation or time. For slip, speed and rotation a phase stores
+coefficients in powers of the distance from its start, for time the increment since its start.
 """
 
 from derive.flow.walk.one_lane import (
@@ -36,14 +36,14 @@ from derive.flow.walk.one_lane import (
 
 
 def shift(terms: A, count: N, by: float) -> None:
-    """The same polynomial about another point: Taylor's shift by Horner's scheme."""
+    """Shift a polynomial to another origin: Taylor's shift by Horner's scheme."""
     for first in up(0, count - 2):
         for j in down(count - 2, first):
             terms[j] = terms[j] + by * terms[j + 1]
 
 
 def value_within(lane: Lane, t: T, piece: int, local: float) -> float:
-    """A function of time so far beyond where a piece begins, in the table's own argument: a sine or a straight line."""
+    """Return a function of time, a sine or a straight line, at a distance from the left end of a piece."""
     terms = numbers()
     coefficients_of(lane, t, piece, terms)
     change = terms[1] * local
@@ -51,13 +51,13 @@ def value_within(lane: Lane, t: T, piece: int, local: float) -> float:
 
 
 def value_now(lane: Lane, t: T) -> float:
-    """A function of time now."""
+    """Return a function of time at the current time."""
     piece = integer(t.piece)
     return value_within(lane, t, piece, lane.time * t.scale - break_of(lane, t, piece))
 
 
 def expand_sine(lane: Lane, t: T, top: N) -> None:
-    """The series of a sine about now, as its increment since the phase began."""
+    """Compute the series of a sine about the current time, as its increment since the phase began."""
     piece = integer(t.piece)
     terms = numbers()
     coefficients_of(lane, t, piece, terms)
@@ -75,7 +75,7 @@ def expand_sine(lane: Lane, t: T, top: N) -> None:
 
 
 def rise_to(lane: Lane, t: T, past: float) -> float:
-    """What a function of time rises by from now to some way beyond, in the table's own argument, within its piece."""
+    """Return the rise of a function of time over a distance ahead within its piece, in the table's argument."""
     piece = integer(t.piece)
     terms = numbers()
     coefficients_of(lane, t, piece, terms)
@@ -89,19 +89,19 @@ def rise_to(lane: Lane, t: T, past: float) -> float:
 
 
 def end_of_piece(lane: Lane, t: T, piece: int) -> float:
-    """Where a piece ends, in the table's own argument; infinity after the last one."""
+    """Return the end of a piece in the table's argument, infinity for the last piece."""
     last: N = t.pieces - 1
     return where(piece < last, break_of(lane, t, minimum(piece + 1, last)), INFINITY)
 
 
 def ends_by(lane: Lane, t: T, piece: int, argument: float, included: bool) -> bool:
-    """Whether a piece ends below an argument, or at it if a break belongs to the piece above."""
+    """Return whether a piece ends below an argument, or at it if a break belongs to the piece above."""
     end = end_of_piece(lane, t, piece)
     return end < argument or (included and end == argument and end < INFINITY)
 
 
 def piece_at(lane: Lane, t: T, first: int, argument: float, included: bool) -> int:
-    """The piece in which an argument is, from the first one on that it may be."""
+    """Return the piece that contains an argument, searched from a first piece on."""
     piece = first
     while ends_by(lane, t, piece, argument, included):
         piece = piece + 1
@@ -109,7 +109,7 @@ def piece_at(lane: Lane, t: T, first: int, argument: float, included: bool) -> i
 
 
 def find_end_of_piece(lane: Lane, t: T, now: float) -> None:
-    """The end of the piece of a function of time and the increment there: one rounding whatever the steps."""
+    """Compute the end of the piece of a function of time and the increment there, with a single rounding."""
     piece = integer(t.piece)
     end = end_of_piece(lane, t, piece)
     t.upper = end / t.scale
@@ -119,10 +119,10 @@ def find_end_of_piece(lane: Lane, t: T, now: float) -> None:
 
 
 def begin_in_time(lane: Lane, t: T) -> None:
-    """Begin a phase: increments of a function of time count from now. It may jump where a piece begins.
+    """Begin a phase: increments of a function of time are counted from now. It may jump at the left end of a piece.
 
-    Within a piece the value and the rise to its end follow from the increment: on a short ramp the rounding of the
-    time, times the slope, is much.
+    Within a piece the value and the rise to its end follow from the increment, since on a short ramp the rounding of
+    the time times the slope is large.
     """
     t.value = t.value + t.inc
     t.lower = t.lower - t.inc
@@ -140,7 +140,7 @@ def begin_in_time(lane: Lane, t: T) -> None:
 
 
 def develop(lane: Lane, t: T, local: float, unit: float) -> None:
-    """The value where the phase begins, so far beyond the break, and the coefficients of what is beyond."""
+    """Compute the value at the start of a phase and the coefficients about it."""
     terms = numbers()
     coefficients_of(lane, t, integer(t.piece), terms)
     shift(terms, t.terms, local)
@@ -152,7 +152,7 @@ def develop(lane: Lane, t: T, local: float, unit: float) -> None:
 
 
 def begin_in_rotation(lane: Lane, t: T) -> None:
-    """The piece ahead, in the direction of travel, of a function of the rotation, which goes either way."""
+    """Select the piece of a function of the rotation ahead in the direction of travel, which may be either."""
     rotation = lane.rotation
     up_to = lane.direction > 0.0
     piece = piece_at(lane, t, 0, rotation, up_to)
@@ -165,7 +165,7 @@ def begin_in_rotation(lane: Lane, t: T) -> None:
 
 
 def begin_in_slip(lane: Lane, t: T) -> None:
-    """The piece of a function of the slip, which ends ahead also where another function has just broken."""
+    """Select the piece of a function of slip, which ends ahead even if another function has just passed a break."""
     piece = integer(t.piece)
     edge = break_of(lane, t, piece)
     local = maximum(lane.slip * t.scale - edge, 0.0)
@@ -174,7 +174,7 @@ def begin_in_slip(lane: Lane, t: T) -> None:
 
 
 def begin_in_speed(lane: Lane, t: T) -> None:
-    """Polynomials of the logarithm of the speed; piece 0, below the first speed, is constant."""
+    """Select the piece of a polynomial of the logarithm of the speed. Piece 0, below the first speed, is constant."""
     piece = integer(t.piece)
     edge = break_of(lane, t, piece)
     speed = lane.omega * t.scale
@@ -187,7 +187,7 @@ def begin_in_speed(lane: Lane, t: T) -> None:
 
 
 def begin_pieces(lane: Lane) -> None:
-    """Begin a phase: the ends of each table's piece, its value, and the coefficients of what is beyond."""
+    """Begin a phase: compute the ends of each table's piece, its value, and its coefficients."""
     for t in lane.tables:
         if t.kind == Kind.TIME:
             begin_in_time(lane, t)
@@ -200,7 +200,7 @@ def begin_pieces(lane: Lane) -> None:
 
 
 def find_pieces(lane: Lane) -> None:
-    """The pieces in which slip and speed lie, wherever they came from."""
+    """Find the pieces that contain slip and speed."""
     for t in lane.tables:
         if t.kind == Kind.SLIP:
             t.piece = number(piece_at(lane, t, 0, lane.slip * t.scale, True))
@@ -209,9 +209,9 @@ def find_pieces(lane: Lane) -> None:
 
 
 def pass_break(lane: Lane, t: T) -> None:
-    """Enter the next piece of a function of time; where its value jumps the lane has to look at its contact.
+    """Enter the next piece of a function of time. If its value jumps, the contact must be checked.
 
-    Increments add their roundings up along a record: beyond some way the difference of two values is better known.
+    Increments accumulate rounding along a record. Beyond some path the difference of two values is more accurate.
     """
     piece = integer(t.piece) + 1
     jump = jump_of(lane, t, piece) * t.scaled_by
@@ -229,14 +229,14 @@ def pass_break(lane: Lane, t: T) -> None:
 
 
 def pass_breaks(lane: Lane) -> None:
-    """Enter the next piece of each function of time that breaks now."""
+    """Enter the next piece of each function of time that has a break now."""
     for t in lane.tables:
         if t.kind == Kind.TIME and t.upper <= lane.time:
             pass_break(lane, t)
 
 
 def still_changes(lane: Lane) -> bool:
-    """Whether a force will still change while the lane rests."""
+    """Return whether a force will still change while the lane rests."""
     changes: bool = False
     for t in lane.tables:
         if t.kind == Kind.TIME:
@@ -245,7 +245,7 @@ def still_changes(lane: Lane) -> bool:
 
 
 def next_break(s: Lanes) -> V:
-    """The next time at which a function of time breaks."""
+    """Return the next time at which a function of time has a break."""
     time: V = INFINITY
     for t in s.tables:
         if t.kind == Kind.TIME:

@@ -1,1 +1,1 @@
-"""From a scene to its motion."""
+"""Solution of a scene, and its motion."""

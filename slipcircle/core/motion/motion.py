@@ -1,8 +1,7 @@
-"""The motion of a scene, or of each lane of an ensemble: what happened, read off at its end, and as functions of time.
+"""Motion of a scene, or of each lane of an ensemble: results at its end, and histories as functions of time.
 
-Final cells are of the scene's shape, (cells, *shape); of a single scene they are numbers. Dimensionless numbers become
-SI units here: times by sqrt(R/g), lengths along the arc by R.
-Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
+Final cells have the shape (cells, *shape), and are numbers for a single scene. Dimensionless numbers are converted to
+SI units: times by sqrt(R/g), lengths by R. ``notebooks/0_the_method.ipynb`` defines phases, events and signs.
 """
 
 import math
@@ -18,7 +17,7 @@ from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
 from slipcircle.base.kinds import Numbers, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
@@ -26,50 +25,16 @@ from slipcircle.core.walk.lanes import integrate
 
 
 class Motion(Forms, Generic[Numbers]):
-    """A solved scene. For a scene of arrays every attribute is an array, NaN for cases without a result (`reason`).
+    """Solved scene. For an ensemble every result is an array, NaN for cases without a result (`reason`).
+
+    A motion of several cases has a length and an index. `to_dict`, `to_pandas` and `to_xarray` export tables.
 
     Attributes
     ----------
     plan : Plan
-        How it was solved.
-    status : Status
-        How it ended.
-    reason : str
-        Why there is no result; empty if there is one.
-    moves, arrested : bool
-        Whether the mass moves at all, and whether it rests at the end.
-    duration : float
-        Time from the start to the end, s; infinite if it creeps to its equilibrium.
-    settling_time : float
-        Time by which 99 % of the run-out is covered if it creeps, else the duration, s.
-    run_out : float
-        Greatest displacement along the arc, m, negative up-slope. A mass that swings back rests at `end.displacement`.
-    slow_run_out : float
-        Displacement along the arc at which a slowly moved mass rests, m; NaN with `no_slow_run_out`.
-    no_slow_run_out : str
-        Why there is no slow run-out; empty unless forces depend on time, speed or heat, or nothing holds the mass.
-    outcomes : mapping
-        `run_out`, `peak_velocity` and `duration` by name.
-    farthest, peak, end : State
-        States at the greatest displacement, at the greatest speed and at the end.
-    outside_range : bool
-        Whether it leaves the range of validity, the `rotation_range` of its mass.
-    range_end : State or None
-        State in which a single motion leaves it.
-    limit_friction : float
-        Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
-    yield_coefficient : float
-        k_y, down-slope acceleration over g at which it would just move, by the method of the start; negative if moving.
-    friction, factor_of_safety : float
-        Friction coefficient and available resistance over drive at the start; the latter is infinite without a drive.
-    further_factors : FurtherFactors
-        Factors of safety with ``residual`` strength on the original geometry, and ``at_rest`` after the slide.
-    error_estimate : float
-        Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
-    warnings : tuple of str
-        Warnings about a single motion; usually empty.
-
-    A motion of several cases has a length and an index; `to_dict`, `to_pandas` and `to_xarray` export tables.
+        Method of solution.
+    shape : tuple of int
+        Shape of the scene, () for a single motion.
     """
 
     def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
@@ -84,14 +49,15 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def _history(self) -> Any:
-        return room("history").History(self)
+        return lazy_import("history").History(self)
 
     @cached_property
     def problem(self) -> Problem:
+        """Initial value problem of the scene."""
         return problem_of(self.plan, self.invalid).ending_first(self._final[ix.FIRST_ONLY])
 
     def _shaped(self, values: Any) -> Any:
-        """One number of each lane in the scene's shape; of a single scene a Python number."""
+        """Return one number per lane in the scene's shape, or a Python number for a single scene."""
         if self.shape:
             return np.reshape(values, self.shape)
         return values.item() if hasattr(values, "item") else values
@@ -100,28 +66,31 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def status(self) -> Any:
+        """State at the end, a `Status`."""
         status = statuses(self._final, self.invalid, plain(self.plan.scene.strength_factor))
         return status if self.shape else Status(status)
 
     @property
     def reason(self) -> Any:
+        """Reason for a missing result, empty if there is a result."""
         if not self.shape:
             return self.status.reason
         reasons = np.array([status.reason for status in Status])
         return reasons[self.status]
 
     def count(self) -> dict[str, int]:
-        """Number of cases of each status, by its name."""
+        """Return the number of cases of each status, by its name."""
         counts = Counter(np.ravel(self.status).tolist())
         return {status.name: counts[status] for status in Status if status in counts}
 
     @property
     def moves(self) -> Any:
+        """Whether the mass moves at all."""
         return self._solved & (self._final[ix.PHASES] > 0.0)
 
     @property
     def arrested(self) -> Any:
-        """Whether it is at rest at its end, for good or until something changes beyond its end time."""
+        """Whether the mass is at rest at its end, for good or until a force changes after its end time."""
         status = self._final[ix.STATUS]
         return (status == ix.PAUSED) | (status == ix.ARRESTED)
 
@@ -141,22 +110,23 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def brake(self) -> Any:
-        """q, twice the decrease of the rate per unit of omega*^2 at the start: the speed decays like exp(-q phi/2)."""
+        """Twice the decrease of the rate per unit of omega*^2 at the start, q. The speed decays like exp(-q phi/2)."""
         return self._shaped(self._history.forces.brake)
 
     @cached_property
     def _solved(self) -> Any:
-        """Which lanes have a result."""
+        """Mask of lanes with a result."""
         return self.status <= Status.CREEPS
 
     def _known(self, values: Any) -> Any:
-        """Values of lanes with a result, NaN of the others; without negative zeros."""
+        """Return values of lanes with a result and NaN of other lanes, without negative zeros."""
         return choose(self._solved, values, np.nan) + 0.0
 
     # --- results -----------------------------------------------------------------------------------------------------
 
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
+        """Mapping with `run_out`, `peak_velocity` and `duration`."""
         final = self._final
         with may_overflow(self.shape):
             angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale
@@ -168,40 +138,46 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def duration(self) -> Numbers:
+        """Time from the start to the end, s; infinite if the mass creeps to its equilibrium."""
         rest = self._final[ix.REST_SINCE] * self._time_scale
         ended = self._final[ix.STATUS] == ix.ENDED
         return self._known(choose(ended, self.plan.scene.until, rest))
 
     @cached_property
     def settling_time(self) -> Numbers:
+        """Time until a creeping mass has covered 99 % of its run-out, otherwise the duration, s."""
         return choose(self.status == Status.CREEPS, self._final[ix.REST_SINCE] * self._time_scale, self.duration)
 
     @property
     def run_out(self) -> Numbers:
+        """Greatest displacement along the arc, m, negative up-slope. A mass that swings back rests at `end`."""
         return self.outcomes["run_out"]
 
     @cached_property
     def slow_run_out(self) -> Numbers:
         """Displacement at which the net moment at rest vanishes, for laws of slip, water and layers, m.
 
-        However slowly a mass creeps, it rests there: with constant friction and no water at R (psi_0 - delta). A free
-        mass arrives with speed and rests about twice as far from the start. Its initial velocity is ignored.
+        A mass that moves quasi-statically rests there, with constant friction and without water at R (psi_0 - delta). A
+        free mass passes it with speed and rests about twice as far from the start. The initial velocity is ignored.
         """
-        rotation = self._shaped(room("creep").slow_rotation(self.problem))
+        rotation = self._shaped(lazy_import("creep").slow_rotation(self.problem))
         return self._known(self._radius * rotation)
 
     @property
     def no_slow_run_out(self) -> str:
-        if other := room("creep").other_than_position(self.problem):
+        """Reason for a missing slow run-out: forces depend on time, speed or heat, or nothing holds the mass."""
+        if other := lazy_import("creep").other_than_position(self.problem):
             return f"forces depend on {other}"
         return "nothing holds it" if np.any(np.isnan(self.slow_run_out)) else ""
 
     @cached_property
     def end(self) -> State:
+        """State at the end."""
         return self._final_state(self.duration, ix.END_ROTATION, ix.END_OMEGA, ix.END_RATE)
 
     @cached_property
     def farthest(self) -> State:
+        """State at the greatest displacement."""
         final = self._final
         at_end = final[ix.REACH_ROTATION] == final[ix.END_ROTATION]
         time = choose(at_end, self.duration, final[ix.REACH_TIME] * self._time_scale)
@@ -209,6 +185,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def peak(self) -> State:
+        """State at the greatest speed."""
         final = self._final
         peak_time = final[ix.PEAK_TIME]
         ended = final[ix.STATUS] == ix.ENDED
@@ -217,7 +194,7 @@ class Motion(Forms, Generic[Numbers]):
         at_end = last & ended | still
         time = choose(at_end, self.duration, peak_time * self._time_scale)
         if not self.shape and self._varies_in_time and 0.0 < time < self.duration:
-            return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
+            return self.at(time)  # at the rounded time; where a force jumps, its value after the jump
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
 
     @property
@@ -225,7 +202,7 @@ class Motion(Forms, Generic[Numbers]):
         return any(table.kind == "time" for table in self.problem.program.tables)
 
     def _final_state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
-        """A state of each lane from its final cells; where it is not moving, without speed and rate."""
+        """Return a state of each lane from its final cells, without speed and rate where it does not move."""
         speed = choose(moving, self._final[omega], 0.0)
         gain = choose(moving, self._final[rate], 0.0)
         angle, speed, gain = map(self._known, (self._final[rotation], speed, gain))
@@ -234,76 +211,86 @@ class Motion(Forms, Generic[Numbers]):
 
     @property
     def journey(self) -> Any:
-        """Return how far toe and centroid move to the farthest position: rise, horizontal travel, travel angle."""
+        """Displacement of toe and centroid to the farthest position, a `slipcircle.history.Journey`."""
         return self.plan.scene.arc.journey(self.farthest.rotation)
 
     @cached_property
     def outside_range(self) -> Any:
-        return room("validity").outside(self)
+        """Whether the motion leaves the range of validity, the `rotation_range` of its mass."""
+        return lazy_import("validity").outside(self)
 
     @cached_property
     def range_end(self) -> Any:
-        return room("validity").range_end(self)
+        """State in which a single motion leaves the range of validity, or None."""
+        return lazy_import("validity").range_end(self)
 
     # --- along the way -----------------------------------------------------------------------------------------------
 
     def at(self, times: ArrayLike) -> State:
-        """The state at any times between the start and the end, and at rest after an arrest.
+        """Return the state at any times between the start and the end, and at rest after an arrest.
 
         Parameters
         ----------
         times : float or array_like
-            s; the same for all lanes of an ensemble, whose states get the scene's shape followed by theirs.
+            Times in s, the same for all lanes of an ensemble. States have the scene's shape followed by the times'.
 
         Raises
         ------
         ValueError
-            For times before the start, not finite, or after the end of a motion that has not come to rest.
+            If a time is before the start, not finite, or after the end of a motion that has not come to rest.
         """
         return self._history.at(times)
 
     def pore_pressure_at(self, times: ArrayLike) -> Any:
-        """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
+        """Return the mean pore pressure on the slip surface in Pa, with the increase by heat, at times as in `at`."""
         return self._history.pore_pressure_at(times)
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
-        """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
+        """Return the mean effective normal stress on the slip surface in Pa, at least 0, at times as in `at`."""
         return self._history.effective_stress_at(times)
 
     def friction_at(self, times: ArrayLike) -> Any:
-        """The friction coefficient that the law gives, 0 where contact is lost; times as for `at`."""
+        """Return the friction coefficient by the law, 0 where contact is lost, at times as in `at`."""
         return self._history.friction_at(times)
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
-        """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
+        """Return the friction coefficient that would hold the mass at rest in its position, at times as in `at`.
 
-        NaN where contact is lost.
+        The result is NaN where contact is lost.
         """
         return self._history.holding_friction_at(times)
 
+    def strength_at(self, times: ArrayLike) -> Any:
+        """Return the mobilised shear strength and that required for equilibrium, Pa; times as for `at`.
+
+        The fields ``mobilised`` and ``required`` are means over the slip surface and contain the strength factor. With
+        the required strength the mass, brought to rest where it is, would just stay.
+        """
+        return self._history.strength_at(times)
+
     def path_at(self, times: ArrayLike) -> Any:
-        """The path travelled from the start, there and back, m; times as for `at`."""
+        """Return the length of the path from the start, back and forth, in m, at times as in `at`."""
         return self._history.path_at(times)
 
     def energy_at(self, times: ArrayLike) -> Any:
-        """The energy balance from the start to any times, as for `at`; integrated with the motion on request."""
+        """Return the energy balance from the start to times as in `at`, integrated with the motion on request."""
         return self._history.energy_at(times)
 
     @property
     def velocity_class(self) -> str:
-        """Class of the peak velocity by Cruden and Varnes (1996), such as "extremely rapid"; empty without a motion."""
-        return str(room("velocity").velocity_class(self))
+        """Class of the peak velocity by Cruden and Varnes (1996), such as "extremely rapid"; empty without motion."""
+        return str(lazy_import("velocity").velocity_class(self))
 
     @cached_property
     def velocity_times(self) -> Any:
-        """How long it moves in each velocity class, s."""
-        return room("velocity").velocity_times(self)
+        """Time that the mass spends in each velocity class, s."""
+        return lazy_import("velocity").velocity_times(self)
 
     @property
     def lift_off(self) -> tuple[float, ...]:
         """Times at which contact with the slip surface is lost by uplift or shaking, s.
 
-        A loss of contact that lasts through standstills counts once.
+        A loss of contact that lasts through standstills is listed once.
         """
         return self._history.lift_off()
 
@@ -314,59 +301,72 @@ class Motion(Forms, Generic[Numbers]):
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
+    def _at_start(self, quantity: str) -> Any:
+        by_start = self.plan.scene.by_start(quantity, self)
+        return by_start[0] if by_start else self._shaped(self._history.forces.statics[quantity])
+
     @property
     def limit_friction(self) -> Any:
-        return self._shaped(self._history.forces.statics["limit_friction"])
+        """Friction coefficient at limit equilibrium at the start, in the direction in which gravity pulls."""
+        return self._at_start("limit_friction")
 
     @property
     def factor_of_safety(self) -> Any:
-        return self._shaped(self._history.forces.statics["factor_of_safety"])
+        """Factor of safety at the start by the starting method, infinite without a drive."""
+        return self._at_start("factor_of_safety")
 
     @property
     def further_factors(self) -> Any:
+        """Factors of safety with residual strength, and at rest, a `slipcircle.history.history.FurtherFactors`."""
         return self._history.further_factors()
 
     @property
     def yield_coefficient(self) -> Any:
-        by_start = self.plan.scene.by_start("yield_coefficient", self)
-        return by_start[0] if by_start else self._shaped(self._history.forces.statics["yield_coefficient"])
+        """Down-slope acceleration over g, k_y, at which the mass would just move, by the starting method.
+
+        It is negative if the mass moves without shaking.
+        """
+        return self._at_start("yield_coefficient")
 
     @property
     def friction(self) -> Any:
-        return self._shaped(self._history.forces.statics["friction"])
+        """Friction coefficient at the start."""
+        return self._at_start("friction")
 
     # --- accuracy ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def error_estimate(self) -> Numbers:
+        """Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two."""
         final = np.reshape(self._final, (len(self._final), -1)) if self.shape else self._final
-        return self._shaped(room("estimate").estimate(self.plan, self.problem, final))
+        return self._shaped(lazy_import("estimate").estimate(self.plan, self.problem, final))
 
     @cached_property
     def energy(self) -> Any:
-        """Energy balance from the start to the end, of a mass that creeps to its `settling_time`."""
+        """Energy balance from the start to the end, or to the `settling_time` of a creeping mass."""
         return self.energy_at(self.settling_time)
 
     @cached_property
     def energy_error_estimate(self) -> float:
-        """Greatest error of the energy balance of a single motion, relative to all energy until then."""
+        """Greatest error of the energy balance of a single motion, relative to the energy exchanged until then."""
         return self._history.energy_error_estimate()
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return tuple(room("warnings").collect_warnings(self))
+        """Warnings about a single motion, usually empty."""
+        return tuple(lazy_import("warnings").collect_warnings(self))
 
     def sensitivity(self) -> Any:
-        """Derivatives of a single motion by every number of its scene, with stated errors.
+        """Return derivatives of a single motion with respect to every input, each with an error bound.
 
-        They are those of neighbouring scenes, extrapolated: `slipcircle.derivatives.neighbours`.
+        They are extrapolated from neighbouring scenes (`slipcircle.derivatives.neighbours`).
 
         Raises
         ------
         ValueError
-            If the scene is exactly at its limit, where the motion has no derivative, or has arrays.
+            If the scene is an ensemble, or exactly at its limit, where the motion has no derivative.
         """
-        return room("sensitivity").sensitivity(self)
+        return lazy_import("sensitivity").sensitivity(self)
 
     # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
@@ -379,16 +379,16 @@ class Motion(Forms, Generic[Numbers]):
         return True
 
     def __getitem__(self, index: Any) -> Self:
-        """The motion of one lane, or of some, by NumPy's indices of the scene's shape."""
+        """Return the motion of one lane, or of several lanes, by NumPy indices of the scene's shape."""
         if not self.shape:
             raise TypeError("a single motion cannot be indexed: its scene has no arrays")
-        scene = room("parameters").taken(self.plan.scene, lambda values: values[index])
+        scene = lazy_import("parameters").taken(self.plan.scene, lambda values: values[index])
         plan = replace(self.plan, scene=scene)
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
             return type(self)(plan, self._final[(slice(None), *rows)], invalid)
-        problem = problem_of(plan, invalid)  # alone a lane is solved to rounding
+        problem = problem_of(plan, invalid)  # a single lane is solved to rounding
         return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
@@ -396,5 +396,5 @@ class Motion(Forms, Generic[Numbers]):
         if name:
             name += ": "
         if self.shape:
-            return f"<{math.prod(self.shape)} motions {name}{room('summary').ensemble_summary(self)}>"
-        return f"<Motion {name}{room('summary').summary(self)}>"
+            return f"<{math.prod(self.shape)} motions {name}{lazy_import('summary').ensemble_summary(self)}>"
+        return f"<Motion {name}{lazy_import('summary').summary(self)}>"

@@ -1,11 +1,11 @@
-"""From a scene to its motion, or to the motions of its lanes.
+"""Solution of a scene, single or with lanes.
 
-The equation of motion is the balance of momentum of a mass that turns about the centre of its arc, dimensionless:
+The equation of motion is the dimensionless balance of angular momentum about the centre of the arc:
 
     Theta domega/dt = M - s (T + lambda mu max(0, sigma - u)),  s = sgn(omega)
 
-M drives, T resists, sigma presses, u lifts; `generated.flow` lists what each effect adds, and `plan(scene).equation` is
-that of one scene.
+M is the driving moment, T the resistance other than friction, sigma the normal stress, and u the pore pressure.
+`generated.flow` lists the terms of each effect, and `plan(scene).equation` is the equation of one scene.
 """
 
 import math
@@ -16,7 +16,7 @@ import numpy as np
 
 from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import problem_of
@@ -25,52 +25,52 @@ from slipcircle.core.walk.lanes import BLOCK, ENTRIES, integrate
 
 
 def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any = False) -> Motion[Numbers]:
-    """Solve a scene until it rests, or until its end time; a scene of arrays is solved as an ensemble.
+    """Solve a scene until the mass rests, or until its end time. A scene with arrays is solved as an ensemble.
 
     Parameters
     ----------
     scene : Scene
     accuracy : float, optional
-        Requested relative error; by default that of the scene, or 1e-9. It sets the order of the series of ensembles.
-        A single scene is solved to rounding; if its estimated error is larger than requested, it has a warning.
+        Requested relative error, by default the scene's or 1e-9. It sets the order of the series of ensembles. A
+        single scene is solved to rounding, with a warning if its estimated error is larger than requested.
     invalid : array_like of bool, optional
-        Invalid cases, as returned by `with_parameter_arrays`; their status is `Status.INVALID`.
+        Invalid cases, as returned by `with_parameter_arrays`. Their status is `Status.INVALID`.
 
     Returns
     -------
     Motion
-        If the scene has arrays, its attributes are arrays of their broadcast shape; to a type checker it is
+        Motion whose attributes are arrays of the broadcast shape if the scene has arrays. For type checkers it is
         ``Motion[float]`` or ``Motion[Array]``, like the scene.
 
     Raises
     ------
     ValueError
-        If a single scene never rests and has no end time, turns over, or overflows; in an ensemble the status of such
-        cases says so.
+        If a single scene never rests and has no end time, turns over, or overflows. In an ensemble such cases have a
+        status instead.
 
     Notes
     -----
     Friction opposes the motion and never drives it. At a standstill the mass stays if the drive does not exceed the
-    resistance; otherwise it turns back. It starts again once shaking, water or friction has changed enough. A mass that
-    nothing brings to rest (without cohesion, and without friction or normal load) is integrated to its first
-    standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
+    resistance, and otherwise turns back. It starts again once shaking, water or friction has changed enough. A mass
+    without cohesion, and without friction or normal load, is integrated to its first standstill, since nothing brings
+    it to rest. ``notebooks/0_the_method.ipynb`` derives these rules.
     """
     chosen = plan(scene, accuracy)
     motion: Motion[Numbers] = motion_of(chosen, invalid)
     if not (scene.shape or _is_finite(motion)):
-        raise room("refusal").refusal(motion)
+        raise lazy_import("refusal").refusal(motion)
     return motion
 
 
 def _is_finite(motion: Motion) -> bool:
-    """Whether a single motion has a result, and neither that nor its energy at the start overflows."""
+    """Return whether a single motion has a result, and neither the result nor its initial energy overflows."""
     outcomes = motion.outcomes
     speed = plain(motion.plan.scene.initial_velocity)
     return math.isfinite(outcomes["run_out"] + outcomes["peak_velocity"] + speed * speed)
 
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
-    """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
+    """Return the motion of a plan, or its status if it has no result. Invalid lanes are allowed."""
     scene = chosen.scene
     lanes = math.prod(scene.shape)
     if lanes <= BLOCK:
@@ -83,6 +83,6 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
-        part = room("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
+        part = lazy_import("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
         final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
     return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

@@ -1,4 +1,4 @@
-"""The parts of a `Motion`: how it ended, and its state at a time."""
+"""Status of a motion at its end, and its state at a time."""
 
 from collections.abc import Callable
 from dataclasses import InitVar, dataclass, field
@@ -13,10 +13,10 @@ from slipcircle.core.scene.scene import Scene
 
 
 class Status(IntEnum):
-    """How the motion of a scene ended."""
+    """Status of a motion at its end."""
 
-    words: str  #: the same, for people
-    reason: str  #: why there is no result; empty if there is one
+    words: str  #: status in words
+    reason: str  #: reason for a missing result, empty otherwise
 
     def __new__(cls, number: int, words: str = "", reason: str = "") -> Self:
         status = int.__new__(cls, number)
@@ -25,31 +25,31 @@ class Status(IntEnum):
         status.reason = reason
         return status
 
-    RESTS = 0, "comes to rest"  #: it moved, and came to rest without turning back
-    STAYS = 1, "does not move"  #: it does not move
-    #: it still moves at its end time. Without an end time: friction is 0 or too small to stop it within 2,000 swings,
-    #: and it swings on; duration, end and run-out are those of its first turning point
+    RESTS = 0, "comes to rest"  #: the mass moved, and came to rest without turning back
+    STAYS = 1, "does not move"  #: the mass does not move
+    #: the mass still moves at its end time. Without an end time, friction is too small to stop it within 2,000 swings;
+    #: duration, end and run-out are then taken at its first turning point
     MOVING = 2, "still moving"
-    TURNED = 3, "comes to rest after turning back"  #: it turned back at least once, and came to rest
-    #: a viscous layer lets it approach its equilibrium ever more slowly; its run-out is the equilibrium's
+    TURNED = 3, "comes to rest after turning back"  #: the mass turned back at least once, and came to rest
+    #: the mass approaches its equilibrium ever more slowly through a viscous layer; its run-out is at the equilibrium
     CREEPS = 4, "creeps to its equilibrium"
     #: no result: the chord stands upright and the mass would hang over
     UPRIGHT = 5, "turns over", "the chord is vertical, and the mass would overhang"
-    #: no result: it never rests, or turns back more than 2,000 times before its end time
+    #: no result: the mass never rests, or turns back more than 2,000 times before its end time
     ENDLESS = 6, "never rests", "it never rests, or turns back too often"
     FAILED = 7, "overflow", "overflow"  #: no result: overflow
-    #: its numbers are no scene
+    #: no result: the numbers are not a valid scene
     INVALID = (
         8,
         "invalid",
         ("its numbers are not a valid scene: an angle below its bound, say, or a circle that misses the ground"),
     )
-    #: no result, not a scene either: the method from which it starts gives its circle no factor of safety
+    #: no result: the starting method gives no factor of safety for its circle
     UNSTARTED = 9, "no starting factor", "the starting method gives this circle no factor of safety"
 
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED, Status.CREEPS)
-# How a lane that moved has ended, by the status in which the integration leaves it.
+# Status of a lane that moved, by the status of its integration.
 STATUS_OF_END = np.full(ix.NEED + 1, Status.FAILED, np.int8)
 STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (
     Status.RESTS,
@@ -79,7 +79,7 @@ def statuses(final: Any, invalid: Any, strength_factor: Any) -> Any:
 
 @dataclass(frozen=True)
 class State:
-    """The motion at one or several times; positive down-slope.
+    """State of a motion at one or several times, positive down-slope.
 
     Attributes
     ----------
@@ -88,9 +88,9 @@ class State:
 
     Notes
     -----
-    ``normal_stress`` is the mean over the arc of the total normal stress, water pressure included, by (2.20) from the
-    weight in its position, the rotation and shaking. Of layered ground too: which soils lie below does not change it.
-    `slipcircle.layers.mean_normal_stress` gives the means over parts of such an arc.
+    ``normal_stress`` is the mean total normal stress over the arc, including water pressure, by (2.20) from the weight
+    in its position, the rotation and shaking. It does not depend on the layers below the arc.
+    `slipcircle.layers.mean_normal_stress` returns the means over parts of the arc.
     """
 
     time: Any
@@ -106,7 +106,7 @@ class State:
         object.__setattr__(self, "_stress", stress)
 
     def __getattr__(self, name: str) -> Any:
-        """What is not there yet: the stress, which most have no use for and which takes the program to compute."""
+        """Return the normal stress, computed at its first use, since the program must be evaluated for it."""
         if name != "normal_stress":
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         object.__setattr__(self, name, self._stress())
@@ -114,7 +114,7 @@ class State:
 
 
 def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stress: Callable[[], Any]) -> State:
-    """A state in SI units from dimensionless numbers of the shape of the time, that of the scene and of the times."""
+    """Return a state in SI units from dimensionless numbers, which have the shape of the scene and of the times."""
     axes = getattr(time, "ndim", 0) - len(scene.shape)
     scale = before(scene.arc.time_scale, axes)
     radius = before(plain(scene.arc.radius), axes)
@@ -128,5 +128,5 @@ def state_of(scene: Scene, time: Any, rotation: Any, omega: Any, rate: Any, stre
 
 
 def before(values: Any, axes: int) -> Any:
-    """Numbers of lanes with further axes for times; one number stays one."""
+    """Return numbers of lanes with further axes for times. A single number is returned unchanged."""
     return values if type(values) is float else np.reshape(values, (*np.shape(values), *[1] * axes))

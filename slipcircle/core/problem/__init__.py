@@ -1,1 +1,1 @@
-"""The problem of a scene: its numbers, tables and initial cells."""
+"""Numbers, tables and initial cells of a scene's program."""

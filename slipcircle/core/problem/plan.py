@@ -1,4 +1,4 @@
-"""How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
+"""Method of solution of a scene, which depends on its effects and laws but not on their values."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -7,7 +7,7 @@ from generated.effects import EFFECTS
 from generated.program import Program, Recipe
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Names
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
@@ -17,23 +17,15 @@ DEFAULT_ACCURACY = 1e-9
 
 @dataclass(frozen=True)
 class Plan:
-    """How a scene is solved.
+    """Method of solution of a scene.
 
     Attributes
     ----------
     scene : Scene
     recipe : Recipe
-        Effects, laws and parameters that its program is made from.
+        Effects, laws and parameters from which its program is linked.
     accuracy : float
-        Requested relative error. It sets the order of the series of ensembles; a single scene is solved to rounding.
-    effects, left_out : tuple of str
-        Effects of the scene, and known effects that it does not use; soils have cohesion and pore pressure themselves.
-    law : str
-        The friction law.
-    method, why : str
-        The method, in words, and the reason for it.
-    fragments : tuple of str
-        Parts of `generated.flow` from which the program is assembled.
+        Requested relative error. It sets the order of the series of ensembles. A single scene is solved to rounding.
     """
 
     scene: Scene
@@ -42,57 +34,63 @@ class Plan:
 
     @property
     def program(self) -> Program:
-        """Its operations, linked once for all scenes with this recipe."""
+        """Program of the scene, linked once for all scenes with this recipe."""
         return build_program(self.recipe)
 
     @property
     def effects(self) -> Names:
+        """Effects of the scene."""
         return tuple(effect for effect in self.recipe.effects if effect in EFFECTS)
 
     @property
     def left_out(self) -> Names:
+        """Known effects that the scene does not use. Soils have their own cohesion and pore pressure."""
         known = (*self.effects, *self.scene.arc.own_effects)
         return tuple(effect for effect in EFFECTS if effect not in known)
 
     @property
     def fragments(self) -> Names:
+        """Parts of `generated.flow` from which the program is linked."""
         return ("gravity", *self.recipe.effects, *self.recipe.laws, "balance")
 
     @property
     def law(self) -> str:
+        """Friction law in words."""
         return str(self._words.law)
 
     @property
     def method(self) -> str:
+        """Description of the method."""
         return str(self._words.method)
 
     @property
     def why(self) -> str:
+        """Reason for the method."""
         return str(self._words.why)
 
     @property
     def _words(self) -> Any:
-        return room("plan").words_of(self)
+        return lazy_import("plan").words_of(self)
 
     @property
     def equation(self) -> Any:
         """Equation of motion of this scene: its terms, and the values of its coefficients."""
-        return room("equation").equation_of(self)
+        return lazy_import("equation").equation_of(self)
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:
-    """How a scene is solved: its flow program, which contains only the effects of the scene.
+    """Return the method of solution of a scene, whose program contains only the effects of the scene.
 
     Parameters
     ----------
     scene : Scene
     accuracy : float, optional
-        Requested relative error; by default that of the scene, or 1e-9.
+        Requested relative error, by default the scene's or 1e-9.
 
     Raises
     ------
     ValueError
-        If the accuracy is not between 0 and 1, or for an argument that is not a scene.
+        If the accuracy is not between 0 and 1, or the argument is not a scene.
     """
     checked(scene, "plan")
     raise_all("plan", accuracy_mistakes(accuracy))
@@ -102,7 +100,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
 
 
 def recipe_of(scene: Scene) -> Recipe:
-    """What the program of a scene is made from."""
+    """Return the effects, laws and parameters from which the program of a scene is linked."""
     effects = in_order(tuple(scene.called))
     moving: list[str] = []
     absent: list[str] = []

@@ -1,7 +1,7 @@
-"""The problem that the integrator solves: a program, and what every lane begins with, dimensionless.
+"""Initial value problem of a scene: a program with the dimensionless initial cells of every lane.
 
-Numbers go by the names that `generated.flow` gives them, as `generated.effects` declares them, and are computed in the
-scene's own shape: nothing here knows a law or an effect.
+Numbers have the names of `generated.flow`, as declared in `generated.effects`, and the scene's shape. The module is
+independent of individual laws and effects.
 """
 
 import math
@@ -19,42 +19,42 @@ from generated.flow import FRAGMENTS, INPUTS
 from generated.program import OF_COHESION, Program, Recipe
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
 from slipcircle.core.scene.friction import law_paths
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
-FINEST = 1e-14  # accuracy to which single scenes are solved: lower orders save little, and nothing under long records
-# Share of the radius of convergence that a step takes: a series of order n leaves STEP^n. To rounding it is smaller:
-# of higher orders coefficients overflow earlier, and inner extrema of a step are lost in the rounding of its terms.
+FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
+# Step over the radius of convergence: the truncation error of a series of order n is STEP^n. It is smaller for single
+# scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of its terms.
 STEP = 0.25
 STEP_TO_ROUNDING = math.exp(-2.0)
-LOWEST = 7  # order: below it the radius of convergence is that of one or two coefficients alone
+LOWEST = 7  # least order, since the radius of convergence is estimated from several coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
-UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # then the number of a soil
+UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # followed by the number of a soil
 EVERY = slice(None)  # lane
 
 
 @dataclass
 class Problem:
-    """Scenes that share a program, one a lane.
+    """Scenes that share a program, one per lane.
 
     Attributes
     ----------
     recipe : Recipe
     program : Program
     start : mapping
-        What lanes begin with, by names of cells: a number, or an array of one a lane.
+        Initial cells by name, each a number or an array over lanes.
     data : dict
-        Piecewise functions by name, for all lanes; extended where lanes go farther.
+        Piecewise functions by name, for all lanes, extended on demand.
     lanes : int
         Number of scenes.
     functions : dict
-        Python functions of slip, by the names of their tables.
+        Python functions of slip, by the name of their table.
     farther : callable or None
-        Lays out the functions of the rotation farther.
+        Function that extends the functions of the rotation.
     """
 
     recipe: Recipe
@@ -66,7 +66,7 @@ class Problem:
     farther: Farther | None = None
 
     def cells(self, which: Any = EVERY) -> Floats:
-        """The cells of some lanes at their start, a column each."""
+        """Return the initial cells of all or some lanes, one column each."""
         if self.lanes == 1 and which is EVERY:
             return self._only_lane.copy()
         places = self.program.places
@@ -87,7 +87,7 @@ class Problem:
 
     @cached_property
     def _only_lane(self) -> Floats:
-        """The cells of a single lane at its start, a column."""
+        """Column of the initial cells of a single lane."""
         place_of = self.program.places.get
         column = np.zeros(len(self.program.cells))
         for name, value in self.start.items():
@@ -97,20 +97,20 @@ class Problem:
         return column[:, None]
 
     def tables(self, which: Any = None) -> list[Data]:
-        """The tables of all lanes, or of some, in the order of the program."""
+        """Return the tables of all or some lanes in the order of the program."""
         tables = [self.data[table.name] for table in self.program.tables]
         return tables if which is None else [table.lanes(which) for table in tables]
 
     def reach_farther(self, rotation: Floats, lane: Any = EVERY) -> bool:
-        """Lay out functions of the rotation to their full range if a lane exceeds them; whether one does.
+        """Extend functions of the rotation to their full range if a lane exceeds them, and return whether one does.
 
-        ``lane`` is the lane that each rotation belongs to, by default one after the other.
+        ``lane`` is the index of the lane of each rotation, by default all lanes in order.
         """
         return self.farther is not None and self.farther(self.data, rotation, lane)
 
 
 def problem_of(plan: Plan, invalid: Any = False) -> Problem:
-    """The problem that a plan poses; ``invalid`` says which lanes are no scenes."""
+    """Return the problem of a plan. Lanes marked in ``invalid`` are not solved."""
     scene = plan.scene
     lanes = math.prod(scene.shape)
     numbers = Numbers(scene.arc, scene.shape, plain(scene.strength_factor))
@@ -137,7 +137,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
 
 
 def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
-    """Arrays with one axis of lanes; a number that all lanes share stays one, as those of a single lane do."""
+    """Return arrays with one axis of lanes. Numbers that all lanes share remain numbers."""
     if not shape:
         return numbers
     flat = {}
@@ -150,7 +150,7 @@ def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
 
 @lru_cache(maxsize=256)
 def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[int, float]:
-    """Order of the series for a truncation error below an accuracy, and the share of the radius of convergence.
+    """Return the order of the series for a truncation error, and the step over the radius of convergence.
 
     Single scenes are solved to rounding.
     """
@@ -162,7 +162,7 @@ def order_and_step(accuracy: float, lanes: int, shaken: bool = False) -> tuple[i
 
 
 class Numbers:
-    """Dimensionless numbers of a scene, by their names in its program, and its tables.
+    """Dimensionless numbers and tables of a scene, by their names in its program.
 
     Attributes
     ----------
@@ -189,14 +189,14 @@ class Numbers:
         self.start[f"{name}.SCALED_BY"] = factor
 
     def add_effect(self, effect: str, parameters: Parameters) -> None:
-        """Add the parameters of an effect: numbers by their symbols, functions of time as tables."""
+        """Add the parameters of an effect: numbers by symbol, functions of time as tables."""
         symbols = symbols_of(effect)
         if not symbols:
             return
         declared = ALL_EFFECTS[without_soil(effect)].parameters
         scales = self.scales.copy()
         for p in declared:
-            if p.kind == "number":  # a symbol may take several
+            if p.kind == "number":  # a symbol may depend on several
                 scales[p.name] = plain(parameters.get(p.name, 0.0))
         for p in declared:
             if not p.symbol:
@@ -205,15 +205,15 @@ class Numbers:
             symbol = symbols[p.name]
             if not callable(value):
                 self.start[symbol] = p.dimensionless(plain(value), scales)
-            elif p.kind != "series":  # a function of the rotation, which the mass lays out
+            elif p.kind != "series":  # a function of the rotation, tabulated by the mass
                 self.start[f"{symbol}.SCALED_BY"] = p.dimensionless(1.0, scales)
             else:
-                factor = room("forcing").factor(effect, parameters, p.name)
+                factor = lazy_import("forcing").factor(effect, parameters, p.name)
                 scaled = p.dimensionless(factor, scales)
-                self.add_table(symbol, room("tables").of_time(value), self.mass.time_scale, scaled)
+                self.add_table(symbol, lazy_import("tables").of_time(value), self.mass.time_scale, scaled)
 
     def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
-        """Add the functions of the rotation that belong to the mass; what lays them out farther, if needed."""
+        """Add the functions of the rotation of the mass, and return the function that extends them, if needed."""
         scene = plan.scene
         velocity = plain(scene.initial_velocity)
         pushed = velocity != 0.0
@@ -225,7 +225,7 @@ class Numbers:
         return farther
 
     def add_law(self, path: str, name: str, parameters: Parameters) -> None:
-        """Add a law: a table, or dimensionless numbers by its name; those of speed and of cohesion are factors."""
+        """Add a law as a table or as dimensionless numbers. Laws of speed and of cohesion are factors."""
         law = without_soil(name)
         strength = 1.0 if path in ("friction.rate", "cohesion") else self.start["strength_factor"]
         units = {
@@ -236,10 +236,10 @@ class Numbers:
         }
         if law == "callable":
             self.add_table(
-                name, room("functions").first_table(parameters["function"], self.radius), self.radius, strength
+                name, lazy_import("functions").first_table(parameters["function"], self.radius), self.radius, strength
             )
         elif FRAGMENTS[law].tables:
-            table, scale, unit = room("tables").of_law(law, parameters, self.shape)
+            table, scale, unit = lazy_import("tables").of_law(law, parameters, self.shape)
             self.add_table(name, table, units[unit] / scale, strength)
         else:
             for p in LAWS[law].parameters:
@@ -257,14 +257,17 @@ class Numbers:
 
 
 def _one_way(shaking: Parameters) -> float:
-    """1 where shaking may start the mass down-slope only."""
+    """Return 1 if shaking may start the mass down-slope only, otherwise 0."""
     varies = callable(shaking.get("horizontal"))
     two_way = shaking.get("two_way", False)
     return float(varies and not two_way)
 
 
 def _first_only(recipe: Recipe, start: Parameters) -> Any:
-    """1 where nothing brings the mass to rest, 2 where water or heat may lift it: it is followed to its first stop."""
+    """Return 1 if nothing brings the mass to rest, and 2 if water or heat may lift it, otherwise 0.
+
+    Such a mass is integrated to its first standstill.
+    """
     swings, lifts, pressures = _swing_of(recipe)
     if not swings:
         return 0.0
@@ -283,7 +286,7 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
 
 @lru_cache(maxsize=256)
 def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names]:
-    """Whether a mass may swing on, whether water may lift it whatever it measures, and cells of pressures that may."""
+    """Return whether a mass may swing on, whether water may always lift it, and the cells of pressures that may."""
     effects = recipe.effects
     swings = rotates(effects) and "layered_cohesion" not in (*effects, *recipe.moving)
     of_soils = [f"{name}{soil_number(effect)}" for effect in effects for name in UPLIFT_OF_SOILS]

@@ -1,1 +1,1 @@
-"""What is to be simulated: arc, friction, effects, and the plan."""
+"""Scene: arc, friction and effects."""

@@ -1,11 +1,11 @@
-"""The failed section: a circular arc, its chord, and the mass between them."""
+"""Circular arc with the mass between arc and chord."""
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Self, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,54 +25,54 @@ from slipcircle.base.checks import (
 )
 from slipcircle.base.kinds import Array, Numbers, cached_property
 from slipcircle.base.units import take_units
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (1e-6, 1e20, "a positive length in m"),
     "theta_1": (-1e3, 1e3, "a finite angle in rad"),
     "theta_2": (-1e3, 1e3, "a finite angle in rad"),
-    "unit_weight": (1e-3, 1e6, "a positive unit weight in N/m^3"),  # 1000 kN/m^3 are more than gold weighs
+    "unit_weight": (1e-3, 1e6, "a positive unit weight in N/m^3"),  # 1000 kN/m^3 exceeds gold
     "gravity": (1e-6, 1e6, "a positive acceleration in m/s^2"),
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
-GRAVITY = 9.81  # by default
+GRAVITY = 9.81  # default
 WIDTH = 1.0
 
 
 @dataclass(frozen=True)
 class Arc(Mass, Generic[Numbers]):
-    """A circular slip surface with the mass above it, closed by its chord.
+    """Circular slip surface with the mass above it, closed by its chord.
 
     Parameters
     ----------
     radius : float or array_like
-        R, m.
+        Radius of the arc, R, m.
     theta_1, theta_2 : float or array_like
-        Polar angles of the arc's ends about its centre, rad, counterclockwise from the horizontal (x axis);
-        3 pi/2 is straight below the centre.
+        Polar angles of the arc's ends about its centre, rad, counterclockwise from the horizontal (x axis). The
+        angle 3 pi/2 is straight below the centre.
     unit_weight : float or array_like
-        N/m^3.
+        Unit weight of the soil, N/m^3.
     gravity : float or array_like, optional
-        m/s^2.
+        Acceleration of gravity, m/s^2.
     width : float or array_like, optional
         Length perpendicular to the section, m.
     given : mapping, optional
-        Dimensionless coefficients, all those of `slipcircle.given.GIVEN`, to be used instead of computed ones, for
-        repeating a calculation from a printed table. They belong to the initial position.
+        Dimensionless coefficients that replace the computed ones, to repeat a calculation from a printed table. All
+        names of `slipcircle.given.GIVEN` are required. They are valid in the initial position only.
 
     Raises
     ------
     ValueError
-        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass whose weight has no
-        component towards the arc. Lists every mistake.
+        If values are out of bounds, theta_2 <= theta_1, the opening exceeds 180 degrees, or the weight of the mass has
+        no component towards the arc. The message lists all mistakes.
 
     Notes
     -----
     Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. The slope
-    may face either way: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope.
-    Only a J_theta in ``given`` has the sign of the angles, which determines the facing.
+    may face either way. Dip, J_theta and its quotients, motions, velocities and shaking are positive down-slope. Only
+    J_theta in ``given`` has the sign of the angles, which determines the facing.
     """
 
     radius: Numbers | float
@@ -82,8 +82,8 @@ class Arc(Mass, Generic[Numbers]):
     gravity: Numbers | float = GRAVITY
     width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
-    quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
-    centre = (0.0, 0.0)  # an arc has no other position
+    quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # fields that vary, each without axes
+    centre = (0.0, 0.0)  # origin of coordinates
 
     if TYPE_CHECKING:  # one array makes an ensemble
 
@@ -111,14 +111,11 @@ class Arc(Mass, Generic[Numbers]):
         ) -> None: ...
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
-    def __new__(cls, *numbers: Any, **named: Any) -> Self:
-        """With given coefficients it is another mass, a `GivenArc`."""
-        given = named.get("given", numbers[6] if len(numbers) > 6 else None)
-        kind: Any = cls if given is None else room("given").GivenArc
-        arc: Self = object.__new__(kind)
-        return arc
-
     def __post_init__(self) -> None:
+        if self.given is not None and type(self) is Arc:  # it is another mass
+            object.__setattr__(self, "__class__", lazy_import("given").GivenArc)
+            self.__post_init__()
+            return
         if not self.has_plain_numbers:
             take_units(self, ARC_BOUNDS)
         raise_all("Arc", self._mistakes())
@@ -126,7 +123,7 @@ class Arc(Mass, Generic[Numbers]):
             freeze(self, ARC_BOUNDS)
 
     def _mistakes(self) -> list[str]:
-        """What is wrong with its fields."""
+        """Return messages about the fields."""
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
         found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
         if not found and not self._is_plain_arc:
@@ -136,7 +133,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @property
     def _is_plain_arc(self) -> bool:
-        """Whether this is one arc with a normal load, as most are: `geometry_errors` takes ten times as long."""
+        """Whether this is a single arc with a normal load, a quick check before `geometry_errors`."""
         first, last = self.theta_1, self.theta_2
         if type(first) is not float or type(last) is not float:
             return False
@@ -145,8 +142,8 @@ class Arc(Mass, Generic[Numbers]):
         return bool(self._radial_amplitude * self._cosine_of_dip > 0.0)
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Invalid arcs, and arcs without a normal load."""
-        with np.errstate(invalid="ignore"):  # J_r/Theta*: NaN beyond a half disc, and where the ends are no angles
+        """Yield the errors of invalid arcs and of arcs without a normal load."""
+        with np.errstate(invalid="ignore"):  # J_r/Theta* is NaN beyond a half disc, and for ends that are NaN
             normal_load = np.ravel(self._radial_amplitude * self._cosine_of_dip)
         faults = {
             "swapped": np.ravel(np.less_equal(self.theta_2, self.theta_1)),
@@ -157,28 +154,28 @@ class Arc(Mass, Generic[Numbers]):
             yield lanes, partial(self._complaint, fault)
 
     def _complaint(self, fault: str, lane: int) -> str:
-        sentence: str = getattr(room("arc"), fault)(self, lane)
+        sentence: str = getattr(lazy_import("arc"), fault)(self, lane)
         return sentence
 
     @cached_property
     def half_angle(self) -> Any:
-        """alpha, half the opening angle (1.1), rad."""
+        """Half the opening angle (1.1), alpha, rad."""
         return np.subtract(self.theta_2, self.theta_1) / 2
 
     @cached_property
     def dip(self) -> Any:
-        """psi, the dip of the chord, rad, positive down-slope."""
+        """Dip of the chord, psi, rad, positive down-slope."""
         return self.facing * self._lean
 
     @cached_property
     def _lean(self) -> Any:
-        """The dip in the sense of the angles: negative where the chord falls to the left."""
+        """Dip in the sense of the angles, negative where the chord falls to the left."""
         middle = np.add(self.theta_1, self.theta_2) / 2
         return 1.5 * np.pi - middle
 
     @cached_property
     def facing(self) -> Any:
-        """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
+        """1 if gravity turns the mass counterclockwise, to the right; -1 if it turns it to the left."""
         return choose(np.less(self._lean, 0.0), -1.0, 1.0)
 
     @cached_property
@@ -200,7 +197,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def _quotients(self) -> tuple[Any, Any, Any]:
-        """J_theta/J_r, J_r/lambda and I_p*/Theta*, from reduced functions, so that thin arcs do not underflow."""
+        """J_theta/J_r, J_r/lambda and I_p*/Theta* from reduced functions, so that thin arcs do not underflow."""
         polar_per_inertia = kernels.polar_moment_per_inertia(self.half_angle)
         # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
         static = self.normal_load * kernels.dynamic_coefficient(self.half_angle) / polar_per_inertia
@@ -211,17 +208,17 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
-        """C_theta/Theta* and C_r/Theta*, from which J_theta/Theta* and J_r/Theta* follow at any dip."""
+        """C_theta/Theta* and C_r/Theta*, which determine J_theta/Theta* and J_r/Theta* at any dip."""
         return kernels.weight_moment_per_inertia(self.half_angle), self._radial_amplitude
 
     @cached_property
     def _radial_amplitude(self) -> Any:
-        """C_r/Theta* of the arc, NaN beyond a half disc."""
+        """C_r/Theta*, NaN beyond a half disc."""
         return kernels.radial_weight_per_inertia(self.half_angle)
 
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
-        """Coefficients of the balance of momentum; r_u is relative to the static normal stress."""
+        """Coefficients of the balance of moments. r_u is relative to the static normal stress."""
         weight, radial = self.amplitudes_per_inertia
         press = self.normal_load
         limit, static_normal_stress, polar_per_inertia = self._quotients
@@ -244,7 +241,7 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def _middle(self) -> tuple[Any, Any]:
-        """Sine and cosine of theta_m, the mean of both angles, with its rounding, which a steep dip shows."""
+        """Sine and cosine of theta_m, the mean of both angles, including its rounding, which matters for steep dips."""
         total, lost = two_sum(plain(self.theta_1), plain(self.theta_2))
         middle = total / 2
         rounding = lost / 2
@@ -259,14 +256,14 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def polar_moment(self) -> Any:
-        """I_p, polar surface moment of inertia (2.16), m^3."""
+        """Polar surface moment of inertia (2.16), I_p, m^3."""
         d = self.dimensionless
         dimensionless = d.resistance_factor * d.dynamic_coefficient
         return np.power(self.radius, 3.0) * dimensionless
 
     @cached_property
     def moment_of_inertia(self) -> Any:
-        """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
+        """Mass moment of inertia about the centre (3.1), Theta, kg m^2."""
         density = np.divide(self.unit_weight, self.gravity)
         scale = np.multiply(self.width, density) * np.power(self.radius, 4.0)
         return scale * self.dimensionless.moment_of_inertia
@@ -279,26 +276,27 @@ class Arc(Mass, Generic[Numbers]):
 
     @cached_property
     def depth(self) -> Any:
-        """f, the greatest depth of the mass below its chord (2.12), m."""
+        """Greatest depth of the mass below its chord (2.12), f, m."""
         return self.sagitta
 
     @cached_property
     def exit(self) -> Any:
+        """Lower end of the slip surface from the centre, x and y in m."""
         angle = choose(np.greater(self.facing, 0.0), self.theta_2, self.theta_1)
         return _point(self.radius, np.sin(angle), np.cos(angle))
 
     @cached_property
     def area(self) -> Any:
-        """Of the segment between arc and chord, m^2: R^2 (x - sin(x))/2 with x = 2 alpha, by its series."""
+        """Area of the segment between arc and chord, m^2: R^2 (x - sin(x))/2 with x = 2 alpha, by its series."""
         x: Any = 2.0 * self.half_angle
-        share: Any = 1.0  # of the first term, x^3/6
-        for k in range(30, 2, -2):  # more than x = pi needs
+        share: Any = 1.0  # sum over the first term, x^3/6
+        for k in range(30, 2, -2):  # enough terms for x = pi
             share = 1.0 - x * x * share / (k * (k + 1))
         return np.square(self.radius) * x**3 / 12 * share
 
     @cached_property
     def centroid(self) -> Any:
-        """Of the segment between arc and chord: C_theta over its area from the centre, x and y, m."""
+        """Centroid of the segment between arc and chord, at the distance C_theta over its area from the centre, m."""
         moment = kernels.weight_moment_amplitude(self.half_angle)
         distance = self.radius * (np.square(self.radius) * moment / self.area)
         return _point(distance, *self._middle)
@@ -310,5 +308,5 @@ class Arc(Mass, Generic[Numbers]):
 
 
 def _point(distance: Any, sine: Any, cosine: Any) -> Any:
-    """A point at a distance from the centre in a direction, x and y, m."""
+    """Return the point at a distance from the centre in a direction, x and y in m."""
     return np.stack([distance * cosine, distance * sine], axis=-1)

@@ -1,4 +1,4 @@
-"""The effects of a scene by name, with their parameters; those of one soil have its number in their names."""
+"""Effects of a scene by name, with their parameters. Names of effects of one soil contain its number."""
 
 from collections.abc import Iterable
 from functools import lru_cache
@@ -8,38 +8,39 @@ from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
 from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
 from slipcircle.base.kinds import MAPPING, Names, Parameters
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 
-Law = tuple[str, Parameters]  # by name, with its parameters
+Law = tuple[str, Parameters]  # name and parameters
+OF_GROWTH = EFFECTS["cohesion"].parameters[1:]  # of the growth of cohesion with depth, by any law
 WITHOUT_PARAMETERS = frozenset(name for name, effect in EFFECTS.items() if not effect.parameters)
 
 
 def without_soil(name: str) -> str:
-    """The name of a law or an effect without the number of a soil."""
+    """Return the name of a law or an effect without the number of a soil."""
     return name.partition(OF_SOIL)[0]
 
 
 def soil_number(name: str) -> str:
-    """The number of the soil whose law or effect this is, after its mark; empty for that of a whole arc."""
+    """Return the mark and number of the soil in the name of a law or an effect, empty without a soil."""
     return "".join(name.partition(OF_SOIL)[1:])
 
 
 @lru_cache(maxsize=256)
 def symbols_of(effect: str) -> dict[str, str]:
-    """Symbols of an effect's parameters in the balance, by their names; of one soil with its number."""
+    """Return the symbols of an effect's parameters in the balance by name, with the number of its soil."""
     number = soil_number(effect)
     declared = ALL_EFFECTS[without_soil(effect)].parameters
     return {p.name: p.symbol + number for p in declared if p.symbol}
 
 
 def rotates(effects: Iterable[str]) -> bool:
-    """Whether an effect lets the mass rotate."""
+    """Return whether an effect lets the mass rotate."""
     return any(ALL_EFFECTS[without_soil(effect)].turns for effect in effects)
 
 
 @lru_cache(maxsize=256)
 def in_order(effects: Names) -> Names:
-    """Effects by name, each once, in the order in which they are declared."""
+    """Return effects by name, each once, in the order of their declarations."""
     declared = list(ALL_EFFECTS)
 
     def place(effect: str) -> int:
@@ -49,11 +50,11 @@ def in_order(effects: Names) -> Names:
     return tuple(sorted(once, key=place))
 
 
-# --- as a scene gives them -------------------------------------------------------------------------------------------
+# --- effects of a scene ---------------------------------------------------------------------------------------------
 
 
 def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
-    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
+    """Return effects by name, each with its parameters, and messages about invalid effects."""
     if isinstance(effects, str) or not hasattr(effects, "__iter__"):
         return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
     given = effects if isinstance(effects, MAPPING) else {name: {} for name in effects}
@@ -69,21 +70,29 @@ def named(effects: Any) -> tuple[dict[str, Frozen], list[str]]:
 
 
 def declared_parameters(name: str, given: Parameters) -> tuple[Parameter, ...]:
-    """Return the parameters that an effect may have; those of cohesion depend on its law."""
+    """Return the parameters that an effect may have. For cohesion they depend on its law."""
     if name != "cohesion" or "law" not in given:
         return EFFECTS[name].parameters
     law = COHESION_LAWS.get(given["law"])
-    return law.parameters if law else ()
+    return (*law.parameters, *OF_GROWTH) if law else ()
 
 
 def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
+    """Return messages about the parameters of an effect."""
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
     path = f"effects.{name}"
-    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
-        return cohesion_mistakes(parameters.get(name) if len(parameters) == 1 else parameters, path)
     faults = []
+    if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
+        law = dict(parameters)
+        of_growth = {}
+        for p in OF_GROWTH:
+            if p.name in law:
+                of_growth[p.name] = law.pop(p.name)
+        faults = parameter_mistakes(path, of_growth, OF_GROWTH)
+        given = law if "law" in law else law[name]
+        return cohesion_mistakes(given, path) + faults
     if effect.any_of and parameters.keys().isdisjoint(effect.any_of):
         names = ", ".join(effect.any_of)
         faults.append(f"{path}: one of {names} is missing")
@@ -102,28 +111,32 @@ def cohesion_mistakes(given: Any, path: str) -> list[str]:
     faults = parameter_mistakes(path, parameters, declared)
     if faults or declared[0].kind != "list":
         return faults
-    of_list: list[str] = room("tables").list_faults(path, name, parameters, "cohesion")
+    of_list: list[str] = lazy_import("tables").list_faults(path, name, parameters, "cohesion")
     return of_list
 
 
 def cohesion_law(given: Any) -> Law | None:
-    """Return the law of a cohesion that changes with slip, as a friction law with its parameters; None for a number."""
+    """Return the law of a cohesion that changes with slip, as a friction law with parameters; None for a number."""
     if isinstance(given, MAPPING) and "law" not in given:  # of an effect
         given = given.get("cohesion", 0.0)
     if callable(given):
         return "callable", {"function": given}
     if not isinstance(given, MAPPING) or given["law"] == "constant":
         return None
-    parameters = {"coefficient" if name == "cohesion" else name: value for name, value in given.items()}
-    return str(parameters.pop("law")), parameters
+    law = COHESION_LAWS[given["law"]]
+    parameters = {}
+    for p in law.parameters:
+        name = "coefficient" if p.name == "cohesion" else p.name
+        parameters[name] = given[p.name]
+    return law.name, parameters
 
 
 def resolved(name: str, given: Frozen) -> Frozen:
-    """An effect's parameters, checked, with functions of time in the place of what they are made of."""
+    """Return an effect's parameters after checks, with functions of time built from their parts."""
     if name in WITHOUT_PARAMETERS and not given:
         return given
     raise_all("", effect_mistakes(name, given))
     series = {p.name for p in EFFECTS[name].parameters if p.kind == "series"}
     if not series or (series.issuperset(given) and not any(map(callable, given.values()))):
         return given
-    return Frozen(room("forcing").resolved(name, given))
+    return Frozen(lazy_import("forcing").resolved(name, given))

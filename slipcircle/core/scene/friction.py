@@ -1,4 +1,4 @@
-"""Friction as a scene gives it, a number, a law by name from `generated.effects` or a function: names and mistakes."""
+"""Friction of a scene, a number, a law by name from `generated.effects` or a function: names and messages."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from generated.effects import LAWS
 from generated.program import OF_SOIL
 from slipcircle.base.checks import Bounds, mistakes, parameter_mistakes, shown
 from slipcircle.base.kinds import MAPPING, Names, Parameters
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, without_soil
 
 NAMES = tuple(LAWS)
@@ -17,7 +17,7 @@ COEFFICIENT: Bounds = (-5e-324, np.inf, "a friction coefficient, tan(phi): a num
 
 
 def law_mistakes(given: Any) -> list[str]:
-    """A sentence for each mistake in a scene's friction."""
+    """Return a message for each mistake in a scene's friction."""
     if callable(given):
         return []
     if type(given) is float or not isinstance(given, MAPPING):
@@ -31,19 +31,19 @@ def law_mistakes(given: Any) -> list[str]:
 
 
 def rate_mistakes(given: Any, path: str = "rate") -> list[str]:
-    """A sentence for each mistake in a law of speed that multiplies a law of slip, or the friction of all soils."""
+    """Return a message for each mistake in a law of speed, which multiplies a law of slip or the friction of soils."""
     if not isinstance(given, MAPPING):
         return [f"{path} = {shown(given)}: must be a law of speed with its parameters"]
     return _named_faults(given, path, RATE_LAWS)
 
 
 def may_have_rate(law: str) -> bool:
-    """Whether a law may be multiplied by one of speed."""
+    """Return whether a law may be multiplied by a law of speed."""
     return {"speed", "time"}.isdisjoint(LAWS[law].depends_on)
 
 
 def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
-    """A sentence for each mistake in a law by name."""
+    """Return a message for each mistake in a law by name."""
     name = given.get("law")
     if name not in known:
         names = ", ".join(known)
@@ -56,14 +56,14 @@ def _named_faults(given: Parameters, path: str, known: Names) -> list[str]:
     faults = parameter_mistakes(path, parameters, declared)
     if faults or declared[0].kind != "list":
         return faults
-    of_list: list[str] = room("tables").list_faults(path, name, parameters)
+    of_list: list[str] = lazy_import("tables").list_faults(path, name, parameters)
     return of_list
 
 
 def law_parts(friction: Any) -> tuple[Law, ...]:
-    """The laws that a scene's friction is a product of: each by name, with its parameters.
+    """Return the laws whose product is a scene's friction, each by name with its parameters.
 
-    The laws of soils, of which it is a sum, are by names with the number of the soil, ``linear#0``.
+    The friction of several soils is a sum over their laws, whose names contain the number of the soil, ``linear#0``.
     """
     if callable(friction):
         return (("callable", {"function": friction}),)
@@ -83,7 +83,7 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
 
 
 def law_paths(friction: Any) -> Names:
-    """Where the numbers of each of `law_parts` are among the numbers of a scene."""
+    """Return the prefix of the numbers of each of `law_parts` among the numbers of a scene."""
     first: Names = ("friction",)
     if isinstance(friction, MAPPING) and "soils" in friction:
         first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
@@ -93,17 +93,17 @@ def law_paths(friction: Any) -> Names:
 
 
 def number_name(path: str, name: str) -> str:
-    """The name of a law's number among those of a scene: the coefficient of constant friction is ``friction``."""
+    """Return the name of a law's number in a scene. The coefficient of constant friction is ``friction``."""
     return path if (path, name) == ("friction", "coefficient") else f"{path}.{name}"
 
 
 def law_names(given: Any) -> Names:
-    """Of the law that a scene's friction stands for, and of the law of speed that multiplies it."""
+    """Return the names of a scene's law of slip and of the law of speed that multiplies it."""
     return tuple(name for name, _ in law_parts(given))
 
 
 def depends_on(laws: Names) -> Names:
-    """What a product of laws depends on."""
+    """Return the variables on which a product of laws depends."""
     variables: dict[str, None] = {}
     for name in laws:
         law = LAWS.get(without_soil(name))

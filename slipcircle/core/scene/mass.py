@@ -1,6 +1,6 @@
-"""What the core asks of a mass: one protocol for arcs, sections and layered ground.
+"""Protocol of a mass for arcs, sections and layered ground.
 
-Whatever implements it can be solved: nothing in the core asks what kind of mass it has.
+Every implementation can be solved, since the core does not distinguish kinds of masses.
 """
 
 import math
@@ -13,7 +13,7 @@ import numpy as np
 from generated.program import OF_COHESION
 from slipcircle.base.checks import EPS, Fault, plain
 from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Values, cached_property
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
 
@@ -46,10 +46,10 @@ class Dimensionless:
 
 
 class MomentCoefficients(NamedTuple):
-    """Of the balance of moments about the centre: J_theta, J_r, lambda and I_p* over Theta*, and two stresses' scales.
+    """Coefficients of the balance of moments: J_theta, J_r, lambda and I_p* over Theta*, and ratios of stresses.
 
-    After a rotation phi the driving moment is J_theta cos(phi) - J_theta' sin(phi), and so is the normal load: the
-    slopes are the derivatives by the dip, which a rotation lowers.
+    After a rotation phi the driving moment is J_theta cos(phi) - J_theta' sin(phi), and the normal load has the same
+    form. The slopes are derivatives with respect to the dip, which a rotation decreases.
     """
 
     driving_moment: Any
@@ -59,43 +59,43 @@ class MomentCoefficients(NamedTuple):
     resistance_factor: Any
     polar_moment: Any
     limit_friction: Any  # J_theta/J_r at the start
-    cover: Any  # the stress of which r_u is a share, over the static normal stress
+    cover: Any  # stress to which r_u refers, over the static normal stress
 
 
-# Lays out functions of the rotation to their full range where a rotation of a lane exceeds them; whether one does.
+# Extends functions of the rotation to their full range if a lane exceeds them, and returns whether one does.
 Farther = Callable[[dict[str, Data], Floats, Any], bool]
 
 
 class Mass:
-    """A mass that slides along a circular arc: what each kind has to say, what it may add, and what follows.
+    """Mass that slides along a circular arc: required attributes, optional methods, and derived quantities.
 
     Attributes
     ----------
     radius, unit_weight, gravity, width : float or array
-        m, N/m^3, m/s^2, m.
+        Radius in m, unit weight in N/m^3, gravity in m/s^2, and width in m.
     half_angle, facing : float or array
-        alpha, rad; 1 where gravity turns the mass counterclockwise, -1 where clockwise.
+        Half the opening angle, alpha, in rad; 1 if gravity turns the mass counterclockwise, -1 if clockwise.
     dimensionless : Dimensionless
     moment_coefficients : MomentCoefficients
-        Its weights and how they change as it turns, its resistance and its closure.
+        Coefficients of the balance of moments, with their change as the mass turns.
     quantities : mapping
-        Its fields that scenes vary, each with the number of axes that one mass has of it.
+        Fields that may vary in scenes, each with its number of axes in one mass.
     rounding : float
-        Relative error that each of its coefficients may have.
+        Relative error of each coefficient.
     own_effects : tuple of str
-        Effects that it has by its soils, and that no scene gives.
+        Effects that follow from its soils and are not given in a scene.
     friction : mapping or None
-        That of its soils, in place of the scene's.
+        Friction of its soils, which replaces the scene's.
     given : mapping or None
-        Coefficients in place of computed ones.
+        Coefficients that replace computed ones.
     in_standing_water : bool
         Whether standing water covers its lower end.
     rotation_range : tuple
-        Rotations up-slope and down-slope between which the method applies, rad; by convention 30 degrees.
+        Rotations up-slope and down-slope that limit the range of the method, rad, by convention 30 degrees.
     centre, exit, centroid : array
-        x and y of the circle's centre, of the lower end of the slip surface and of the mass, m.
+        Centre of the circle, lower end of the slip surface, and centroid of the mass, x and y in m.
     area : float or array
-        Of the mass in its section, m^2.
+        Area of the section of the mass, m^2.
     """
 
     radius: Any
@@ -118,83 +118,85 @@ class Mass:
     in_standing_water: Any = False
     rotation_range: Any = (-math.pi / 6, math.pi / 6)
 
-    # --- what it may add; a plain arc adds nothing -------------------------------------------------------------------
+    # --- optional methods, not needed by a plain arc -----------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Which of its lanes are no such mass, or cannot move, and a sentence about one."""
+        """Yield the errors of lanes that are not valid masses or cannot move."""
         return iter(())
 
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
-        """What keeps it from moving under a friction and effects."""
+        """Return messages about combinations of friction and effects for which the mass has no motion."""
+        if "gradient" in effects.get("cohesion", {}):
+            return ["{effects.cohesion.gradient}: needs a ground, below which the cohesion grows, in place of an arc"]
         return []
 
     def effects_with_own(self, effects: Effects) -> Effects:
         """Return effects with those of the mass: cohesion by a law, a section's water level, strengths of soils."""
         if not self.cohesion_laws(effects.get("cohesion", {})):
             return effects
-        moment = self.moment_coefficients.resistance_factor / self.reference_stress  # of 1 Pa
+        moment = self.moment_coefficients.resistance_factor / self.reference_stress  # moment of 1 Pa
         return {**effects, "cohesion": {}, f"softening_cohesion{OF_COHESION}": {"moment": moment}}
 
     def cohesion_laws(self, cohesion: Parameters) -> tuple[Law, ...]:
-        """The laws by which cohesion changes with slip, that of the scene or those of its soils."""
+        """Return the laws by which cohesion changes with slip, from the scene or from its soils."""
         law = cohesion_law(cohesion)
         return () if law is None else ((law[0] + OF_COHESION, law[1]),)
 
     def effects_of_means(self, effects: Effects) -> Effects:
-        """The same effects, but of its soils what gives means over the arc: the same where all of it is one soil."""
+        """Return the effects for unweighted means over the arc, unchanged for homogeneous ground."""
         return effects
 
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
-        """Its functions of the rotation by their symbols, and what lays them out farther, where that may be needed.
+        """Return functions of the rotation by symbol, and the function that extends them, if one may be needed.
 
-        ``upslope`` is whether the mass may move beyond where it began, ``tolerance`` a relative error, ``shape`` that
-        of the scene's lanes.
+        ``upslope`` is true if the mass may move above its initial position, ``tolerance`` is a relative error, and
+        ``shape`` is the shape of the scene's lanes.
         """
         return {}, None
 
     def numbers_by_name(self) -> dict[str, Any]:
-        """All its numbers: each one number, or an array of one a lane."""
+        """Return all numbers by name, each a number or an array over lanes."""
         fields = {name: getattr(self, name) for name in self.quantities}
         return fields | self.other_numbers()
 
     @cached_property
     def has_plain_numbers(self) -> bool:
-        """Whether each of its numbers is a float."""
+        """Whether all numbers are floats."""
         return {float}.issuperset(map(type, self.numbers_by_name().values()))
 
     def other_numbers(self) -> dict[str, Any]:
-        """Numbers beside those of its fields, by name: of the soils of a layered section."""
+        """Return numbers other than fields by name, such as the numbers of soils."""
         return {}
 
     def numbers_without_effect(self) -> Collection[str]:
-        """Names of numbers on which no motion depends, and of those that another stands for."""
+        """Return the names of numbers without influence on the motion, and of numbers determined by others."""
         return ()
 
     def fields_with(self, values: Values) -> dict[str, Any]:
-        """The fields that differ once some of these have other values."""
+        """Return the fields that change if some of `other_numbers` have other values."""
         return {}
 
     def with_lanes(self, of_lanes: Callable[..., Any]) -> Any:
-        """The same with some lanes of what its numbers do not tell; ``of_lanes(value, axes of one)`` selects them."""
+        """Return the mass with selected lanes of data that are not numbers; ``of_lanes(value, axes)`` selects them."""
         return self
 
     def drowned(self, *rotations: float) -> float:
-        """How far below a water level the ground over it comes, where that is deepest, m."""
+        """Return the greatest depth of the ground over the mass below a water level after rotations, m."""
         return 0.0
 
-    # --- where a rotation about the centre brings it ------------------------------------------------------------------
+    # --- position after a rotation about the centre -------------------------------------------------------------------
 
     def placed(self, points: Any, rotation: Any) -> Any:
-        """Points (..., 2) of the mass after a rotation, m."""
-        return room("journey").placed(self, points, rotation)
+        """Return the positions of points of the mass, (..., 2), after a rotation, m."""
+        return lazy_import("journey").placed(self, points, rotation)
 
     def journey(self, rotation: Any) -> Any:
-        """Where a rotation brings toe and centroid, a `slipcircle.history.Journey`."""
-        return room("journey").journey(self, rotation)
+        """Return the displacement of toe and centroid by a rotation, a `slipcircle.history.Journey`."""
+        return lazy_import("journey").journey(self, rotation)
 
-    # --- what follows ------------------------------------------------------------------------------------------------
+    # --- derived quantities -------------------------------------------------------------------------------------------
 
     @property
     def mean_unit_weight(self) -> Any:
@@ -203,23 +205,23 @@ class Mass:
 
     @property
     def mass_per_metre(self) -> Any:
-        """Of width, kg/m."""
+        """Mass per metre of width, kg/m."""
         return self.area * np.divide(self.mean_unit_weight, self.gravity)
 
     @cached_property
     def sagitta(self) -> Any:
-        """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
+        """Depth of the arc below its chord (2.12), f, the scale of stresses, m."""
         versine = 2 * np.sin(self.half_angle / 2) ** 2  # 1 - cos(alpha)
         return np.multiply(self.radius, versine)
 
     @cached_property
     def time_scale(self) -> Any:
-        """t_c = sqrt(R/g) (3.9), s."""
+        """Time scale (3.9), t_c = sqrt(R/g), s."""
         return plain(np.sqrt(np.divide(self.radius, self.gravity)))
 
     @cached_property
     def scales(self) -> Values:
-        """What the parameters of effects are made dimensionless by, under the names that `generated.effects` uses."""
+        """Scales of the parameters of effects, by the names in `generated.effects`."""
         return {
             "half_angle": self.half_angle,
             "gravity": self.gravity,
@@ -232,10 +234,10 @@ class Mass:
 
     @cached_property
     def reference_stress(self) -> Any:
-        """sigma_ref (2.13), Pa."""
+        """Stress scale (2.13), sigma_ref, Pa."""
         return np.multiply(self.mean_unit_weight, self.sagitta)
 
     @cached_property
     def static_normal_stress(self) -> Any:
-        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
+        """Mean normal stress on the arc at rest (2.27), sigma_n0, Pa."""
         return self.reference_stress * self.dimensionless.static_normal_stress

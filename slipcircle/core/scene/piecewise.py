@@ -1,4 +1,4 @@
-"""Piecewise polynomials of slip, speed, time or rotation, as a program takes them; `slipcircle.tables` makes them."""
+"""Piecewise polynomials of slip, speed, time or rotation in the form that programs use."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -9,24 +9,23 @@ from slipcircle.base.kinds import Floats
 
 
 class Data(NamedTuple):
-    """A piecewise polynomial: piece k begins at ``breaks[k]``, with ``coefficients[k]`` in powers of what is beyond.
+    """Piecewise polynomial whose piece k has ``coefficients[k]`` in powers of the distance from ``breaks[k]``.
 
-    The first piece extends below its break, the last one to infinity. ``jumps`` are the discontinuities of a function
-    of time at the start of each piece. The coefficients of a ``sine`` are amplitude, rate and phase. Beyond the last
-    break of an ``open`` table, that of a Python function, nothing has been sampled yet. Functions of time of which each
-    lane has one follow each other: with its ``first`` piece a lane begins, and where its function ends the next piece
-    begins at infinity.
+    The first piece extends below its break, the last piece to infinity. ``jumps`` are the discontinuities of a function
+    of time at the start of each piece. The coefficients of a ``sine`` are amplitude, rate and phase. An ``open`` table
+    samples a Python function up to its last break. If each lane has its own function of time, the functions are stored
+    one after the other. A lane begins with its ``first`` piece, and the piece after its function begins at infinity.
     """
 
-    breaks: Floats  # (pieces,), or of functions of the rotation (pieces, lanes)
+    breaks: Floats  # (pieces,), or (pieces, lanes) for functions of the rotation
     coefficients: Floats  # (pieces, terms), or (pieces, terms, lanes)
     jumps: Floats
     sine: bool = False
     open: bool = False
-    first: Any = 0.0  # a number, or one of each lane
+    first: Any = 0.0  # a number, or an array over lanes
 
     def lanes(self, which: Any) -> "Data":
-        """The table of some of the lanes."""
+        """Return the table of selected lanes."""
         if self.coefficients.ndim < 3:
             return self
         breaks = self.breaks

@@ -1,4 +1,4 @@
-"""A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
+"""Scene: arc, friction, effects, initial velocity and end time."""
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
@@ -24,13 +24,13 @@ from slipcircle.base.checks import (
 )
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
 from slipcircle.base.units import take_units
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
 from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
 
-One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # what a parameter is in one scene
+One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # parameter of a single scene
 AS_ENTERED = 1.0  # strength factor
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 START: Mapping[str, Bounds] = {
@@ -39,58 +39,58 @@ START: Mapping[str, Bounds] = {
 }
 PLAIN = frozenset((float, str, type(None)))
 END: Mapping[str, Bounds] = {"end_time": (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")}
-MAPS = {"uncertain": "from numbers to their distributions", "observed": "from outcomes to what was seen of them"}
+MAPS = {"uncertain": "from numbers to their distributions", "observed": "from outcomes to observed values"}
 
 
 @dataclass(frozen=True)
 class Scene(Generic[Numbers]):
-    """What is simulated: effects that are not named are not computed and cost nothing.
+    """Input of a simulation. Effects that are not named are not computed and cost nothing.
 
-    If fields are arrays (including those of the arc and the parameters of effects and laws), it is an ensemble of their
-    broadcast shape. Tables and given coefficients cannot vary within an ensemble.
+    If fields are arrays (including fields of the arc and parameters of effects and laws), the scene is an ensemble of
+    their broadcast shape. Tables and given coefficients cannot vary within an ensemble.
 
     Parameters
     ----------
     arc : Arc or Section
         The failed section.
     friction : float or array_like, mapping, or callable
-        Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
-        ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
-        accumulated slip in m, which takes and returns arrays, also for slips beyond the run-out. Laws of speed and of
-        time are given by name, too, and ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
+        Friction coefficient mu = tan(phi) (1.14), a law by name with its parameters, such as
+        ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}`` with lengths in m, or a function of
+        the accumulated slip in m. The function accepts and returns arrays, also for slips beyond the run-out.
+        ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
     effects : mapping or iterable of str, optional
-        Effects by name, each with its parameters: ``{"centripetal": {}}``, or only names if none has parameters. A
-        function of time is a `Series` or `Pulse`, or its parts: a pulse by name, or a list with its times.
+        Effects by name, each with its parameters: ``{"centripetal": {}}``, or a list of names for effects without
+        parameters. A function of time is a `Series` or `Pulse`, the name of a pulse, or a list with its times.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s, positive down-slope.
     end_time : float or array_like, optional
         End of the integration, s; by default until the mass rests.
     accuracy : float, optional
-        Requested relative error of ensembles, see `solve`; that of the call takes precedence.
+        Requested relative error of ensembles. The argument of `solve` takes precedence.
     name, note : str, optional
-        What the scene describes, and the source of its numbers.
+        Title of the scene, and the source of its numbers.
     uncertain : mapping, optional
-        Numbers with a distribution, which `ensemble` checks and samples; `solve` uses the numbers of the scene. Keys as
-        in a scene file, ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``,
-        ``"friction"``; values are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10,
-        "std": 1}``, in the key's unit.
+        Distributions of numbers, which `ensemble` checks and samples and `solve` ignores. Keys are written as in scene
+        files, ``"friction.angle_deg"`` or ``"circle.radius_m"``, or as SI names in ``numbers``, ``"friction"``. Values
+        are frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the unit
+        of the key.
     observed : mapping, optional
-        What was observed of the motion, for `backanalyse`, by ``"run_out"``, ``"end_displacement"`` (where
-        it rests), ``"peak_velocity"``, ``"duration"`` or ``"toe_rise"``: a number, one with its standard error, or an
-        `Interval`; m, m/s, s. No motion depends on it.
+        Observations for `backanalyse`, by ``"run_out"``, ``"end_displacement"`` (at the place of rest),
+        ``"peak_velocity"``, ``"duration"`` or ``"toe_rise"``. Each is a number, a number with its standard error, or an
+        `Interval`, in m, m/s or s. The motion does not depend on them.
     strength_factor : float or array_like, optional
-        Factor of all friction and cohesion during the motion, so that it starts from another factor of safety than that
-        of the closure. Scene files with a ground set it from ``[circle] start``; other scenes have 1.
+        Factor of all friction and cohesion during the motion, so that it starts from the factor of safety of another
+        method than the closure. Scene files with a ground set it from ``[circle] start``. Other scenes have 1.
 
     Notes
     -----
-    To a type checker a ``Scene[float]`` is one scene, whose `solve` is a ``Motion[float]``, and a ``Scene[Array]`` an
-    ensemble; ``scene: Scene = load("vaiont")`` is either, so that ``replace`` may put arrays into it.
+    For type checkers ``Scene[float]`` is a single scene, whose solution is a ``Motion[float]``, and ``Scene[Array]`` an
+    ensemble. ``scene: Scene = load("vaiont")`` may be either, so that ``replace`` may insert arrays.
 
     Raises
     ------
     ValueError
-        Lists every mistake with its field, its value and what is allowed.
+        If the input is invalid. The message lists every mistake with field, value and allowed values.
     """
 
     arc: Arc[Numbers] | Any
@@ -105,7 +105,7 @@ class Scene(Generic[Numbers]):
     observed: Values = field(default_factory=lambda: EMPTY)
     strength_factor: Numbers | float = AS_ENTERED
 
-    if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
+    if TYPE_CHECKING:  # numbers alone are a single scene, an array an ensemble, and other mappings may be either
 
         @overload
         def __init__(
@@ -176,11 +176,11 @@ class Scene(Generic[Numbers]):
         if faults:
             raise_all(f"Scene {self.name}".rstrip(), faults)
         if self._is_unusual:
-            room("plausible").warn(self)
+            lazy_import("plausible").warn(self)
 
     @property
     def _is_unusual(self) -> bool:
-        """Whether one of its strengths or weights is outside what soils have, at a quick look."""
+        """Whether a strength or weight is outside the usual range, by a quick check."""
         arc: Any = self.arc
         if arc.friction is not None:
             return any(map(_is_unusual, arc.other_numbers().items()))
@@ -195,10 +195,10 @@ class Scene(Generic[Numbers]):
         return any(map(_is_unusual, (*law, *cohesion, ("unit_weight", weight))))
 
     def start_anew(self) -> None:
-        """Set what follows from other fields, which have changed."""
+        """Update attributes derived from fields that have changed."""
 
     def _field_faults(self) -> list[str]:
-        """What is wrong with how the scene starts and ends, and with what it asks for."""
+        """Return messages about the fields of the start, the end, and the requested accuracy."""
         fields = vars(self)
         faults = mistakes(fields, START)
         if self.end_time is not None:
@@ -215,33 +215,32 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def law(self) -> Any:
-        """The friction that it is given, or that of the soils of its mass."""
+        """Friction of the scene, or of the soils of its mass."""
         return self.friction if self.arc.friction is None else self.arc.friction
 
     @cached_property
     def laws(self) -> tuple[Law, ...]:
-        """The laws of its friction, which is their product, and of its cohesion, each with its parameters."""
+        """Laws of friction, whose product is the friction, and of cohesion, each with its parameters."""
         assert isinstance(self.effects, dict)
         return (*law_parts(self.law), *self.arc.cohesion_laws(self.effects.get("cohesion", {})))
 
     @property
     def until(self) -> Any:
-        """When it ends at the latest, s; infinite without an end time."""
+        """Latest end, s; infinite without an end time."""
         return INFINITY if self.end_time is None else plain(self.end_time)
 
     @cached_property
     def called(self) -> Effects:
-        """Effects by name, each with its parameters, and the water level of a section."""
+        """Effects by name with their parameters, including the water level of a section."""
         assert isinstance(self.effects, dict)
         return self.arc.effects_with_own(self.effects)
 
     def by_start(self, quantity: str, motion: Any) -> Any:
-        """Return a result by the method from which its motion starts, and that method; None of the closure."""
+        """Return a result by the starting method and the name of the method, or None for the closure."""
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
-        """All numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``,
-        ``cohesion.cohesion``, ..."""
+        """Numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ..."""
         numbers = self.arc.numbers_by_name()
         if self.arc.friction is None:  # otherwise its soils have the numbers of friction
             numbers |= _friction_numbers(self.friction)
@@ -253,7 +252,7 @@ class Scene(Generic[Numbers]):
         assert isinstance(self.effects, dict)
         shaking = self.effects.get("shaking", {})
         if callable(shaking.get("horizontal")):
-            numbers |= room("forcing").record_numbers(shaking)
+            numbers |= lazy_import("forcing").record_numbers(shaking)
         for effect, given in self.effects.items():
             for p in declared_parameters(effect, given):
                 if p.name in given and p.kind in ("number", "series"):
@@ -264,7 +263,7 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def _has_plain_numbers(self) -> bool:
-        """Whether it is given floats alone, as most single scenes are, so that `numbers` need not be asked."""
+        """Whether all inputs are floats, as in most single scenes, so that `numbers` is not needed."""
         friction = self.friction
         values: list[Any] = [self.initial_velocity, self.end_time, self.strength_factor]
         values += friction.values() if isinstance(friction, dict) else [friction]
@@ -275,7 +274,7 @@ class Scene(Generic[Numbers]):
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
-        """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
+        """Broadcast shape of all fields, () for a single scene."""
         if self._has_plain_numbers:
             return ()
         return np.broadcast_shapes(*map(np.shape, self.numbers.values()))
@@ -290,14 +289,14 @@ _UNUSUAL: Mapping[str, Callable[[Any], bool]] = {
 
 
 def _is_unusual(number: tuple[str, Any]) -> bool:
-    """Whether a number is one, and unusual, by the last part of its name."""
+    """Return whether a value is an unusual number, according to the last part of its name."""
     name, value = number
     check = _UNUSUAL.get(name.rpartition(".")[2])
     return check is not None and isinstance(value, int | float) and check(value)
 
 
 def _friction_numbers(friction: Any) -> dict[str, Any]:
-    """The numbers of a friction, by name; functions and tables have none."""
+    """Return the numbers of a friction by name. Functions and tables have none."""
     if callable(friction):
         return {}
     if not isinstance(friction, MAPPING):
@@ -311,14 +310,14 @@ def _friction_numbers(friction: Any) -> dict[str, Any]:
 
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
-    """A sentence if it is given, and no relative error."""
+    """Return a message if the accuracy is given and is not a relative error."""
     if accuracy is None:
         return []
     return mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
 
 
 def checked(scene: Any, what: str) -> Scene:
-    """A scene, if it is one; what was to be done with it is named if not."""
+    """Return the argument if it is a scene, and otherwise raise an error that names the operation."""
     if not isinstance(scene, Scene):
         asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
         raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")

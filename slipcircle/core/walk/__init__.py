@@ -1,1 +1,1 @@
-"""The integrator, in C where it is compiled, otherwise in NumPy."""
+"""Interface of the integrator, in C if it is compiled and otherwise in NumPy."""

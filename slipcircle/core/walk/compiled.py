@@ -1,4 +1,4 @@
-"""The compiled integrator: a program as integers, and calls short enough for Ctrl-C to interrupt."""
+"""Interface of the compiled integrator: programs encoded as integers, and calls short enough for Ctrl-C."""
 
 import os
 import sys
@@ -19,14 +19,14 @@ from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.piecewise import Data
 
-ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
-NOTES = 256  # events that one call may note
+ROUNDS = 50_000  # steps per call, at most a tenth of a second, so that Ctrl-C is handled
+NOTES = 256  # greatest number of events logged per call
 Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
 _NOTHING = np.empty(0)
 
 
 class Samples(NamedTuple):
-    """States at sample times, filled during the integration: (states, times, lanes)."""
+    """States at sample times, (states, times, lanes), filled during the integration."""
 
     times: Floats  # dimensionless, increasing, (times, lanes)
     states: Floats  # rotation, angular velocity, its rate, slip, then the further states
@@ -34,13 +34,13 @@ class Samples(NamedTuple):
 
 @cache
 def module() -> Any:
-    """The compiled module; None if there is none, or if it is disabled."""
+    """Return the compiled module, or None if it is absent or disabled."""
     return _compiled.binary("_flow", DIGEST)
 
 
 @cache
 def level() -> str:
-    """The kind of processor whose integrator runs: the widest here, or the one asked for; empty where NumPy's does."""
+    """Return the vector level of the integrator, the widest available or the requested level; empty for NumPy."""
     if module() is None:
         return ""
     levels = module().LEVELS
@@ -50,16 +50,16 @@ def level() -> str:
 
 @cache
 def widest() -> Any:
-    """Its number."""
+    """Return the number of the vector level."""
     return module().LEVELS[level()]
 
 
-_numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
+_numpy_only: list[bool] = []  # one entry per active `numpy_only`
 
 
 @contextmanager
 def numpy_only() -> Iterator[bool]:
-    """Integrate in NumPy although the compiled module is installed, for comparisons; yields whether it is."""
+    """Integrate in NumPy even if the compiled module is installed, for comparisons; yield whether it is."""
     _numpy_only.append(True)
     try:
         yield module() is not None
@@ -68,19 +68,19 @@ def numpy_only() -> Iterator[bool]:
 
 
 def engine() -> Any:
-    """The faster module for `integrate`, `begin_phase` and `registers` on this machine."""
+    """Return the faster module for `integrate`, `begin_phase` and `registers` on this machine."""
     name = __name__ if module() and not _numpy_only else "generated.walk"
-    return sys.modules.get(name) or import_module(name)  # NumPy's takes long to load
+    return sys.modules.get(name) or import_module(name)  # the NumPy module is slow to import
 
 
 @lru_cache(maxsize=256)
 def encoded(program: Program) -> bytes:
-    """A program as the C integrator reads it, 32-bit integers."""
+    """Return a program as 32-bit integers for the C integrator."""
     return np.array(program_integers(program), dtype=np.int32).tobytes()
 
 
 def program_integers(program: Program) -> list[int]:
-    """Sizes, roles, operations, states and tables of a program."""
+    """Return sizes, roles, operations, states and tables of a program."""
     rates, others = program.split
     series = _encoded_series(program, rates)
     later = _encoded_series(program, others)
@@ -89,7 +89,7 @@ def program_integers(program: Program) -> list[int]:
         scalar += [SCALAR[kind], *names]
     sizes = [
         len(program.cells),
-        program.given,  # at the start a lane needs no cells beyond its inputs, except constants
+        program.given,  # inputs; at the start a lane needs no other cells except constants
         len(program.registers),
         len(program.states),
         len(program.tables),
@@ -111,7 +111,7 @@ def program_integers(program: Program) -> list[int]:
 
 
 def _begin(register: int) -> int:
-    """Where the coefficients of a register begin; -1 for none."""
+    """Return the index of the first coefficient of a register, -1 without a register."""
     return -1 if register < 0 else register * STRIDE
 
 
@@ -120,7 +120,7 @@ def _results(kind: str, names: Sequence[Any]) -> Sequence[int]:
 
 
 def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
-    """Operations on series, in the order of the program."""
+    """Return selected operations on series in the order of the program."""
     code = list[int]()
     for k in chosen:
         kind, *names = program.series[k]
@@ -130,7 +130,7 @@ def _encoded_series(program: Program, chosen: Sequence[int]) -> list[int]:
             code += [_begin(result), constant, len(terms)]
             for cell, register in terms:
                 code += [cell, _begin(register)]
-        elif kind in ("pow", "ramp"):  # the last one is a cell or a table
+        elif kind in ("pow", "ramp"):  # the last operand is a cell or a table
             code += [*map(_begin, names[:-1]), names[-1]]
         else:
             code += map(_begin, names)
@@ -145,14 +145,14 @@ def integrate(
     log: Log | None = None,
     level: str | None = None,
 ) -> None:
-    """Integrate every lane until it rests, ends or fails, as `generated.walk.integrate` does; threads run meanwhile.
+    """Integrate every lane until it rests, ends or fails, as `generated.walk.integrate` does, without the GIL.
 
     Parameters
     ----------
     program, tables, cells, samples, log
-        As there; ``cells`` and the samples' arrays are C-contiguous.
+        Arguments of `generated.walk.integrate`. ``cells`` and the arrays of samples must be C-contiguous.
     level : str, optional
-        The kind of processor to run for, one of those that the binary names in ``LEVELS``; by default the best.
+        Vector level, one of the ``LEVELS`` of the binary, by default the widest.
     """
     binary = module()
     count = cells.shape[1]
@@ -171,12 +171,12 @@ def integrate(
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """As `generated.walk.begin_phase`: phases that begin where lanes are, and registers there."""
+    """Begin phases in the states of lanes and return their registers, as `generated.walk.begin_phase` does."""
     return registers(program, tables, cells, 1)
 
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
-    """As `generated.walk.registers`: where lanes are within their phases."""
+    """Return registers of lanes within their phases, as `generated.walk.registers` does."""
     binary = module()
     count = cells.shape[1]
     values = np.zeros((len(program.registers), count))
@@ -188,7 +188,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: i
 
 
 def _pieces(tables: Sequence[Data], count: int) -> tuple[Any, ...]:
-    """Tables as the C integrator takes them."""
+    """Return tables as tuples for the C integrator."""
     rows = []
     for t in tables:
         across = count if t.coefficients.ndim == 3 else 0

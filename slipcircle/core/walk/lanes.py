@@ -1,4 +1,4 @@
-"""Lanes of a problem, integrated to their end."""
+"""Integration of the lanes of a problem to their end."""
 
 from functools import partial
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
-from slipcircle.core.doors import room
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.walk.compiled import Log, Samples, engine
 
@@ -14,29 +14,29 @@ from slipcircle.core.walk.compiled import Log, Samples, engine
 def integrate(
     problem: Problem, begin: Floats | None = None, samples: Samples | None = None, log: Log | None = None
 ) -> Floats:
-    """Integrate all lanes to their end: their final cells.
+    """Integrate all lanes to their end and return their final cells.
 
     Parameters
     ----------
     problem : Problem
     begin : ndarray, optional
-        Cells to begin with, by default the problem's.
+        Initial cells, by default the problem's.
     samples : Samples, optional
-        States at times on the way; filled in place.
+        Sample times and states, filled in place.
     log : list, optional
-        Takes the events of the first lane.
+        List to which the events of the first lane are appended.
     """
     if "viscosity" in problem.recipe.effects:
         begin = problem.cells() if begin is None else begin
         if np.any(begin[ix.END_TIME] == np.inf):
             walk = partial(_integrate, problem, log=log)
-            final: Floats = room("creep").integrate(problem, begin, samples, walk)
+            final: Floats = lazy_import("creep").integrate(problem, begin, samples, walk)
             return final
     return _integrate(problem, begin, samples, log)
 
 
 def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, log: Log | None) -> Floats:
-    """`integrate`, where no mass creeps."""
+    """Return `integrate` for lanes that do not creep."""
     while True:
         if log is not None:
             log.clear()
@@ -52,8 +52,8 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         _go_on(problem, cells, samples, log)
         if not np.any(cells[ix.STATUS] == ix.NEED):
             return cells
-        # One lane finds how far a Python function is needed; then all start again with the whole table.
-        room("functions").extend_to_end(problem, cells, engine().integrate)
+        # One lane determines how far a Python function is needed. Then all lanes start again with the complete table.
+        lazy_import("functions").extend_to_end(problem, cells, engine().integrate)
 
 
 def _stop_swinging(problem: Problem, cells: Floats) -> bool:
@@ -68,18 +68,18 @@ def _stop_swinging(problem: Problem, cells: Floats) -> bool:
 
 
 def _go_on(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None) -> None:
-    """Integrate lanes that took too many explicit steps and still move by implicit ones."""
+    """Continue lanes that exceed the number of explicit steps and still move, by implicit steps."""
     many_steps = cells[ix.STEPS] > ix.MOST_STEPS
     moving = cells[ix.OMEGA] > 0.0
     stopped = cells[ix.STATUS] == ix.TOO_LONG
     (which,) = np.nonzero(stopped & many_steps & moving)
     while which.size:
-        room("stiff").integrate(problem, cells, samples, log, which)
+        lazy_import("stiff").integrate(problem, cells, samples, log, which)
         waiting = cells[ix.STATUS, which] == ix.NEED
         which = which[waiting]
         if which.size:
-            room("functions").extend(problem, cells[:, which])
+            lazy_import("functions").extend(problem, cells[:, which])
 
 
-BLOCK = 8200  # lanes at once, so that their numbers stay in the cache; rows a power of two apart would share its lines
-ENTRIES = len(ix.CELLS)  # cells that every lane has, whatever its program
+BLOCK = 8200  # lanes per block, which fit into the cache; not a power of two, since rows would share cache lines
+ENTRIES = len(ix.CELLS)  # number of cells common to all programs

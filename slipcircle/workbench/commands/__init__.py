@@ -1,3 +1,24 @@
-"""Commands of `slipcircle`: one module each, named as it is typed, with `HELP`, `options(parser)`, `run(options)`."""
+"""Commands of `slipcircle`: one module each, named as it is typed, with `options(parser)` and `run(options)`."""
 
-COMMANDS = ("new", "run", "plan", "sweep", "records", "search", "backanalyse", "sensitivity", "schema", "cost", "info")
+GROUPS = {
+    "slope": {
+        "new": "write a commented scene file to start from",
+        "schema": "explain the keys of scene files: every effect, law and unit",
+        "search": "find the critical circle of a slope and its factors of safety",
+    },
+    "motion": {
+        "run": "solve scenes and print their motion side by side",
+        "backanalyse": "find the friction, or another number, that explains an observation",
+        "sensitivity": "differentiate the motion with respect to every number of a scene",
+    },
+    "study": {
+        "sweep": "solve a scene on a grid, for samples or under earthquake records",
+        "records": "list earthquake records with their intensities, or write synthetic ones",
+    },
+    "developers": {
+        "plan": "print the equation of motion of a scene and how it is solved",
+        "cost": "measure what accuracy costs in time, for a scene or a kernel",
+        "info": "print versions and digests of what is installed",
+    },
+}
+COMMANDS = {name: words for group in GROUPS.values() for name, words in group.items()}

@@ -15,7 +15,6 @@ from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
 from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solution, backanalyse
 
-HELP = "the friction, or another number, that explains an observed motion"
 # The options by outcome; each ends in its unit.
 OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OBSERVABLE.items()}
 

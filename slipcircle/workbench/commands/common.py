@@ -7,7 +7,7 @@ from typing import TypeVar
 from slipcircle.base.checks import InputError
 from slipcircle.core import Scene
 from slipcircle.workbench.common import files
-from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures
 
 T = TypeVar("T")
@@ -31,9 +31,8 @@ def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> N
 def check_files(options: argparse.Namespace) -> None:
     """Check before the computation that all files can be written and pictures drawn."""
     values = vars(options)
-    outputs = {
-        f"--{name}": values[name] for name in ("plot", "report", "csv", "npz", "live", "fragility") if values.get(name)
-    }
+    written = ("plot", "report", "csv", "npz", "live", "fragility", "write")
+    outputs = {f"--{name}": values[name] for name in written if values.get(name)}
     scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
     files.check(options.command, outputs, [str(find(name)) for name in scenes])
     if "--plot" in outputs or "--report" in outputs:

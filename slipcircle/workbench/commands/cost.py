@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_context
 from slipcircle.workbench.common.quantities import plain, time_text
-from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part
 
 if TYPE_CHECKING:
     from slipcircle.workbench.cost.rows import Row
 
-HELP = "what accuracy costs in time, for a scene or a kernel, measured here"
 NOTE = (
     "error: largest relative error seen; bound: proved of a kernel, estimated of a scene; time: of the processor, for "
     "one of N elements or scenes, median. frontier: no other way is faster and as accurate, or as fast and more so."

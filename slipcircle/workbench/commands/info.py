@@ -15,8 +15,6 @@ from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.tables import Answer, Part
 
-HELP = "versions and digests of what is installed"
-
 
 def options(_: argparse.ArgumentParser) -> None:
     """Declare no options."""

@@ -1,16 +1,13 @@
 """`slipcircle new`: a commented scene file to start from."""
 
 import argparse
-import os
 import re
 from pathlib import Path
 
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.workbench.common import files
-from slipcircle.workbench.files.scenefile import find, shipped
+from slipcircle.workbench.files.shipped import find, shipped
 from slipcircle.workbench.outputs.tables import Answer
-
-HELP = "write a commented scene file to start from"
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -23,8 +20,6 @@ def options(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
     path = Path(options.file)
-    if os.path.lexists(path):
-        raise ValueError(f"new: {path}: is there already; give another name, or remove it first")
     files.check("new", {"FILE": options.file})
     text = find(options.like).read_text("utf-8")
     # It is named as its file from now on.

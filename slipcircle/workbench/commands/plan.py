@@ -10,7 +10,6 @@ from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
 
-HELP = "equation of motion of a scene, and how it will be solved"
 FIELDS = ("effects", "left_out", "law", "method", "why", "accuracy")  # in JSON
 
 

@@ -10,7 +10,6 @@ from slipcircle.workbench.outputs.tables import Answer, Part
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
-HELP = "earthquake records of files and folders with their intensity measures, or synthetic ones for a folder"
 FORMATS = (
     "files and folders of records, in mixed formats: AT2, ESM, K-NET, COSMOS, CSMIP, GeoNet, SMC, AFAD, JMA, CWA, "
     "UNAM, and tables of numbers"

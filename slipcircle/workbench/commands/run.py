@@ -6,23 +6,23 @@ from functools import partial
 
 from slipcircle.base.progress import track
 from slipcircle.core import Motion, solve
+from slipcircle.words import OUTSIDE
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures, tables
-from slipcircle.workbench.outputs.tables import Answer, Files, Part
+from slipcircle.workbench.outputs.tables import Answer, Files
 from slipcircle.workbench.outputs.trace import csv
-
-HELP = "solve scenes and print their motion side by side"
 
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("scenes", nargs="+", metavar="SCENE", help=SCENE)
-    parser.add_argument("--verbose", action="store_true", help="all results, effects and coefficients of the arc")
+    parser.add_argument("--verbose", action="store_true", help="all results, other methods and errors")
     picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
     table = "the motion over time, in SI units and full precision"
     slide = "a page on which one can drag the slide, which needs nothing else"
@@ -45,21 +45,8 @@ def run(options: argparse.Namespace) -> Answer:
         "live": lambda _: _live(motions[0], options.vary).encode(),
         "report": lambda _: _report(motions, sources, options.line).encode(),
     }
-    return Answer(lambda: [*map(record, motions)], _parts(motions, options.verbose), _warnings(motions), contents)
-
-
-def _parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
-    """The motions side by side, and if verbose the soils along each slip surface."""
-    scenes = [motion.plan.scene for motion in motions]
-    tabulate = tables.motion_column if verbose else tables.motion_summary
-    columns = [tabulate(motion) for motion in motions]
-    notes = [f"{scene.name}: {scene.note}" for scene in scenes if scene.note]
-    for motion in motions:
-        of_scene = f"{motion.plan.scene.name}: " if len(scenes) > 1 else ""
-        notes += [of_scene + words for words in tables.motion_words(motion)]
-    yield Part(["", *(scene.name for scene in scenes)], tables.beside(columns), note="; ".join(notes))
-    if verbose:
-        yield from filter(None, map(tables.stretches_part, motions))
+    parts = tables.motion_parts(motions, options.verbose)
+    return Answer(lambda: [*map(record, motions)], parts, _warnings(motions), contents)
 
 
 def _check_options(options: argparse.Namespace) -> None:
@@ -93,7 +80,8 @@ def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
     for motion in motions:
         scene = motion.plan.scene
         for warning in warnings_of(motion):
-            yield f"{scene.name}: {warning}"
+            if not warning.startswith(OUTSIDE):  # the range of validity is printed
+                yield f"{scene.name}: {warning}"
         if scene.uncertain:
             keys = ", ".join(uncertain.key for uncertain in uncertain_numbers(scene).values())
             yield f"{scene.name}: solved at the median of {keys}; sweep draws them"

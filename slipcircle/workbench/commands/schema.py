@@ -4,8 +4,6 @@ import argparse
 
 from slipcircle.workbench.outputs.tables import Answer
 
-HELP = "scene file reference: every effect, law, key and unit"
-
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""

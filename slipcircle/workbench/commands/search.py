@@ -3,15 +3,14 @@
 import argparse
 from functools import partial
 
-from slipcircle.base.progress import track
+from slipcircle.base.progress import say, track
 from slipcircle.workbench.commands.common import add_files
-from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.files.scenefile import critical_of_file, with_circle
 from slipcircle.workbench.outputs import pictures, tables
-from slipcircle.workbench.outputs.tables import Answer, Part, say
+from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
-HELP = "the critical circle of a slope, and its factors of safety by three methods"
 SLOPE = "a scene that ships, by name, or the path of a TOML file with [ground] and soil"
 
 
@@ -21,13 +20,15 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--method", choices=METHODS, help="method to minimise; default bishop")
     least = "what is least on the circle: the factor of safety, or the yield coefficient, the k_h that makes it slide"
     parser.add_argument("--least", choices=("factor", YIELD), default="factor", help=least)
-    add_files(parser, "the section, the circle and the factors over centres")
+    written = "a scene file of the motion along the circle, which must not exist yet"
+    add_files(parser, "the section, the circle and the factors over centres", write=written)
 
 
 def run(options: argparse.Namespace) -> Answer:
     """Run the command."""
-    if options.plot and len(options.scenes) > 1:
-        raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
+    for option, path in {"plot": next(iter(options.plot), ""), "write": options.write}.items():
+        if path and len(options.scenes) > 1:
+            raise ValueError(f"search: --{option} {path}: is for one slope; search them one by one")
     if options.least == YIELD and options.method:
         raise ValueError(f"search: --method {options.method}: k_y is by the paper's method; leave it out")
     method = YIELD if options.least == YIELD else options.method
@@ -41,5 +42,8 @@ def run(options: argparse.Namespace) -> Answer:
         for name, circle, lines in zip(names, circles, warnings, strict=True)
     ]
     lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
-    drawn = {"plot": partial(pictures.picture, "search", circles[0])}
-    return Answer(lambda: records, [table], lines, drawn)
+    made: Files = {
+        "plot": partial(pictures.picture, "search", (names[0], circles[0])),
+        "write": lambda path: with_circle(options.scenes[0], circles[0], path).encode(),
+    }
+    return Answer(lambda: records, [table], lines, made)

@@ -10,8 +10,6 @@ from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer
 
-HELP = "derivatives of the motion by each number of a scene"
-
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""

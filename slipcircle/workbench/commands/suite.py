@@ -14,6 +14,7 @@ from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
+from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, variance_shares
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
@@ -149,4 +150,4 @@ def _fragility_part(study: SuiteStudy) -> Part:
     if not any(curve.reason for curve in study.fragility()):
         head, rows = head[:-1], [row[:-1] for row in rows]
     title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"
-    return Part(head, rows, title, "greatest likelihood, with 95 % intervals of records as independent draws")
+    return Part(head, rows, title, f"greatest likelihood; {interval_note(len(study.suite))}")

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.text import shown
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
@@ -18,8 +19,10 @@ from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import OUTCOMES
+from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures, studyplots
 from slipcircle.workbench.outputs.report import parts, study_report
 from slipcircle.workbench.outputs.suitereport import suite_report
@@ -31,8 +34,8 @@ from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
-HELP = "a scene on a grid of values, for samples of its uncertain numbers, or under earthquake records"
-_MOST_ROWS = 60  # of a grid, on the screen
+_MOST_ROWS, _MOST_COLUMNS = 60, 25  # of a grid, on the screen
+_FACTOR = "factor of safety, "
 _GRID_QUANTILES = (0.05, 0.5, 0.95)
 
 
@@ -62,6 +65,8 @@ def options(parser: argparse.ArgumentParser) -> None:
         metavar="KEY,KEY=R",
         help="of two uncertain numbers: friction.angle_deg,cohesion.cohesion_kPa=-0.5",
     )
+    everything = "also other methods, linear propagation and convergence; of earthquake records their intensities"
+    parser.add_argument("--verbose", action="store_true", help=everything)
     parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default random; printed")
     parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
     each = "also search the critical circle of every sample, for its factors of safety; 10 to 40 samples a second"
@@ -105,7 +110,7 @@ def run(options: argparse.Namespace) -> Answer:
         raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
     if isinstance(study, SuiteStudy):
         return _answer_of_records(study, options, content)
-    tables = _of_grid(study) if levels else _of_samples(study)
+    tables = _of_grid(study) if levels else _of_samples(study, options.verbose)
     contents: Files = {
         "plot": partial(pictures.picture, "study", study),
         "report": lambda _: study_report(study, content, options.line).encode(),
@@ -150,7 +155,8 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
         "fragility": lambda _: _table(study.fragility_columns()),
         "report": lambda _: suite_report(study, tables, record, scene_file, options.line).encode(),
     }
-    return Answer(lambda: record, tables, [f"{study.scene.name}: {line}" for line in study.warnings], contents)
+    shown_tables = tables if options.verbose else tables[1:]  # `slipcircle records` prints the first
+    return Answer(lambda: record, shown_tables, [f"{study.scene.name}: {line}" for line in study.warnings], contents)
 
 
 def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
@@ -200,34 +206,48 @@ class _Tables(NamedTuple):
 
 
 def _of_grid(study: Study) -> _Tables:
-    """A row a scene: inputs in their keys' units, outputs, status, and why there is no result."""
+    """Return a row a scene: inputs in their keys' units, outputs, status, and why there is no result."""
     keys = [u.key for u in study.design.inputs.values()]
-    factors = [name for name in study.samples if name.startswith("factor of safety")]
+    factors = [name for name in study.samples if name.startswith(_FACTOR)]
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), *factors, "status", "reason"]
     *columns, statuses = (values.tolist() for values in study.samples.values())
     rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, statuses, strict=True)]
-    cells = [[*numbers, reason or Status[name].words] for *numbers, name, reason in rows]
-    columns_shown = [*keys, *(q.heading for q in OUTCOMES.values()), *factors, "status"]
-    table: Part | str = Part(columns_shown, cells, study.scene.name)
-    if len(rows) > _MOST_ROWS:
-        counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
-        table = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
-
-    shares = _factors_of_grid(study)
 
     def record() -> Any:
         scenes = [dict(zip(head, row, strict=True)) for row in rows]
-        shared = {"factor_of_safety": shares, "outside_range": study.outside_range}
+        shared = {"factors_of_safety": _factors_of_grid(study), "outside_range": study.outside_range}
         return {"scene": study.scene.name, "rows": scenes} | shared
 
-    return _Tables(head, rows, record, [table, _factor_part(shares)])
+    return _Tables(head, rows, record, [_grid_part(study, keys, statuses)])
 
 
-def _factor_part(shares: Mapping[str, Mapping[str, float]]) -> Part:
-    """Factors of safety over the combinations of a grid as a table."""
-    head = ["method", "P(F < 1)", *(f"{100 * p:g} %" for p in _GRID_QUANTILES)]
-    rows = [[method, *values.values()] for method, values in shares.items()]
-    return Part(head, rows, "factor of safety, each combination counted alike")
+def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Part | str:
+    """Return a table of the outcomes of a grid, of two inputs a table of run-outs; counts of a large grid."""
+    words = [Status(s).reason or Status(s).words for s in statuses]
+    counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
+    part = _run_outs(study, keys, words, counts) if len(keys) == 2 else _outcomes(study, keys, words)
+    if len(part.rows) <= _MOST_ROWS and len(part.head) <= _MOST_COLUMNS:
+        return part
+    return f"{len(statuses)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
+
+
+def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> Part:
+    """Return the run-outs on a grid of two inputs, and words where there is none."""
+    down, along = (level.tolist() for level in study.design.levels)
+    run_outs = study.samples["run_out"].tolist()
+    known = [w if math.isnan(r) else r for r, w in zip(run_outs, words, strict=True)]
+    rows = [[at, *known[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
+    title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
+    return Part([keys[0], *map(shown, along)], rows, title, note)
+
+
+def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
+    """Return a row for each scene of a grid: inputs, outcomes, the factor of safety of the start, status."""
+    heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
+    heads |= {f"{_FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
+    columns = {heads[name] or name: study.samples[name].tolist() for name in heads if name in study.samples}
+    rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
+    return Part([*columns, "status"], rows, study.scene.name)
 
 
 def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
@@ -237,18 +257,17 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
     """
     shares = {}
     for name, values in study.samples.items():
-        heading, _, method = name.partition(", ")
-        known = values[~np.isnan(values)] if heading == "factor of safety" else values[:0]
-        if known.size:
+        known = values[~np.isnan(values)]
+        if name.startswith(_FACTOR) and known.size:
             quantiles = np.quantile(known, _GRID_QUANTILES, method="inverted_cdf").tolist()
             named = {f"quantile_{p}": value for p, value in zip(_GRID_QUANTILES, quantiles, strict=True)}
-            shares[method] = {"below_1": float(np.mean(known < 1.0)), **named}
+            shares[name.removeprefix(_FACTOR)] = {"below_1": float(np.mean(known < 1.0)), **named}
     return shares
 
 
-def _of_samples(study: Study) -> _Tables:
-    """Every estimate of a study with its interval."""
+def _of_samples(study: Study, verbose: bool) -> _Tables:
+    """Return every estimate of a study with its interval."""
     design = study.design
     drawn = [f"{design.n} samples", design.method, f"seed {study.seed}", *filter(None, [design.correlations_text])]
     title = f"{study.scene.name}: {', '.join(drawn)}\n"
-    return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study)])
+    return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study, verbose)])

@@ -5,6 +5,8 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from slipcircle.base.checks import shown
 from slipcircle.base.optional import optional
 
@@ -12,12 +14,81 @@ _FAR = 30.0  # standard deviations, beyond which the probability is zero in floa
 
 
 def statistics() -> Any:
-    """SciPy's distributions, loaded on first use."""
+    """Return scipy.stats, whose import takes half a second."""
     return optional("scipy.stats", "distributions")
 
 
+def special() -> Any:
+    """Return scipy.special, loaded on first use."""
+    return optional("scipy.special", "distributions")
+
+
+class Gaussian(NamedTuple):
+    """A normal or log-normal distribution, with the methods of SciPy's distributions that studies use."""
+
+    moments: tuple[float, float]
+    shape: float = 0.0  # standard deviation of the logarithm, 0 for a normal distribution
+    scale: float = 1.0  # median of a log-normal distribution
+
+    def ppf(self, p: Any) -> Any:
+        """Return quantiles."""
+        score = special().ndtri(p)
+        mean, std = self.moments
+        return np.exp(self.shape * score) * self.scale if self.shape else score * std + mean
+
+    def cdf(self, x: float) -> Any:
+        """Return the probability of values up to x."""
+        mean, std = self.moments
+        if not self.shape:
+            return special().ndtr((x - mean) / std)
+        return special().ndtr(math.log(x / self.scale) / self.shape) if x > 0.0 else 0.0
+
+    def support(self) -> tuple[float, float]:
+        """Return the least and the greatest value."""
+        return 0.0 if self.shape else -math.inf, math.inf
+
+
+class Triangle(NamedTuple):
+    """A triangular distribution, or without a mode a uniform one."""
+
+    low: float
+    high: float
+    mode: float | None = None
+
+    @property
+    def moments(self) -> tuple[float, float]:
+        low, high, mode = self
+        if mode is None:
+            return (low + high) / 2, (high - low) / math.sqrt(12.0)
+        variance = ((high - low) ** 2 + (mode - low) * (mode - high)) / 18
+        return (low + mode + high) / 3, math.sqrt(variance)
+
+    def ppf(self, p: Any) -> Any:
+        """Return quantiles."""
+        low, high, mode = self
+        share = p
+        if mode is not None:
+            peak = (mode - low) / (high - low)
+            rising = np.sqrt(peak * p)
+            share = np.where(p < peak, rising, 1.0 - np.sqrt((1.0 - peak) * (1.0 - p)))
+        return share * (high - low) + low
+
+    def cdf(self, x: float) -> float:
+        """Return the probability of values up to x."""
+        low, high, mode = self
+        share = min(max((x - low) / (high - low), 0.0), 1.0)
+        if mode is None:
+            return share
+        peak = (mode - low) / (high - low)
+        return share**2 / peak if share < peak else 1.0 - (1.0 - share) ** 2 / (1.0 - peak or 1.0)
+
+    def support(self) -> tuple[float, float]:
+        """Return the least and the greatest value."""
+        return self.low, self.high
+
+
 class Distribution(NamedTuple):
-    """A distribution: its parameters, all required, a function that freezes SciPy's, and conditions."""
+    """A distribution of scene files: its parameters, all required, its constructor, and conditions."""
 
     help: str
     parameters: tuple[str, ...]
@@ -25,31 +96,35 @@ class Distribution(NamedTuple):
     rules: Mapping[str, Callable[[Mapping[str, float]], bool]]
 
 
-def _lognormal(mean: float, std: float) -> Any:
-    """Log-normal by the moments of the number: its logarithm has the variance log(1 + (std/mean)^2)."""
+def _lognormal(mean: float, std: float) -> Gaussian:
+    """Return the log-normal distribution of a number by its moments.
+
+    Its logarithm has the variance log(1 + (std/mean)^2).
+    """
     variance = math.log1p((std / mean) ** 2)
-    return statistics().lognorm(math.sqrt(variance), scale=mean * math.exp(-variance / 2))
+    return Gaussian((mean, std), math.sqrt(variance), mean * math.exp(-variance / 2))
 
 
 def _truncated(mean: float, std: float, low: float, high: float) -> Any:
+    """Return SciPy's truncated normal distribution."""
     return statistics().truncnorm((low - mean) / std, (high - mean) / std, mean, std)
 
 
 _SPREAD = {"std must be above 0": lambda g: g["std"] > 0.0}
 _ORDER = {"high must be above low": lambda g: g["high"] > g["low"]}
 DISTRIBUTIONS: Mapping[str, Distribution] = {
-    "normal": Distribution("Gaussian", ("mean", "std"), lambda mean, std: statistics().norm(mean, std), _SPREAD),
+    "normal": Distribution("Gaussian", ("mean", "std"), lambda mean, std: Gaussian((mean, std)), _SPREAD),
     "lognormal": Distribution(
         "its logarithm is normal; mean and std are the number's own",
         ("mean", "std"),
         _lognormal,
         _SPREAD | {"mean must be above 0": lambda g: g["mean"] > 0.0},
     ),
-    "uniform": Distribution("", ("low", "high"), lambda low, high: statistics().uniform(low, high - low), _ORDER),
+    "uniform": Distribution("", ("low", "high"), Triangle, _ORDER),
     "triangular": Distribution(
         "",
         ("low", "mode", "high"),
-        lambda low, mode, high: statistics().triang((mode - low) / (high - low), low, high - low),
+        Triangle,
         _ORDER | {"mode must be from low to high": lambda g: g["low"] <= g["mode"] <= g["high"]},
     ),
     "truncated_normal": Distribution(
@@ -68,7 +143,7 @@ DISTRIBUTIONS: Mapping[str, Distribution] = {
 
 
 def distribution_of(given: Mapping[str, Any]) -> Any:
-    """SciPy's frozen distribution of a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
+    """Return the distribution of a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
     numbers = {k: float(v) for k, v in given.items() if k != "distribution"}
     return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
 
@@ -120,7 +195,7 @@ def _limit_mistakes(distribution: Any, lower: float, upper: float) -> list[str]:
         faults.append(f"reaches down to {low:g}, and must stay above {least:g}")
     if math.isfinite(high) and high > upper:
         faults.append(f"reaches up to {high:g}, and must stay below {upper:g}")
-    middle = float(distribution.median())
+    middle = float(distribution.ppf(0.5))
     if not faults and not lower <= middle <= upper:
         faults.append(f"its median {middle:g} must be between {lower:g} and {upper:g}")
     return faults

@@ -14,6 +14,8 @@ from slipcircle.base.text import clean
 
 _HTML, _CSV = (".html", ".htm", ".xhtml", ""), (".csv", ".txt", "")
 ENDINGS = {"--report": _HTML, "--live": _HTML, "--csv": _CSV, "--fragility": _CSV, "--npz": (".npz", "")}
+ENDINGS |= {"--write": (".toml", "")}
+NEW = ("FILE", "--write")  # options of files that are never overwritten
 
 
 def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
@@ -38,6 +40,8 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
             found.append(f"{option} {name}: may not be written")
         elif str(path) in taken:
             found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
+        elif option in NEW and os.path.lexists(name):
+            found.append(f"{option} {name}: is there already; give another name, or remove it first")
         elif path.suffix.lower() not in ENDINGS.get(option, (path.suffix.lower(),)):
             found.append(
                 f"{option} {name}: cannot be written in this format; give a name that ends in {ENDINGS[option][0]}"

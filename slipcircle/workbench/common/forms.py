@@ -12,7 +12,8 @@ from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
-from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, summary, words
+from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, factors_of, results, words
+from slipcircle.workbench.common.summary import summary
 
 
 def html(motion: Motion) -> str:
@@ -38,14 +39,17 @@ def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
         motion.at(times)  # raises an error for times outside the motion
         time = np.asarray(times, dtype=np.float64)
         return {name: q.at(motion, time) for name, q in HISTORY.items()}
-    columns = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
+    columns: dict[str, Any] = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
     for quantity in results(motion):
         columns |= quantity.columns(motion)
+    columns["factors_of_safety"] = factors_of(motion)
     if not motion.shape:
         return columns | {"status": motion.status.name, "reason": motion.reason}
     names = np.array([status.name for status in Status])
     columns |= {"status": names[motion.status], "reason": motion.reason}
-    return {name: np.broadcast_to(value, motion.shape) for name, value in columns.items()}
+    by_method = columns.pop("factors_of_safety")
+    lanes = {name: np.broadcast_to(value, motion.shape) for name, value in columns.items()}
+    return lanes | {"factors_of_safety": by_method}
 
 
 def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
@@ -90,7 +94,9 @@ def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[dict[str
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)
     if times is None:
-        return axes, to_dict(motion, None)
+        columns = to_dict(motion, None)
+        by_method = columns.pop("factors_of_safety")
+        return axes, columns | {f"factors_of_safety.{method}": factor for method, factor in by_method.items()}
     axes["time"] = np.ravel(np.asarray(times, dtype=np.float64))
     columns = to_dict(motion, axes["time"])
     del columns["time"]

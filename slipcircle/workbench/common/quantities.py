@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 
 from slipcircle.base import JSON_FORMAT
 from slipcircle.base.text import DIGITS, digits_left, shown
-from slipcircle.core import Status
-from slipcircle.words import OUTSIDE, VelocityTimes, range_words, swings_back
+from slipcircle.words import OUTSIDE, VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
@@ -93,6 +92,11 @@ class Quantity:
         return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))
 
 
+def _in_summary(_: Any) -> bool:
+    """Return that a quantity is not printed alone: a summary words it."""
+    return False
+
+
 def _not_slow(motion: Any) -> str:
     return motion.no_slow_run_out and f"not given: {motion.no_slow_run_out}"
 
@@ -113,19 +117,15 @@ def factor_label(method: str) -> str:
 
 RESULTS: tuple[Quantity, ...] = (
     Quantity("moves", "", "moves", "moves"),
-    Quantity("arrested", "", "comes to rest", "arrested", key=True),
+    Quantity("arrested", "", "comes to rest", "arrested"),
     Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True, key=True),
     Quantity("run_out_time", "s", "time of the run-out", "farthest.time", solved=True),
-    Quantity(
-        "end_displacement", "m", "displacement at the end", "end.displacement", False, True, True, where=swings_back
-    ),
+    Quantity("end_displacement", "m", "displacement at the end", "end.displacement", solved=True, where=swings_back),
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True, key=True),
-    Quantity(
-        "outside_range", "", OUTSIDE, "outside_range", key=True, where=attrgetter("outside_range"), instead=range_words
-    ),
-    Quantity("factor_of_safety", "", "factor of safety at the start", "factor_of_safety"),
+    Quantity("outside_range", "", OUTSIDE, "outside_range", where=_in_summary),
+    Quantity("factor_of_safety", "", "factor of safety at the start", "factor_of_safety", where=_in_summary),
     Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
     Quantity("friction", "", "friction angle", "friction", degrees=True),
     Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
@@ -138,7 +138,7 @@ RESULTS: tuple[Quantity, ...] = (
 )
 # Of single motions: of an ensemble it takes a hundred times as long as to solve it.
 SINGLE: tuple[Quantity, ...] = (
-    Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, key=True, instead=_not_slow),
+    Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, instead=_not_slow),
     Quantity(
         "residual_factor_of_safety",
         "",
@@ -196,57 +196,21 @@ def results(motion: Any) -> tuple[Quantity, ...]:
     return (*RESULTS, *of_one, *of_section, *JOURNEY)
 
 
-def end_words(motion: Any) -> dict[str, str]:
-    """Texts for the end and the duration of a single motion that does not come to rest, by label."""
-    if not motion.moves:
-        return {"comes to rest": "does not move", "duration": "-"}
-    if motion.arrested:
-        return {}
-    if motion.status is Status.CREEPS:
-        arrival = f"infinite, 99 % of the run-out in {shown(motion.settling_time)} s"
-        return {"comes to rest": "no, it creeps to its equilibrium", "duration": arrival}
-    time = OUTCOMES["duration"].text(motion)
-    if motion.plan.scene.end_time is None:
-        return {"comes to rest": "no, nothing holds it", "duration": f"first standstill at {time}"}
-    return {"comes to rest": "no", "duration": f"still moving at {time}"}
-
-
 def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
     """Return factors of safety at the start by method, on a ground all of them where the strength is known.
 
-    That of the closure is the motion's, ``of_motion``, without the strength factor.
+    Elsewhere that of the closure alone, from that of a motion with its strength factor.
     """
-    found = {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
     if "ground" in scene.arc.quantities and soil(scene.friction, scene.effects):
         by_method = factors_of_safety(scene)
-        found |= {method: by_method[method] for method in METHODS if method not in found}
-    return found
+        return {method: by_method[method] for method in METHODS}
+    return {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
 
 
-def summary(motion: Any) -> dict[str, str]:
-    """Key results of a single motion by label, with the factors of safety by every method that is possible."""
-    column = {q.label: text for q in RESULTS if q.key and (text := q.text(motion))} | end_words(motion)
-    if motion.moves and not motion.no_slow_run_out:
-        column |= {q.label: q.text(motion) for q in SINGLE if q.key}
-    known = factors(motion.plan.scene, motion.factor_of_safety)
-    column |= {factor_label(method): factor_text(factor) for method, factor in known.items()}
-    for name, seen in motion.plan.scene.observed.items():
-        column[f"observed {OBSERVABLE[name].label}"] = observed_text(motion, name, seen)
-    return column
-
-
-def observed_text(motion: Any, name: str, seen: Any) -> str:
-    """What was observed of an outcome, and whether the motion is inside, where it is an interval."""
-    value, *error = [seen] if isinstance(seen, Interval) else np.ravel(seen).tolist()
-    text = " +- ".join([str(value) if isinstance(value, Interval) else shown(value), *map(shown, error)])
-    inside = isinstance(seen, Interval) and seen.low <= observable(motion, name) <= seen.high
-    return f"{text} {OBSERVABLE[name].unit}" + (": inside" if inside else ": outside" * isinstance(seen, Interval))
-
-
-def slow_words(motion: Any) -> str:
-    """Return the quasi-static and the dynamic run-out in words; empty without a quasi-static one."""
-    slow, free = motion.slow_run_out, motion.run_out
-    return f"quasi-static run-out {slow:.4g} m, dynamic run-out {free:.4g} m" if slow > 0.0 and motion.arrested else ""
+def factors_of(motion: Any) -> dict[str, Any]:
+    """Return the factors of safety of a motion at its start by method; of a single motion numbers."""
+    found = factors(motion.plan.scene, motion.factor_of_safety)
+    return found if motion.shape else {method: float(factor) for method, factor in found.items()}
 
 
 def factor_text(factor: float | None) -> str:
@@ -312,6 +276,8 @@ HISTORY: Mapping[str, Quantity] = {
         Quantity("effective_stress", "Pa", "mean effective stress", "effective_stress_at"),
         Quantity("friction", "", "friction coefficient", "friction_at"),
         Quantity("holding_friction", "", "friction coefficient required for equilibrium", "holding_friction_at"),
+        Quantity("strength", "Pa", "mobilised strength", "strength_at.mobilised"),
+        Quantity("required_strength", "Pa", "strength required for equilibrium", "strength_at.required"),
         Quantity("kinetic_energy", "J", "kinetic energy", "energy_at.kinetic_end"),
         Quantity("work_of_gravity_and_shaking", "J", "work of gravity and shaking", "energy_at.work"),
         Quantity("dissipation", "J", "dissipation", "energy_at.dissipation"),

@@ -5,7 +5,7 @@ from dataclasses import asdict
 from typing import Any
 
 from slipcircle.layers import LayeredSection, stretches
-from slipcircle.workbench.common.quantities import RESULTS, plain, results
+from slipcircle.workbench.common.quantities import RESULTS, factors_of, plain, results
 from slipcircle.workbench.common.starting import method_of, starts
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.stability.starting import OF_CLOSURE
@@ -29,7 +29,8 @@ def record(motion: Any) -> dict[str, Any]:
             "dimensionless": scene.arc.dimensionless,
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q not in RESULTS}
-        | {"factor_of_safety_method": method_of(motion), "strength_factor": scene.strength_factor}
+        | {"factors_of_safety": factors_of(motion), "factor_of_safety_method": method_of(scene)}
+        | {"strength_factor": scene.strength_factor}
         | {f"{name}_factor_of_safety_method": method or OF_CLOSURE for name, method in further.items()}
         | {"starts": [start.record() for start in starts(motion) or ()]}
         | states

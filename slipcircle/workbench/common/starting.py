@@ -5,8 +5,8 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, solve
-from slipcircle.workbench.files.loaded import SlopeScene
+from slipcircle.core import Motion, Scene, solve
+from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 _WHOSE = {"paper": "the paper's", "ordinary": "the ordinary method's", "bishop": "Bishop's"}
@@ -29,9 +29,8 @@ class Start(NamedTuple):
         return {"method": self.method, "strength_factor": self.strength_factor, "run_out": run_out}
 
 
-def method_of(motion: Motion) -> str:
-    """Return the method from whose factor of safety a motion starts."""
-    scene = motion.plan.scene
+def method_of(scene: Scene[Any]) -> str:
+    """Return the method from whose factor of safety the motion of a scene starts."""
     return scene.start if isinstance(scene, SlopeScene) else OF_CLOSURE
 
 
@@ -62,18 +61,10 @@ def _start(motion: Motion | None, scene: SlopeScene) -> Start:
     return Start(scene.start, float(scene.strength_factor), value, motion)
 
 
-def start_rows(motion: Motion) -> dict[str, str]:
-    """Return the strength factor and the run-out from both methods, by label; empty where they are equal."""
-    both = starts(motion)
-    if both is None:
-        return {}
-    return {"strength factor": shown(both[0].strength_factor), "run-out by method": start_words(motion, both)}
-
-
-def start_words(motion: Motion, both: tuple[Start, Start] | None) -> str:
-    """Return the run-out from the factor of each method, in words."""
+def start_words(motion: Motion, of_methods: tuple[Start, ...]) -> str:
+    """Return the run-out from the factor of each of these methods, in words."""
     symbol = "k_y" if "shaking" in motion.plan.scene.called else "F"
-    return "; ".join(_words(symbol, both or ()))
+    return "; ".join(_words(symbol, of_methods))
 
 
 def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:

@@ -131,7 +131,7 @@ class Document:
                 self._report(full)
                 return None
             self.uncertain[full] = value
-            value = float(distribution_of(value).median())
+            value = float(distribution_of(value).ppf(0.5))
         wrong = []
         for place, entry in key.wrong(value):
             advice = _question(key, entry, table)

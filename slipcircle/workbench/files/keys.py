@@ -339,7 +339,11 @@ EFFECT_TABLES = {
     name: table_of(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()
 }
 COHESION = Table(EFFECTS["cohesion"].help, laws=_laws(COHESION_LAWS.values(), "law of slip of the cohesion"))
-EFFECT_TABLES["cohesion"] = COHESION
+_, *_of_growth = EFFECTS["cohesion"].parameters
+_growth = table_of("", _of_growth).keys
+EFFECT_TABLES["cohesion"] = COHESION._replace(
+    laws={law: table._replace(keys={**table.keys, **_growth}) for law, table in COHESION.laws.items()}
+)
 _GIVEN_TABLE = table_of("coefficients of the equation of motion, used instead of computed ones", _GIVEN)
 ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={"given": _GIVEN_TABLE})
 _SEEN = []

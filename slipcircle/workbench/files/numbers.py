@@ -18,7 +18,13 @@ from slipcircle.base.checks import raise_all
 from slipcircle.core import Scene, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.common.distributions import described, distribution_mistakes, distribution_of
+from slipcircle.workbench.common.distributions import (
+    Gaussian,
+    Triangle,
+    described,
+    distribution_mistakes,
+    distribution_of,
+)
 from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
 from slipcircle.workbench.files.keys import Number as Number
@@ -143,7 +149,7 @@ class Uncertain:
 
     @cached_property
     def distribution(self) -> Any:
-        """SciPy's."""
+        """The named distribution of a scene file, or SciPy's."""
         return distribution_of(self.given) if isinstance(self.given, Mapping) else self.given
 
     def drawn(self, p: Any) -> Any:
@@ -155,6 +161,8 @@ class Uncertain:
     def moments(self) -> tuple[float, float]:
         """Mean and standard deviation, in the number's unit."""
         found = self.distribution
+        if isinstance(found, Gaussian | Triangle):
+            return found.moments
         return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
 
     @property

@@ -10,7 +10,7 @@ import numpy as np
 from slipcircle.base.checks import InputError
 from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 
 Arguments = Mapping[str, dict[str, Any]]
 
@@ -85,11 +85,9 @@ def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tu
     """The soils of a file by their names, and mistakes in them."""
     soils = {}
     mistakes = []
-    layers = numbered(given, "layers")
     for name in names:
-        tops = [layer.get("top") for layer in layers if layer["soil"] == name]
         try:
-            soils[name] = _soil(name, given, tops)
+            soils[name] = _soil(name, given)
         except InputError as error:
             messages = [message.within(f"soils.{name}") for message in error.messages]
             mistakes += [message.worded(keys) for message in messages]
@@ -131,8 +129,8 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
             yield f"layers.{k}.top_m: is missing: a height (m), or a list of points"
 
 
-def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
-    """A soil; without a datum its cohesion increases below the top of its layers, which must be a single height."""
+def _soil(name: str, given: Arguments) -> Soil:
+    """Return a soil of a file by its name."""
     numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
@@ -141,11 +139,6 @@ def _soil(name: str, given: Arguments, tops: list[Any]) -> Soil:
         if "cohesion" in numbers:
             raise InputError("", ["{cohesion}: excludes a table of cohesion; remove one"])
         numbers["cohesion"] = law["cohesion"] if law.get("law", "constant") == "constant" else law
-    if numbers.get("cohesion_gradient") and "datum" not in numbers:
-        heights = {top for top in tops if np.ndim(top) == 0}
-        if None in heights or len(heights) != 1 or any(np.ndim(top) for top in tops):
-            needs = "{datum}: is missing: y below which the cohesion grows, as no one height is the top of its layers"
-            raise InputError("", [needs])
     return Soil(name=name, friction=friction["coefficient"] if is_constant else friction, **numbers)
 
 

@@ -1,11 +1,11 @@
-"""Scenes read from TOML files, every mistake listed at once, and the scenes that ship."""
+"""Scenes read from TOML files, every mistake listed at once."""
 
+import json
 import os
+import re
 import tomllib
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
-from importlib import resources
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,23 +19,17 @@ from slipcircle.ground import Section
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
-from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.points import with_points
 from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
 from slipcircle.workbench.records.forcing import with_records
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical, SlopeScene
 from slipcircle.workbench.stability.stability import soil
 
 _MOST_BYTES, _DEEPEST = 10**7, 64
-_FOLDER = resources.files("slipcircle") / "scenes"
-
-
-def shipped() -> tuple[str, ...]:
-    """Names of the scenes that ship."""
-    return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
@@ -66,25 +60,6 @@ def load(name: str | PathLike[str]) -> Scene[float]:
         raise ValueError(error.worded(keys, file)) from error
 
 
-def find(name: str | PathLike[str]) -> Any:
-    """The file of a scene that ships, by name, or of another scene, by path."""
-    if not isinstance(name, str | PathLike):
-        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
-    if name in (names := shipped()):
-        return _FOLDER / f"{name}.toml"
-    path = Path(name)
-    for candidate in (path, Path(f"{name}.toml")):
-        if os.path.exists(candidate) and not os.path.isdir(candidate):  # without an error for invalid file names
-            return candidate
-    if str(name) and os.path.isdir(path):
-        raise ValueError(f"{path}: is a folder; give a scene's file")
-    near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
-    is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
-    known = f"scene {str(name)!r} is unknown; known are {', '.join(names)}"
-    said = f"{path}: there is no such file" if is_path else known
-    raise ValueError(said + "".join(f"; did you mean {n}?" for n in near))
-
-
 def critical_of_file(
     name: str | PathLike[str], method: str | None, tell: Callable[[str], None]
 ) -> tuple[str, str, Critical, list[str]]:
@@ -110,6 +85,53 @@ def critical_of_file(
     if parts["uncertain"]:
         warnings.append(f"at the median of {', '.join(parts['uncertain'])}")
     return parts["name"], parts.get("note", ""), parts["stability"], warnings
+
+
+_MOVING = ("rotation", "centripetal", "shaking", "drag", "viscosity", "heating", "end_time_s", "initial_velocity_m_s")
+_ELSEWHERE = r"(?:^[ \t]*(?:#[^\n]*)?\n)*^[ \t]*\[[^,\n]*\][ \t]*(?:#[^\n]*)?$"
+_CIRCLE = re.compile(rf"^[ \t]*\[[ \t]*circle[ \t]*\].*?(?={_ELSEWHERE}|\Z)", re.MULTILINE | re.DOTALL)
+
+
+def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
+    """Return the text of the scene in which the slope of a file moves along a circle of `critical_of_file`.
+
+    A slope without a motion gets rotation and centripetal stress.
+
+    Raises
+    ------
+    ValueError
+        If the circle is not a table of its own, a motion does not allow another table, or the file refers to files in
+        its folder and the scene is for a ``path`` in another one.
+    """
+    source = find(name)
+    file = str(source)
+    content = _content(source, file)
+    circle = {"centre_m": [*found.centre], "radius_m": found.radius, "between_m": [*found.between]}
+    added = () if any(key in content for key in _MOVING) else _MOVING[:2]
+    tables = {"circle": circle | {"start": found.start}} | {name: {} for name in added}
+    text = _with_tables(source.read_text("utf-8-sig"), tables)
+    try:
+        is_replaced = tomllib.loads(text) == content | tables
+    except tomllib.TOMLDecodeError:
+        is_replaced = False
+    if not is_replaced:
+        raise ValueError(f"{file}: circle: cannot be replaced in the text; make it a table of its own, [circle]")
+    _parts(content | tables, file)
+    here = Path(file).parent
+    near = [text for text in re.findall(r"""["']([^"'#\n]+)""", text) if os.path.isfile(here / text)]
+    if near and here.resolve() != Path(path).parent.resolve():
+        raise ValueError(f"{path}: is in another folder than {file}, which refers to {near[0]}; write it beside it")
+    return text
+
+
+def _with_tables(text: str, tables: Mapping[str, Mapping[str, Any]]) -> str:
+    """Return the text of a file with tables in the place of its circle, which is the first of them, and at the end."""
+    texts = []
+    for name, values in tables.items():
+        lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
+        texts.append("".join([f"[{name}]\n", *lines]))
+    replaced, count = _CIRCLE.subn(lambda _: texts[0], text, 1)
+    return "\n".join([replaced, *texts[count:]])
 
 
 _ADVICE = (

@@ -8,7 +8,8 @@ from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.ground import Section, circle_through, circle_touching, outside_between, simple_slope
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.profile import Profile, numbered
-from slipcircle.workbench.stability.search import Critical, at_circle, critical
+from slipcircle.workbench.stability.critical import Critical, at_circle
+from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import METHODS, Slope, require_drive
 
 Arguments = Mapping[str, dict[str, Any]]
@@ -86,17 +87,18 @@ class SlopeInput:
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
             if least.radius > _FLATTEST * least.slope.size:
                 raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
-            return {"centre": least.centre, "radius": least.radius, "between": least.between}, least
+            found = replace(least, start=self.start)
+            return {"centre": found.centre, "radius": found.radius, "between": found.between}, found
         circle = _circle(circle)
         ground = self.ground
         geometry = Section(ground["ground"], **circle, **self.water, unit_weight=1.0, base=ground.get("base"))
         raise_all("Section", complaint([outside_between(geometry)], ()))
         # The circle is known to be above the base, which may lie higher than ground beside it.
-        found = at_circle(replace(self.slope(), base=None), geometry) if known else None
+        given = at_circle(replace(self.slope(), base=None), geometry) if known else None
         pushed = "shaking" in self.given or self.given[""].get("initial_velocity")
-        if not pushed and not (self.profile and found and found.facing):
+        if not pushed and not (self.profile and given and given.facing):
             require_drive(geometry)
-        return circle, found and _deep_enough(found, geometry)
+        return circle, given and replace(_deep_enough(given, geometry), start=self.start)
 
     def section(self, circle: Mapping[str, Any]) -> Section:
         """The section that moves along a circle."""
@@ -137,9 +139,9 @@ def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
 def _deep_enough(found: Critical, section: Section) -> Critical:
     """The factors of a circle; an error if a tension crack cuts off its mass."""
     slope = found.slope
-    if slope.crack and not any(found.factor_of_safety.values()):
+    if slope.crack and not any(found.factors_of_safety.values()):
         uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)
-        if any(uncracked.factor_of_safety.values()):
+        if any(uncracked.factors_of_safety.values()):
             words = f"{{crack}} = {slope.crack:g}: is deeper than the mass, which is {float(section.depth):.4g} m thick"
             raise InputError("Section", [words])
     return found

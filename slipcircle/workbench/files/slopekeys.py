@@ -199,7 +199,7 @@ _SOIL = table_of(
             "growth of the cohesion per metre below datum_m, by default 0",
             1e3,
         ),
-        _length("datum", "y below which the cohesion grows, by default the height of the soil's top", -INFINITY),
+        _length("datum", "y below which the cohesion grows, by default the top of the layer", -INFINITY),
         _of_soil("pore_ratio", "pore_pressure_ratio", "r_u, in place of the water level, by default 0"),
     ],
 )._replace(
@@ -241,8 +241,10 @@ def _plausible(table: Table) -> Table:
     return table._replace(keys=keys)
 
 
-_COHESION = COHESION._replace(laws={name: _plausible(table) for name, table in COHESION.laws.items()})
-_OF_EFFECTS = EFFECT_TABLES | {"cohesion": _COHESION}
+_COHESION = EFFECT_TABLES["cohesion"]
+_OF_EFFECTS = EFFECT_TABLES | {
+    "cohesion": _COHESION._replace(laws={name: _plausible(table) for name, table in _COHESION.laws.items()})
+}
 WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, "observed": OBSERVED})
 _GROUND = SLOPING["ground"]
 _OF_LAYERS = {name: table for name, table in WITH_ONE_SOIL.tables.items() if name not in NOT_WITH_LAYERS} | {

@@ -9,8 +9,8 @@ from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import uncertain_numbers
+from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import Slope, soil
 

@@ -24,6 +24,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     note,
     number,
     points_of,
+    title,
 )
 from slipcircle.workbench.outputs.sectionplot import surroundings
 from slipcircle.workbench.outputs.shapes import mass_of
@@ -84,6 +85,7 @@ def _sections(motions: Sequence[Motion], ax: Any) -> Any:
         area(ax, outline, "end", edgecolor=colour, ls=dashes, lw=1.6, hatch="", zorder=3)
     label(ax, "start", start.mean(axis=0), "0.3", inside=True)
     view.show(ax)
+    title(ax, "farthest positions")
     return ax
 
 
@@ -106,6 +108,7 @@ def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
     if not styles:
         note(ax, ["none moves"])
     ax.set(xlabel="time $t$ (s)", ylabel=words)
+    title(ax, column)
     ax.margins(y=0.12)
     ax.grid(alpha=0.3)
     return ax
@@ -127,6 +130,7 @@ def _bars(motions: Sequence[Motion], ax: Any) -> Any:
         farthest = abs(motions[hidden[0]].run_out)
         scale += f"; {len(hidden)} more, each at most {number(farthest)} m"
     ax.set_xlabel(scale)
+    title(ax, "run-out")
     return ax
 
 
@@ -155,5 +159,6 @@ def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
         words.append(_words(r.run_out, r.peak_velocity, end, r.duration) if r.peak_velocity else STILL)
     _draw_bars(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
     ax.axvline(rungs[-1].run_out, **LINES["help"])
+    title(ax, "run-out as effects are added")
     ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
     return ax

@@ -1,31 +1,49 @@
 """Pictures and HTML of results: methods of `Motion` and `Study` call these functions by name."""
 
+import os
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.forms import html as table_of
 from slipcircle.workbench.common.forms import to_dict, to_pandas, to_xarray
+from slipcircle.workbench.common.quantities import factors_of as factors_of_safety
 from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots, suiteplots
-from slipcircle.workbench.outputs.plotstyle import known, new_figure
+from slipcircle.workbench.outputs.plotstyle import new_figure
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
-__all__ = ["animate", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
+__all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
-def plot(result: Motion | Study | SuiteStudy, what: str, ax: Any) -> Any:
-    """One panel of a result on an axis, or all panels on a new figure."""
-    drawn_by: Any = studyplots if isinstance(result, Study) else suiteplots
-    if isinstance(result, Motion):
-        drawn_by = plots
+# By result: its overview among the pictures, what that is drawn of, and its panels.
+_DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
+    Critical: ("search", lambda found: ("", found), {}),
+    Motion: ("motions", lambda motion: [motion], plots.PANELS),
+    Study: ("study", lambda study: study, studyplots.PANELS),
+    SuiteStudy: ("suite", lambda study: study, suiteplots.PANELS),
+}
+
+
+def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
+    """Draw one panel of a result on an axis, or all panels on a new figure or into a file; return the axes if any."""
+    overview, drawn, panels = _DRAWN[type(result)]
     _one_lane(result)
-    known("plot: what", what, ("overview", *drawn_by.PANELS))
-    if what != "overview":
-        return drawn_by.PANELS[what](result, ax=ax)
+    name = os.fspath(what)
+    if name in panels:
+        return panels[name](result, ax=ax)
+    ends = [f".{kind}" for kind in (*pictures.KINDS, *["gif"] * isinstance(result, Motion))]
+    is_path = name.lower().endswith((*ends,))
+    if name != "overview" and not is_path:
+        names = ", ".join(["overview", *panels])
+        raise ValueError(f"plot: what = {name!r}: must be one of {names}, or end in {', '.join(ends)}")
     if ax is not None:
         raise ValueError("plot: the overview has several panels: leave out ax, or name one of its pictures")
-    drawing = drawn_by.overview(result)
+    if is_path:
+        return files.write(name, pictures.picture(overview, drawn(result), name))
+    drawing = pictures.drawing(overview, drawn(result))
     return drawing.draw(new_figure(drawing.size)).axes[0]
 
 
@@ -44,7 +62,7 @@ def animate(motion: Motion, path: str, seconds: float) -> Any:
     return files.write(path, pictures.slide(motion, seconds))
 
 
-def _one_lane(result: Motion | Study | SuiteStudy) -> None:
+def _one_lane(result: Any) -> None:
     """Reject an ensemble, which has no single picture."""
     if isinstance(result, Motion) and result.shape:
         raise ValueError(f"a motion of {len(result)} lanes is not one picture: take one of them, motion[0]")

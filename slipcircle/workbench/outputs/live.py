@@ -19,8 +19,8 @@ from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.words import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
-from slipcircle.workbench.common.quantities import Interval, end_words, summary
-from slipcircle.workbench.common.starting import start_rows
+from slipcircle.workbench.common.quantities import Interval
+from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.outputs.livemodel import (
     MOST_COEFFICIENTS,
@@ -201,7 +201,7 @@ def _first(motion: Motion) -> dict[str, Any]:
     return {
         "headline": headline(motion),
         "end": end,
-        "facts": [*(summary(motion) | start_rows(motion)).items()] if answered else [],
+        "facts": [*summary(motion).items()] if answered else [],
         "warnings": warnings_of(motion) if answered else [],
     }
 

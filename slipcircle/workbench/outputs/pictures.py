@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.film import Film
     from slipcircle.workbench.outputs.sheets import Drawing
 
-_KINDS = ("png", "svg", "pdf", "jpg")
+KINDS = ("png", "svg", "pdf", "jpg")
 _FRAMES = 12  # of an animation in a second
 _HOLD = 2000  # milliseconds that its last frame is held
 _COLOURS = 64  # of each frame
@@ -25,7 +25,7 @@ _COLOURS = 64  # of each frame
 def check(command: str, path: str = "", scenes: int = 1) -> None:
     """Check that pictures of this type can be drawn for this number of scenes; one scene may be animated."""
     optional("matplotlib", "pictures")
-    kind, known = Path(path).suffix[1:].lower(), (*_KINDS, *["gif"] * (command == "run"))
+    kind, known = Path(path).suffix[1:].lower(), (*KINDS, *["gif"] * (command == "run"))
     if path and kind not in known:
         raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
     if kind == "gif" and scenes > 1:
@@ -105,15 +105,20 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
         "study": studyplots.overview,
         "sensitivity": tornado.panels,
         "backanalysis": studyplots.explained,
-        "search": alone(searchplot.critical_circle, 7.0),
+        "search": lambda named: searchplot.overview(*named),
         "ladder": lambda rungs: alone(plots.ladder, 1.2 + 0.4 * len(rungs))(rungs),
         "cost": alone(frontier, 5.0),
     }
 
 
+def drawing(what: str, result: Any) -> "Drawing":
+    """Return what draws one of `_drawings` of a result."""
+    return _drawings()[what](result)
+
+
 def picture(what: str, result: Any, path: str) -> bytes:
-    """One of `_drawings` of a result, in the format of a file name; a GIF animates the first motion."""
-    return slide(result[0]) if path.lower().endswith("gif") else render(*_drawings()[what](result), path)
+    """Return a picture of a result in the format of a file name; a GIF animates the first motion."""
+    return slide(result[0]) if path.lower().endswith("gif") else render(*drawing(what, result), path)
 
 
 def slide(motion: Motion, seconds: float = 5.0) -> bytes:

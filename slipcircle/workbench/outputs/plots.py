@@ -33,6 +33,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     outcome,
     points_of,
     still,
+    title,
     width,
     work,
 )
@@ -60,6 +61,10 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
         "",
         (Curve("friction", "main", "mobilised $\\mu$"), Curve("holding_friction", "other", "required for equilibrium")),
     ),
+    "strength": (
+        "",
+        (Curve("strength", "main", "mobilised"), Curve("required_strength", "other", "required for equilibrium")),
+    ),
     "normal_stress": (
         "",
         (Curve("normal_stress", "main", "total $\\sigma_n$"), Curve("effective_stress", "other", "effective")),
@@ -68,7 +73,6 @@ HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
 _TALL = 3.0  # greatest required friction in view, over the greatest mobilised friction
 _SECTION = 3.9  # height of the section, inches
 _PANEL = 2.3  # height of a row of panels, inches
-OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
 def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool = False) -> Any:
@@ -86,6 +90,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     factor, unit = _unit(quantity, in_si)
     drawn_values = [factor * column for column in in_si]
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
+    title(ax, quantity.label)
     if not motion.moves:
         return still(motion, ax)
     for line, heights in zip(curves, drawn_values, strict=True):
@@ -105,7 +110,7 @@ def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None
     values = curves[0]
     is_level = np.ptp(values) <= 1e-9 * np.max(np.abs(values))
     ax.margins(y=0.16)
-    if what == "friction" or is_level:
+    if what in ("friction", "strength") or is_level:
         _from_zero(ax, curves)
     ax.grid(alpha=0.3)
     ax.set_xlim(0.0, motion.settling_time)
@@ -184,6 +189,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     If the mass turns back, the path travelled replaces the displacement.
     """
     ax, columns = axis(ax), drawn(motion)
+    title(ax, "speed and energy")
     steps = np.diff(columns["displacement"])
     turns_back = bool(np.any(steps < 0.0) and np.any(steps > 0.0))
     along = columns["path" if turns_back else "displacement"]
@@ -245,6 +251,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     as its position and its friction are those of the start.
     """
     ax = axis(ax, (7.0, 2.5))
+    title(ax, "ground acceleration")
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
     functions = {n: f for n, f in in_time(motion.plan.scene.called).items() if n.startswith("shaking.")}
     kinks = [np.asarray(function.kinks) for function in functions.values()]
@@ -276,18 +283,23 @@ def overview(motion: Motion) -> Drawing:
     """The section and below it the other panels."""
     panels = _panels(motion)
     pairs = [(_PANEL, panels[k : k + 2]) for k in range(0, len(panels), 2)]
-    return sheet([(_SECTION, [partial(section, motion)]), *pairs], title(motion))
+    return sheet([(_SECTION, [partial(section, motion)]), *pairs], outcome_title(motion))
 
 
 def histories(motion: Motion) -> Drawing:
-    """The panels of `OVERVIEW`."""
+    """Draw velocity, displacement, resistance and stress over time."""
     panels = _histories(motion)
     return sheet([(_PANEL, panels[:2]), (_PANEL, panels[2:])])
 
 
 def _histories(motion: Motion) -> list[Callable[..., Any]]:
-    """Functions that draw the panels of `OVERVIEW`, of which the first one names the marks."""
-    return [partial(history, motion, what, brief=what != OVERVIEW[0]) for what in OVERVIEW]
+    """Return functions that draw histories, of which the first one names the marks.
+
+    Friction alone is a coefficient; with cohesion or several soils the strength is drawn, as a stress.
+    """
+    has_strength = "cohesion" in motion.plan.effects or isinstance(motion.plan.scene.arc, LayeredSection)
+    names = ("velocity", "displacement", "strength" if has_strength else "friction", "normal_stress")
+    return [partial(history, motion, what, brief=what != "velocity") for what in names]
 
 
 def _panels(motion: Motion) -> list[Callable[..., Any]]:
@@ -302,7 +314,7 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
     return panels
 
 
-def title(motion: Motion) -> str:
+def outcome_title(motion: Motion) -> str:
     """A scene's name and what happened, to three digits."""
     return heading(motion.plan.scene.name, outcome(motion) if motion.moves else standing(motion))
 

@@ -66,6 +66,8 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
     "ground": {"color": "black", "lw": 1.4, "zorder": 3},
     "soil": {"color": "#EFE6D2", "lw": 0, "zorder": 1},
     "water": {"color": "#56B4E9", "lw": 1.6, "zorder": 3},
+    "pond": {"color": "#56B4E9", "lw": 0, "alpha": 0.45, "zorder": 1.2},
+    "beyond": {"color": "black", "lw": 1.0, "ls": (0, (4, 3)), "zorder": 3},
     "firm": {"color": "0.3", "lw": 2.5, "zorder": 3},
     "surcharge": {"color": "0.25", "lw": 1.0, "zorder": 3},
     "boundary": {"color": "0.55", "lw": 0.8, "zorder": 1.1},
@@ -183,10 +185,17 @@ def to_scale(ax: Any, across: str, up: str) -> None:
     ax.grid(alpha=0.3)
 
 
+def title(ax: Any, words: str, notes: Iterable[str] = ()) -> None:
+    """Write the title of a panel, and to its right notes of a line each."""
+    ax.set_title(words[:1].upper() + words[1:], loc="left", fontweight="bold", fontsize="medium")
+    ax.set_title("\n".join(notes), loc="right", fontsize="small", color="0.25")
+
+
 def letter(axes: Iterable[Any]) -> None:
-    """A letter above each panel of a figure."""
-    for ax, name in zip(axes, "abcdefghijklmnopqrstuvwxyz", strict=False):
-        ax.set_title(name, loc="left", fontweight="bold", fontsize="medium")
+    """Put a letter before the title of each panel of a figure of several panels."""
+    panels = [*axes]
+    for ax, name in zip(panels, "abcdefghijklmnopqrstuvwxyz" * (len(panels) > 1), strict=False):
+        ax.set_title(f"{name}  {ax.get_title('left')}", loc="left", fontweight="bold", fontsize="medium")
 
 
 def mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:

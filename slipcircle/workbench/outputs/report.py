@@ -16,21 +16,15 @@ from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, json_text, prefixed, words
 from slipcircle.workbench.common.records import record
+from slipcircle.workbench.common.starting import method_of
+from slipcircle.workbench.common.summary import summary
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import (
-    Part,
-    beside,
-    cell_text,
-    interval,
-    motion_column,
-    motion_words,
-    stretches_part,
-)
+from slipcircle.workbench.outputs.tables import Part, beside, cell_text, interval, motion_groups, stretches_part
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
@@ -171,7 +165,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
     """Results of several motions side by side, with links to their chapters."""
     links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-    return _scrolling(beside([*map(motion_column, motions)]), ["", *links])
+    return _scrolling(beside([*map(summary, motions)]), ["", *links])
 
 
 def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
@@ -183,7 +177,8 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
-    yield Part([], [*motion_column(motion).items()], "Results", "; ".join(motion_words(motion)))
+    for title, rows in motion_groups(motion).items():
+        yield Part([], [*rows.items()], title or "Results")
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
@@ -246,38 +241,35 @@ def _energy(motion: Motion) -> Part:
 # --- studies ---------------------------------------------------------------------------------------------------------
 
 
-def parts(study: Study) -> Iterator[Part]:
-    """Tables of a study of samples, on the screen and in its report."""
-    yield _probabilities(study)
-    yield _factors(study)
+def parts(study: Study, verbose: bool = True) -> Iterator[Part]:
+    """Yield tables of a study of samples: each quantity once, and if verbose by every method and estimate."""
+    start = method_of(study.scene)
+    methods = [name for name in study.failure if verbose or name.removeprefix(SEARCHED) == start]
+    yield _probabilities(study, methods)
     heads = [q.heading for q in OUTCOMES.values()]
-    quantiles = [[f"{1 - p:.2g}", *(study.quantile(name, p) for name in OUTCOMES)] for p in export.QUANTILES]
-    yield Part(["exceedance probability", *heads], quantiles, "How far and how fast", "; ".join(_quantile_notes(study)))
-    yield _moments(study, heads)
+    of_methods = [f"factor of safety, {_method_words(method)}" for method in methods]
+    quantiles: list[list[Any]] = []
+    for p in export.QUANTILES:
+        factors = [study.factor_quantile(method, p) for method in methods]
+        quantiles.append([f"{1 - p:.2g}", *factors, *(study.quantile(name, p) for name in OUTCOMES)])
+    note = "; ".join(_quantile_notes(study))
+    yield Part(["exceedance probability", *of_methods, *heads], quantiles, "How safe, how far and how fast", note)
+    yield _moments(study, heads, verbose)
     if study.sensitivity:
         yield _indices(study)
-    yield Part(
-        ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"],
-        [[c.n, c.moving, c.median, c.upper] for c in study.convergence],
-        "Convergence",
-    )
+    if verbose:
+        head = ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"]
+        yield Part(head, [[c.n, c.moving, c.median, c.upper] for c in study.convergence], "Convergence")
 
 
-def _probabilities(study: Study) -> Part:
-    """The probability of moving, and those of a factor of safety below 1."""
+def _probabilities(study: Study, methods: Sequence[str]) -> Part:
+    """Return the probabilities of moving and of a factor of safety below 1."""
     rows = [["probability of moving", study.moving]]
-    rows += [[f"probability of F < 1, {_method_words(method)}", p] for method, p in study.failure.items()]
+    rows += [[f"probability of F < 1, {_method_words(method)}", study.failure[method]] for method in methods]
     invalid = study.design.n - study.n
     of_all = f" of {study.design.n}, as {invalid} are no scene" if invalid else ""
     confidence = f"in brackets the interval of {100 * study.confidence:g} % confidence from their number"
     return Part([], rows, "Whether it moves", f"{study.n} samples{of_all}; {confidence}")
-
-
-def _factors(study: Study) -> Part:
-    """Quantiles of the factor of safety at the start, by every method."""
-    methods = [*study.failure]
-    rows = [[f"{p:.2g}", *(study.factor_quantile(method, p) for method in methods)] for p in export.QUANTILES]
-    return Part(["not exceeded by", *map(_method_words, methods)], rows, "Factor of safety at the start")
 
 
 def _method_words(method: str) -> str:
@@ -286,18 +278,18 @@ def _method_words(method: str) -> str:
     return f"{name}, circle of each sample" if method.startswith(SEARCHED) else name
 
 
-def _moments(study: Study, heads: Sequence[str]) -> Part:
-    """Mean and standard deviation of each outcome, with those of linear propagation."""
+def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
+    """Return the mean and the standard deviation of each outcome, if verbose with those of linear propagation."""
     rows: list[list[Any]] = []
-    moments = (("mean", study.mean), ("std", study.std))
-    for moment, (name, estimate) in enumerate(moments):
+    notes = ["standard deviations have no interval, as their errors depend on few samples in the tails"]
+    for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
         rows.append([name, *map(estimate, OUTCOMES)])
-        if study.linear:
-            propagated = [study.linear[outcome][moment] for outcome in OUTCOMES]
-            rows.append([f"linear {name}", *propagated])
-    note = f"no linear propagation: {study.no_linear}" if study.no_linear else "linear: derivatives at the means"
-    note += "; standard deviations have no interval, as their errors depend on few samples in the tails"
-    return Part(["", *heads], rows, "Mean and standard deviation", note)
+        if study.linear and verbose:
+            rows.append([f"linear {name}", *(study.linear[outcome][moment] for outcome in OUTCOMES)])
+    if verbose:
+        reason = f"no linear propagation: {study.no_linear}"
+        notes.insert(0, reason if study.no_linear else "linear: derivatives at the means")
+    return Part(["", *heads], rows, "Mean and standard deviation", "; ".join(notes))
 
 
 def _indices(study: Study) -> Part:

@@ -3,6 +3,7 @@
 Pictures and the live page draw the same lines, each in its own way.
 """
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -11,6 +12,7 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.core import Arc
+from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.shapes import Mass, View
 
 _ACROSS = 400  # points of a boundary
@@ -32,10 +34,13 @@ class Line(NamedTuple):
     name: str = ""
     places: Floats = _NO_PLACES  # for the name, the best first
     soil: int | None = None  # its number in a layered section, for its colours
+    lower: Floats | None = None  # heights down to which it is filled; of a soil the bottom of the view
 
 
 def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> Iterator[Line]:
-    """The lines of a section in a view, whose soils have no names on the mass; of an arc its chord alone.
+    """Yield the lines of a section in a view, whose soils have no names on the mass.
+
+    The chord of an arc replaces the ground; beyond the toe the ground is assumed to follow the circle.
 
     Parameters
     ----------
@@ -45,11 +50,14 @@ def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) ->
     outlines : sequence of ndarray
         The mass wherever it is shown.
     """
-    if not isinstance(soil, Arc):
-        yield from _soils(mass, soil, view, outlines)
-    yield Line("ground", mass.ground)
     if isinstance(soil, Arc):
+        yield Line("soil", _below_arc(mass, float(soil.facing), view))
+        yield Line("ground", mass.ground)
         return
+    yield from _soils(mass, soil, view, outlines)
+    yield Line("ground", mass.ground)
+    yield from _beyond(mass.ground, float(getattr(soil, "facing", 0.0)), view)
+    yield from _free_water(mass.ground, soil)
     if soil.base is not None:
         left, right = mass.ground[[0, -1], 0]
         base = np.array([[left, soil.base], [right, soil.base]])
@@ -59,6 +67,42 @@ def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) ->
         yield _along_ground("water", "water level", level, mass.ground, view)
     loads = getattr(soil, "surcharge", ())
     yield from _surcharges(mass.ground, loads, view)
+
+
+def _below_arc(mass: Mass, facing: float, view: View) -> Floats:
+    """Return the surface below an arc: the chord continued up-slope, the arc, and the circle beyond the toe."""
+    first, last = mass.ends
+    (left, low), (right, high) = mass.ground
+    slope = (high - low) / (right - left)
+    view = view.grown(view.size, 0.0)  # the axis may show more
+    if facing < 0.0:
+        points = mass.on_circle(np.linspace(min(first, math.pi), last, _ACROSS))
+        return np.concatenate([points, [[view.right, high + slope * (view.right - right)]]])
+    points = mass.on_circle(np.linspace(first, max(last, 2 * math.pi), _ACROSS))
+    return np.concatenate([[[view.left, low + slope * (view.left - left)]], points])
+
+
+def _beyond(ground: Floats, facing: float, view: View) -> Iterator[Line]:
+    """Yield the level ground that the method assumes beyond the last point down-slope, if it is in view."""
+    x, y = ground[0] if facing < 0.0 else ground[-1]
+    edge = view.left if facing < 0.0 else view.right
+    if facing * (edge - x) > 0.0:
+        far = x + facing * view.size  # the axis may show more than the view
+        yield Line(
+            "beyond", np.array(sorted([[x, y], [far, y]])), "ground assumed level", np.array([[(x + edge) / 2, y]])
+        )
+
+
+def _free_water(ground: Floats, soil: Any) -> Iterator[Line]:
+    """Yield the free water on the ground of a section or a slope, filled down to it."""
+    level = None if soil.level is None else np.asarray(soil.level, dtype=np.float64)[None]
+    for start, end, height in free_water(ground[None], level, soil.confined, soil.ponds).of_one:
+        x = ground[:, 0]
+        inside = x[(start < x) & (x < end)]
+        across = np.array([start, *inside, end])
+        surface = np.stack([across, np.full_like(across, height)], axis=-1)
+        name = "pond" if level is None else ""
+        yield Line("pond", surface, name, surface[1:-1], lower=np.interp(across, *ground.T))
 
 
 def _along_ground(role: str, name: str, points: Floats, ground: Floats, view: View) -> Line:

@@ -1,54 +1,77 @@
 """Picture of a search: the critical circle in its slope, and a map of the least factor over centres."""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from slipcircle.workbench.outputs.plotstyle import SCENERY, area, label, note, to_scale
+from slipcircle.workbench.outputs.plotstyle import SCENERY, area, label, title, to_scale
 from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
 from slipcircle.workbench.outputs.shapes import View, mass_of
+from slipcircle.workbench.outputs.sheets import Drawing, heading, sheet
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.factors import YIELD
-from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
-_CELLS = 30  # of the map of factors, across
+_MARGIN = 0.12  # of a view
+_CONTOURS = 5
+_RANGE = 0.4  # of the scale of a map, relative to the least factor
+_CELLS = 24  # of the map of factors, across
 _VALLEY = 0.05  # factors in the frame of a map, relative to the least one
 _TALL = 1.4  # greatest height over width
 
 
 def critical_circle(critical: Critical, ax: Any) -> Any:
-    """The section with the circle, and the least factor of all circles about each centre."""
+    """Draw the section with its circle, and contours of the least factor of all circles about each centre."""
     from matplotlib.patheffects import withStroke
 
     mass = mass_of(critical, critical.slope)
     outline = mass.outline()
     area(ax, outline, "start")
-    width = float(np.ptp(outline[:, 0]))
-    height = float(np.ptp(mass.ground[:, 1]))
-    reach = max(width, 1.2 * height)
-    view = View.around(outline, mass.centre).grown(0.8 * reach, 0.4 * reach)
+    view = View.around(outline, mass.centre)
+    margin = _MARGIN * view.size
+    view = view.grown(2 * margin, margin)
     first, last = mass.ground[[0, -1], 0]
     view = view._replace(left=max(view.left, first), right=min(view.right, last))
     view = scenery(ax, mass, critical.slope, view, [outline])
     view = _map(critical, ax, view)
     label(ax, "mass", outline.mean(axis=0), "0.3", inside=True)
     name_circle(ax, mass, critical.slope)
+    outcome = _outcome(critical)
     if view.holds(mass.centre):
         (cross,) = ax.plot(*mass.centre, **SCENERY["centre"])
         cross.set_path_effects([withStroke(linewidth=3.5, foreground="white")])  # visible on a dark map
-        label(ax, "centre", mass.centre)
+        label(ax, f"centre{outcome and f', {outcome}'}", mass.centre)
     view.show(ax)
-    note(ax, [factors_in_words(critical)])
+    words = f"critical circle by {_whose(critical)}: {outcome}" if outcome else "given circle"
+    title(ax, words, [factors_in_words(critical), ""])
     to_scale(ax, "$x$ (m)", "$y$ (m)")
     ax.set_aspect("equal", adjustable="box")
     return ax
+
+
+def overview(name: str, critical: Critical) -> Drawing:
+    """Return a picture of a critical circle under the name of its slope."""
+    return sheet([(7.0, [partial(critical_circle, critical)])], heading(name, ""))
+
+
+def _outcome(critical: Critical) -> str:
+    """Return the least factor of safety or yield coefficient; empty for a given circle."""
+    if critical.method == YIELD:
+        return f"$k_y$ = {critical.yield_coefficient:.3f}"
+    return f"$F$ = {critical.factors_of_safety[critical.method]:.3f}" if critical.method else ""
+
+
+def _whose(critical: Critical) -> str:
+    """Return the name of the method that was minimised."""
+    return METHODS.get(critical.method, METHODS["paper"])[0]
 
 
 def _map(critical: Critical, ax: Any, view: View) -> View:
     """Map of the least factor of all circles with centres in a cell, darkest at the minimum.
 
     The frame is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
-    high as wide, and is returned; the scale ends at the least factor of a centre outside.
+    high as wide, and is returned.
     """
     from matplotlib.ticker import ScalarFormatter
 
@@ -63,7 +86,7 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
     highest = bottom + _TALL * (view.right - view.left)
     view = view._replace(top=min(view.top, highest))
     inside = view.holds(centres)
-    most = min(float(values[~inside].min(initial=np.inf)), least + max(0.5 * abs(least), 0.05))
+    most = min(float(values.max()), least + max(_RANGE * abs(least), 0.05))
     drawn = inside & (values < most)
     cell = (view.right - view.left) / _CELLS
     view = view.grown(cell, cell)._replace(bottom=bottom)  # the outermost cells are complete
@@ -79,14 +102,22 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         lw=0.1,
         zorder=0,
     )
-    words = _scale_label(critical.method, most)
+    _contours(ax, cells, least, most)
+    quantity = "yield coefficient" if critical.method == YIELD else "factor of safety"
+    words = f"least {quantity} of the circles about each centre, up to {most:.3g}, by {_whose(critical)}"
     ax.figure.colorbar(
         cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format=ScalarFormatter(useOffset=False)
     )
     return view
 
 
-def _scale_label(method: str, most: float) -> str:
-    quantity = "yield coefficient" if method == YIELD else "factor of safety"
-    whose = METHODS.get(method, METHODS["paper"])[0]
-    return f"least {quantity} of the circles about each centre, up to {most:.3g}, by {whose}"
+def _contours(ax: Any, cells: Any, least: float, most: float) -> None:
+    """Draw contours of round values over the cells of a map, with their values."""
+    from matplotlib.ticker import MaxNLocator
+    from matplotlib.tri import Triangulation
+
+    x, y = np.asarray(cells.get_offsets()).T
+    levels = [level for level in MaxNLocator(_CONTOURS).tick_values(least, most) if least < level < most]
+    if len(x) > 3 and levels and np.ptp(x) and np.ptp(y):
+        lines = ax.tricontour(Triangulation(x, y), cells.get_array(), levels, colors="white", linewidths=0.8)
+        ax.clabel(lines, fontsize="small")

@@ -23,21 +23,22 @@ from slipcircle.workbench.outputs.plotstyle import (
     axis,
     ending,
     label,
-    note,
     number,
+    title,
     to_scale,
 )
 from slipcircle.workbench.outputs.scenery import lines
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 from slipcircle.workbench.outputs.trace import toe_words
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
 _WIDE = 0.1  # magnified displacement over chord
 _MARGIN = 0.1  # of the view
 _BELOW = 0.08  # of the size of a view, below the firm layer
-_NAMES = {"water": LINES["main"]["color"]}  # colours of names that differ from the others
+_BLUE = LINES["main"]["color"]
+_NAMES = {"water": _BLUE, "pond": _BLUE}  # colours of names that differ from the others
 
 
 class Pose(NamedTuple):
@@ -67,14 +68,14 @@ def section(motion: Motion, ax: Any = None) -> Any:
     soil, turns, view = motion.plan.scene.arc, stage.turns, stage.view
     farthest = max(turns, key=abs)
     if farthest:
-        _continuation(ax, motion, stage.mass, farthest)
+        _continuation(ax, stage.mass, farthest)
     rightwards = (farthest or float(soil.facing)) > 0.0
     _draw_poses(ax, stage.poses, stage.outlines, rightwards)
     if isinstance(soil, LayeredSection):
         draw_stretches(ax, stage.mass, soil, turns[1:2])
     name_circle(ax, stage.mass, soil)
     view.show(ax)
-    note(ax, _notes(motion, stage.magnification))
+    title(ax, "section", _notes(motion, stage.magnification))
     return ax
 
 
@@ -150,29 +151,28 @@ def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], righ
         label(ax, pose.words, anchors, AREAS[pose.role]["edgecolor"])
 
 
-def _continuation(ax: Any, motion: Motion, mass: Mass, turn: float) -> None:
+def _continuation(ax: Any, mass: Mass, turn: float) -> None:
     """The circle beyond the end of the arc towards which the mass turns, which the method assumes."""
     toe = mass.ends[int(turn > 0.0)]
     beyond = toe + np.linspace(0.0, turn, 60)
     points = mass.on_circle(beyond)
-    height = toe_words(motion)
     ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
-    outcome = f"\nand comes {height}" if height else ""
-    if motion.outside_range:
-        outcome += f"\n{OUTSIDE}\n{range_words(motion)}"
-    words = f"toe assumed to follow the circle{outcome}"
-    label(ax, words, points[20:50:5], LINES["help"]["color"])
+    label(ax, "toe assumed to follow the circle", points[20:50:5], LINES["help"]["color"])
 
 
 def _notes(motion: Motion, magnification: float) -> Iterator[str]:
-    """Notes: factors of safety, frozen geometry, magnified displacements."""
+    """Yield notes: factors of safety, toe and range of validity, frozen geometry, magnified displacements."""
     if factors := factors_in_words(stability_of(motion.plan.scene)):
         yield factors
     if both := starts(motion):
-        yield start_words(motion, both).replace("; ", "\n")
+        yield start_words(motion, both)
+    where = [f"toe {height}"] if (height := toe_words(motion)) else []
+    where += [f"{OUTSIDE} {range_words(motion)}"] if motion.outside_range else []
+    if where:
+        yield "; ".join(where)
     # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
-        yield "frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start"
+        yield "frozen geometry: the mass turns by $s/R$, its forces stay those of the start"
     if magnification > 1.0:
         yield f"displacements drawn {number(magnification)} times as large"
 
@@ -192,12 +192,10 @@ def magnified(motion: Motion) -> float:
 
 
 def factors_in_words(critical: Critical | None) -> str:
-    """Factors of safety with the names of their methods."""
-    if critical is None:
-        return ""
-    factors = critical.factor_of_safety.items()
-    known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors if value is not None]
-    return "\n".join(["factor of safety", *known]) if known else ""
+    """Return the factors of safety with the names of their methods; empty without any."""
+    factors = critical.factors_of_safety if critical else {}
+    known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
+    return f"factor of safety {', '.join(known)}" if known else ""
 
 
 # --- ground, water and circle ----------------------------------------------------------------------------------------
@@ -220,6 +218,8 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Float
                 ax.plot(*line.points.T, **SCENERY["boundary"])
                 style = {**style, "color": band}
             ax.fill_between(*line.points.T, bottom, **style)
+        elif line.lower is not None:
+            ax.fill_between(*line.points.T, line.lower, **style)
         else:
             ax.plot(*line.points.T, **style)
         if line.name:

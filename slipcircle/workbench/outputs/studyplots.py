@@ -27,6 +27,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     number,
     points_of,
     quantity_words,
+    title,
     unit_of,
 )
 from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
@@ -53,6 +54,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     _check(study, output, OUTCOMES)
     ax = axis(ax)
     ax.set(xlabel=_label(output), ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
+    title(ax, f"{OUTCOMES[output].label}{', logarithmic' * rare}")
     ax.grid(alpha=0.3)
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
@@ -127,6 +129,7 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
     ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
     name = OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
     ax.set_xlabel(f"share of the variance of {name} (–)", fontsize="small")
+    title(ax, f"influence on {name}")
     lines(ax, [keys[k] for k in order])
     first = np.array(by_kind.first)[order].T
     total = np.array(by_kind.total)[order].T
@@ -172,6 +175,7 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
     numbers = [*study.design.inputs.values()]
     check_grid([len(x) for x in levels])
     ax = axis(ax)
+    title(ax, OUTCOMES[output].label)
     values = study.samples[output].reshape(len(levels[0]), -1)
     first_count, second_count = values.shape
     most = len(SERIES)
@@ -241,6 +245,7 @@ def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
         column[-1].set_xlabel(axis_words(number_in(analysis.motion.plan.scene, key)))
     for ax, name in zip(axes[:, 0], analysis.observed, strict=True):
         ax.set_ylabel(_label(name))
+        title(ax, f"{OBSERVABLE[name].label}: computed and observed")
     return figure
 
 

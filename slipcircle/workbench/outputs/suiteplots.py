@@ -7,9 +7,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SERIES, axis, empty, label, legend, note, points_of
+from slipcircle.workbench.outputs.plotstyle import (
+    AREAS,
+    LINES,
+    SERIES,
+    axis,
+    empty,
+    label,
+    legend,
+    note,
+    points_of,
+    title,
+)
 from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.outputs.trace import drawn
+from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.suitestatistics import distribution, exceedance
 
 if TYPE_CHECKING:
@@ -34,6 +46,7 @@ def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
     for name, column, (colour, _, marker) in zip(_POLARITIES, in_order.T, SERIES, strict=False):
         ax.plot(column, ranks, marker, color=colour, ms=4, label=name, clip_on=False)
     ax.set(xlabel=f"displacement at {study.scale_text(scale)} (m)", ylim=(-0.6, order.size - 0.4))
+    title(ax, "displacement by record")
     if order.size <= _NAMED:
         ax.set_yticks(ranks, [study.suite.entries[k].name for k in order], fontsize=8, parse_math=False)
     else:
@@ -51,6 +64,7 @@ def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
 def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
     """Displacement against the scale: each record (mean of polarities), the median of all, and 16 to 84 %."""
     ax = axis(ax)
+    title(ax, "displacement by scale")
     values = np.median(study.displacement, axis=-1).mean(axis=1)
     levels = [distribution(study.displacement, k) for k in range(study.scales.size)]
     low, middle, high = np.array([(level.p16, level.median, level.p84) for level in levels]).T
@@ -78,6 +92,7 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     they have intervals where some motions exceed the threshold and some do not.
     """
     ax = axis(ax)
+    title(ax, "fragility", [interval_note(len(study.suite))])
     levels = np.median(study.pga, axis=0)
     greatest = levels.max() if levels.size > 1 else study.pga.max()
     pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
@@ -114,7 +129,7 @@ def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
     """A quantity over time, in each polarity, under the record of median displacement at the scale next to its own."""
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
-    ax.set_title(_shortened(f"median: {study.suite.entries[record].name}"), loc="right", fontsize="small")
+    title(ax, what, [_shortened(f"median: {study.suite.entries[record].name}")])
     ax.set(xlabel="time (s)", ylabel=f"{what} ({HISTORY[what].unit})")
     motions = study.motions_of(record, scale)
     end = max(float(motion.settling_time) for motion in motions)

@@ -14,26 +14,25 @@ from slipcircle.base.progress import is_terminal
 from slipcircle.base.text import DIGITS, clean, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
+from slipcircle.words import VelocityTimes
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     factor_label,
     factor_text,
-    factors,
+    factors_of,
     results,
-    slow_words,
-    summary,
     time_text,
     to_error,
     words,
 )
 from slipcircle.workbench.common.records import foreland_words, stretch_records
-from slipcircle.workbench.common.starting import start_rows
+from slipcircle.workbench.common.starting import starts
+from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
-from slipcircle.workbench.stability.search import Critical
+from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
-from slipcircle.workbench.stability.starting import OF_CLOSURE
 from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
@@ -81,56 +80,81 @@ COEFFICIENTS = {
 }
 
 
-DIFFERENCE = (
-    "Bishop's method includes horizontal forces between slices, which increase the normal stress on steep bases; the "
-    "paper's method uses the mean normal stress under the weight; its factor is"
-)
+# Titles of results after the key results; results that are not listed are of the toe and the centroid.
+_GROUPS = {
+    "Motion": "moves arrested slow_run_out run_out_time peak_time peak_displacement "
+    "end_displacement end_rotation end_velocity",
+    "Velocity": " ".join(["velocity_class", *(f"time_{name}" for name in VelocityTimes._fields)]),
+    "Factors of safety": "residual_factor_of_safety final_factor_of_safety",
+    "Strength and stress": "yield_coefficient friction limit_friction start_stress peak_stress end_stress",
+    "Section": "area mass_per_metre chord depth entry exit centroid",
+}
+_TITLES = {name: title for title, names in _GROUPS.items() for name in names.split()}
 
 
-def motion_summary(motion: Motion) -> dict[str, str]:
-    """The `summary`, with free water, the factors of safety under the k_h of a search, and the estimated error."""
-    column = summary(motion) | start_rows(motion) | pond_row(motion.plan.scene.arc)
-    critical = stability_of(motion.plan.scene)
-    if critical is not None:
-        if critical.slope.k_h:
-            column |= _factors(critical.factor_of_safety, critical.slope.k_h)
-        if critical.slope.surcharge and "shaking" in motion.plan.scene.called:
-            column["loads at the start"] = "those of the motion, also for k_y: surcharges are shaken with the mass"
-    return column | {"estimated error": f"{motion.error_estimate:.1e}"}
-
-
-def difference_words(motion: Motion) -> str:
-    """How far the factor of safety of a motion is from Bishop's, and why; empty where Bishop's is not known."""
-    known = factors(motion.plan.scene, motion.factor_of_safety)
-    gap = 100.0 * (known[OF_CLOSURE] / known.get("bishop", math.nan) - 1.0)
-    side = "lower" if gap < 0.0 else "higher"
-    return f"{DIFFERENCE} {abs(gap):.1f} % {side} here" if abs(gap) >= 0.05 else ""
-
-
-def motion_words(motion: Motion) -> list[str]:
-    """Sentences about a motion that follow its table."""
-    return [*filter(None, (slow_words(motion), difference_words(motion)))]
-
-
-def motion_column(motion: Motion) -> dict[str, str]:
-    """All results of a motion by their labels, key results first."""
-    plan, critical = motion.plan, stability_of(motion.plan.scene)
-    column = motion_summary(motion)
-    printed = {q.label: q.text(motion) for q in results(motion) if q.label not in column}
-    column |= {label: text for label, text in printed.items() if text}
-    if height := toe_words(motion):
-        column["toe at the run-out"] = f"{height}: the method continues the circle there"
-    if critical is not None:
-        column |= _circle(critical)
+def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
+    """Return all results of a motion by label, key results first, in titled groups of at most ten."""
+    plan, first = motion.plan, summary(motion)
+    groups: dict[str, dict[str, str]] = {title: {} for title in _GROUPS}
+    groups["Factors of safety"] = _factors_at_start(motion)
+    for quantity in results(motion):
+        title = _TITLES.get(quantity.name, "Toe and centroid")
+        groups.setdefault(title, {})[quantity.label] = quantity.text(motion)
+    groups["Motion"] |= end_words(motion)
     if plan.law != "constant":
-        column["friction angle"] += f", {plan.law}"
+        groups["Strength and stress"]["friction angle"] += f", {plan.law}"
+    if height := toe_words(motion):
+        groups["Toe and centroid"]["toe at the run-out"] = f"{height}: the method continues the circle there"
+    if (critical := stability_of(plan.scene)) is not None:
+        groups["Slip circle"] = _circle(critical)
+        if critical.slope.surcharge and "shaking" in plan.scene.called:
+            loads = "those of the motion, also for k_y: surcharges are shaken with the mass"
+            groups["Strength and stress"]["loads at the start"] = loads
+    groups["Section"] |= pond_row(plan.scene.arc)
+    groups["Method"] = _method_rows(motion)
+    others = {}
+    for title, group in groups.items():
+        if rest := {label: text for label, text in group.items() if text and label not in first}:
+            others[title] = rest
+    return {"": first} | others
+
+
+def _method_rows(motion: Motion) -> dict[str, str]:
+    """Return effects, method of solution, numerical error and coefficients of the arc by label."""
+    plan = motion.plan
     coefficients = plan.scene.arc.dimensionless
-    return column | {
+    return {
         "effects": ", ".join(plan.effects) or "none",
         "not included": ", ".join(plan.left_out) or "none",
         "method": plan.method,
+        "estimated error": f"{motion.error_estimate:.1e}",
         **{symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()},
     }
+
+
+def _factors_at_start(motion: Motion) -> dict[str, str]:
+    """Return the factors of safety by every method, also under the k_h of a search, and the strength factor."""
+    scene = motion.plan.scene
+    critical = stability_of(scene)
+    column = _factors(factors_of(motion))
+    if critical is not None and critical.slope.k_h:
+        column |= _factors(critical.factors_of_safety, critical.slope.k_h)
+    if starts(motion):
+        column["strength factor"] = shown(float(scene.strength_factor))
+    return column
+
+
+def motion_parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
+    """Yield tables of motions side by side: key results, and if verbose all others and the soils of each arc."""
+    scenes = [motion.plan.scene for motion in motions]
+    tabulated = [motion_groups(motion) if verbose else {"": summary(motion)} for motion in motions]
+    notes = [f"{scene.name}: {scene.note}" for scene in scenes if verbose and scene.note]
+    for title in dict.fromkeys(chain.from_iterable(tabulated)):
+        rows = beside([groups.get(title, {}) for groups in tabulated])
+        ordered = sorted(rows, key=lambda row: not row[0].startswith("factor of safety by"))
+        yield Part([title, *(scene.name for scene in scenes)], ordered, note="" if title else "; ".join(notes))
+    if verbose:
+        yield from filter(None, map(stretches_part, motions))
 
 
 def stretches_part(motion: Motion) -> Part | None:
@@ -164,12 +188,15 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 def stability_column(critical: Critical) -> dict[str, str]:
     """A slip circle of a slope with its factors of safety, by labels."""
-    column = _factors(critical.factor_of_safety, critical.slope.k_h)
-    without = critical.factor_of_safety_without_k_h or {}
+    column = _factors(critical.factors_of_safety, critical.slope.k_h)
+    without = critical.factors_of_safety_without_k_h or {}
     column |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
     size = critical.radius
     entry_and_exit = {"entry": _point(critical.entry, size), "exit": _point(critical.exit, size)}
-    return column | pond_row(critical.slope) | entry_and_exit | _circle(critical)
+    column |= pond_row(critical.slope) | entry_and_exit | _circle(critical)
+    if critical.yield_coefficient is not None:
+        column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
+    return column
 
 
 def pond_row(soil: Any) -> dict[str, str]:
@@ -187,8 +214,6 @@ def _circle(critical: Critical) -> dict[str, str]:
         "radius": f"{shown(critical.radius)} m",
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
-    if critical.yield_coefficient is not None:
-        column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
     if not math.isnan(critical.negative):  # NaN for an overhanging circle
         sides = {1: "right", -1: "left"}
         column["slides to the"] = sides.get(critical.facing, "neither side: nothing drives it")
@@ -272,12 +297,6 @@ def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------
-
-
-def say(message: str, before: str = "") -> None:
-    """Print a message on stderr, if it is open; each line begins with the name of the program."""
-    for text in message.splitlines() if sys.stderr is not None else ():
-        print(f"{before}slipcircle: {clean(text)}", file=sys.stderr)
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:

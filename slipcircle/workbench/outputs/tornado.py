@@ -1,6 +1,7 @@
 """Tornado diagrams: changes of an output with each number of a scene, the largest on top."""
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     lines,
     number,
     quantity_words,
+    title,
     unit_of,
 )
 from slipcircle.workbench.outputs.sheets import Drawing, sheet
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
 
 _MOST_BARS = 10  # further ones are summarised in text
+Bar = tuple[float, str, str]  # a change, its step in words, and the name of the number
 _SHARE = 0.01  # relative change of each number if the scene has no uncertain numbers
 
 
@@ -39,14 +42,14 @@ def tornado(
 
     ``changes`` are the changes of numbers in the units of their keys, ``{"friction.angle_deg": 2.0}``; only these are
     drawn. By default the uncertain numbers of the scene change by one standard deviation; without any, all numbers
-    change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. ``named`` adds
-    a legend.
+    but gravity change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. Of
+    the coordinates of a line of points the most influential one is drawn. ``named`` adds a legend.
     """
     known("tornado: output", output, table.outputs)
     steps, how = _steps(table, changes)
     bars = _changes(table, output, steps)
     if changes is None:
-        bars = [bar for bar in bars if bar[0]]
+        bars = [*_largest_of_lines(bars)]
     shown, hidden = bars[:_MOST_BARS], bars[_MOST_BARS:]
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(shown))))
     unit, at = table.outputs[output], table.at[output]
@@ -54,6 +57,7 @@ def tornado(
     if hidden:
         words += f"\n{len(hidden)} more numbers change it by at most {number(abs(hidden[0][0]))} {unit} each"
     ax.set(xlabel=words)
+    title(ax, f"influence on {OUTCOMES[output].label}")
     if not at or not shown:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
     _two_sided_bars(ax, shown)
@@ -62,8 +66,8 @@ def tornado(
     return ax
 
 
-def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number, float]]) -> list[tuple[float, str]]:
-    """Changes of an output with each step, the largest first, and the steps in words."""
+def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number, float]]) -> list[Bar]:
+    """Return the changes of an output with each step, the largest first, with the steps in words."""
     bars = []
     for name, (key, step) in steps.items():
         value = float(key.from_si(table.at[name]))
@@ -73,14 +77,24 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
         unit = unit_of(key)
         words = f"{quantity} {number(value)} ± {step:.3g} {unit}"
         if np.isfinite(change):
-            bars.append((change, words.rstrip()))
+            bars.append((change, words.rstrip(), name))
     return sorted(bars, key=lambda bar: -abs(bar[0]))
 
 
-def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
+def _largest_of_lines(bars: Iterable[Bar]) -> Iterator[Bar]:
+    """Yield the bars that change something, of the coordinates of each line of points the largest one alone."""
+    drawn = set()
+    for bar in bars:
+        line = re.sub(r"\.\d+\..*", "", bar[-1])
+        if bar[0] and line not in drawn:
+            drawn.add(line)
+            yield bar
+
+
+def _two_sided_bars(ax: Any, bars: Sequence[Bar]) -> None:
     """A bar to both sides for each change, with its label, the largest first."""
-    changes = np.array([change for change, _ in bars])
-    lines(ax, [text for _, text in bars])
+    changes = np.array([change for change, *_ in bars])
+    lines(ax, [text for _, text, _ in bars])
     places = np.arange(len(bars))
     ax.barh(places, changes, height=0.62, label="larger", **AREAS["kinetic"])
     ax.barh(places, -changes, height=0.62, label="smaller", **AREAS["rests"])
@@ -105,7 +119,7 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
             deviations[name] = uncertain.number, deviation
     if deviations:
         return deviations, ", by a standard deviation of each"
-    relative = {name: (key, _relative_step(table, name, key)) for name, key in keys.items()}
+    relative = {name: (key, _relative_step(table, name, key)) for name, key in keys.items() if name != "gravity"}
     return relative, f", by {100 * _SHARE:g} % of each"
 
 
@@ -125,7 +139,7 @@ def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
 
 
 def panels(table: "Sensitivity") -> Drawing:
-    """A tornado of each output, one above the other."""
+    """Return a tornado of each output below that of the run-out."""
     height = 1.5 + 0.3 * min(_MOST_BARS, len(table.parameters))
-    outputs = [*table.outputs]
+    outputs = sorted(table.outputs, key=[*OUTCOMES].index)
     return sheet([(height, [partial(tornado, table, output, named=output == outputs[0])]) for output in outputs])

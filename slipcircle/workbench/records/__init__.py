@@ -1,1 +1,1 @@
-"""Records of shaking and of water, read from files."""
+"""Records of ground motion and of pore pressure, read from files."""

@@ -1,4 +1,4 @@
-"""Roles of the columns of a table, by their names and units."""
+"""Roles of the columns of a table, from their names and units."""
 
 import re
 from typing import NamedTuple
@@ -20,7 +20,7 @@ _OTHER_UNIT = r"(?:[mck]?m|in|ft|feet)(?:[/_ ]?s(?:ec)?|s-1)?|hz|k?pa|deg|counts
 
 
 class Column(NamedTuple):
-    """A column of a table: name and unit as written, its role, and the reason if it has none."""
+    """Column of a table: name and unit as written, its role, and the reason if it has no role."""
 
     name: str
     unit: str = ""
@@ -29,7 +29,7 @@ class Column(NamedTuple):
 
 
 def _words(text: str) -> list[str]:
-    """Words of a name in lower case, and all of them together: ``acc_Z``, ``accZ``, ``U-D``."""
+    """Return the words of a name in lower case, and the words joined: ``acc_Z``, ``accZ``, ``U-D``."""
     parted = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
     words = re.findall(r"[^\W_]+", parted.lower())
     return [*words, "".join(words)]
@@ -40,12 +40,12 @@ def _says(text: str, words: str) -> bool:
 
 
 def is_vertical(component: str) -> bool:
-    """Whether the name of a component or column says that it is vertical."""
+    """Return whether the name of a component or column marks it as vertical."""
     return _says(component, _VERTICAL)
 
 
 def is_direction(text: str) -> bool:
-    """Whether a text is the name of a component and nothing else."""
+    """Return whether a text is just the name of a component."""
     return re.fullmatch(rf"{_VERTICAL}|{_HORIZONTAL}|\d\d?", _words(text)[-1]) is not None
 
 
@@ -55,7 +55,7 @@ def _is_time(name: str) -> bool:
 
 
 def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
-    """Name and unit of a field such as ``acc (g)``, ``a [m/s2]``, ``time_s`` or ``acc cm/s^2``."""
+    """Return name and unit of a field such as ``acc (g)``, ``a [m/s2]``, ``time_s`` or ``acc cm/s^2``."""
     bracketed = re.fullmatch(r"(.*?)\s*[(\[{]([^()\[\]{}]+)[)\]}]?\s*", field)
     is_unit = bracketed and (unit_of(bracketed[2], TIME) or _is_time(bracketed[1]) or not is_direction(bracketed[2]))
     if bracketed and is_unit:
@@ -71,7 +71,7 @@ def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
 
 
 def column_of(field: str, quantity: Quantity) -> Column:
-    """Return the column whose header is a field, with the role that its unit or name states."""
+    """Return the column for a header field, with the role that its unit or name states."""
     name, unit = _with_unit(field, quantity)
     vertical = quantity is ACCELERATION and is_vertical(name)
     value = "vertical" if vertical else quantity.role

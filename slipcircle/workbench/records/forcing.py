@@ -22,7 +22,7 @@ def with_records(
     Raises
     ------
     ValueError
-        If a file cannot be read as it is described; names the effect.
+        If a file cannot be read as described. The message names the effect.
     """
     remarks: list[str] = []
     readers = {
@@ -49,7 +49,7 @@ def with_records(
 
 
 def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], remarks: list[str]) -> Samples:
-    """Samples of a record with the settings of an effect; remarks are added about columns that are not used."""
+    """Return the samples of a record with the settings of an effect, and add remarks about unused columns."""
     options = Options(**{key: settings[key] for key in Options._fields if key in settings})
     samples, unused = read_samples(quantity, file, options)
     remarks += unused
@@ -57,7 +57,7 @@ def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], remarks
 
 
 def _pore_pressure(settings: Mapping[str, Any], remarks: list[str]) -> dict[str, Any]:
-    """A ratio or a pressure from a record."""
+    """Return a pore pressure ratio or a pressure from a record."""
     file = settings["record"]
     series = pressure_of(_samples(PORE_PRESSURE, file, settings, remarks), file)
     other = next((k for k in ("time", *series) if k in settings), None)
@@ -69,7 +69,7 @@ def _pore_pressure(settings: Mapping[str, Any], remarks: list[str]) -> dict[str,
 
 
 def _shaking(settings: Mapping[str, Any], gravity: float, remarks: list[str]) -> dict[str, Any]:
-    """k_h(t) and k_v(t) from a record, over gravity."""
+    """Return k_h(t) and k_v(t) from a record, divided by gravity."""
     for way in ("horizontal", "pulse"):
         if way in settings:
             raise InputError("", [f"{{{way}}} and {{record}} exclude each other; remove one"])

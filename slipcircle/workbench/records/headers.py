@@ -1,4 +1,4 @@
-"""Headers of known formats, each described by an expression: AT2, K-NET, COSMOS, CSMIP, GeoNet, SMC, seismic traces."""
+"""Headers of record formats, each described by a regular expression: AT2, K-NET, COSMOS, CSMIP, GeoNet, SMC, traces."""
 
 import re
 from collections import defaultdict
@@ -11,19 +11,19 @@ from slipcircle.workbench.records.columns import is_direction
 
 
 class Header(NamedTuple):
-    """Contents of the header of a file without a table; ``fields`` has whatever else its format states."""
+    """Contents of a header. ``fields`` contains further statements of the format."""
 
     lines: int
     samples: int
     step: float  # s between them
     units: str
     component: str
-    scale: float  # of counts about the mean, or 0
+    scale: float  # acceleration per count about the mean, or 0
     fields: dict[str, str]
 
 
 class Format(NamedTuple):
-    """A format: expressions that recognise and read its header, what that must state, and the unit by default."""
+    """Record format: expressions that recognise and read its header, the required statements, and the default unit."""
 
     mark: str
     header: str
@@ -110,7 +110,7 @@ def header_of(name: str, text: str) -> Header | None:
     Raises
     ------
     ValueError
-        If the header is damaged, or the format names something else than corrected accelerations.
+        If the header is damaged, or the file contains anything but corrected accelerations.
     """
     head = text[:20000]
     for words, reason in _REFUSED.items():
@@ -126,7 +126,7 @@ def header_of(name: str, text: str) -> Header | None:
 
 
 def _header(found: re.Match[str] | None, units: str) -> Header | None:
-    """The header of a format from the fields of its expression; None if it does not state samples and a step."""
+    """Return the header of a format from the fields of its expression, or None without samples and step."""
     fields = {key: text.strip() for key, text in found.groupdict("").items()} if found else {}
     numbers = defaultdict(float)
     for key, text in fields.items():
@@ -150,7 +150,7 @@ def _header(found: re.Match[str] | None, units: str) -> Header | None:
 
 
 def channels(text: str) -> Iterator[str]:
-    """The channels of a file of COSMOS, CSMIP, GeoNet or traces; another file is one channel."""
+    """Yield the channels of a file of COSMOS, CSMIP, GeoNet or traces. Any other file is a single channel."""
     title = r"^(?:[ \t]*(?:corrected|uncorrected|raw) (?:accel|veloc|displ)|TIMESERIES )"
     starts = [start.start() for start in re.finditer(title, text, re.IGNORECASE | re.MULTILINE)]
     starts = [k for last, k in pairwise([-1, *starts]) if last < 0 or text.count("\n", last, k) > 1]

@@ -1,4 +1,4 @@
-"""Files of samples, with a header of a known format or as a table: times, values and their unit."""
+"""Record files with a header of a known format or with a table: times, values and their unit."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -25,14 +25,14 @@ from slipcircle.workbench.records.headers import Header, channels, header_of
 from slipcircle.workbench.records.tables import Table, table_of
 
 MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
-_LONGEST_STEP = 0.5  # s, of two columns without names that are time and acceleration by convention
-WRAPPED = "wrapped"  # the role of all columns, where the values of one record run along the lines
+_LONGEST_STEP = 0.5  # s, greatest step of two columns without names that are read as time and acceleration
+WRAPPED = "wrapped"  # role of all columns if each line contains several values of one record
 SKIP = "skip"
 _CLOCK, _COUNTER = "has times of day or dates", "counts the samples"
 
 
 class Samples(NamedTuple):
-    """Content of a file, and the line of each sample, from 1."""
+    """Content of a record file, and the line number of each sample, from 1."""
 
     time: Floats
     values: Floats
@@ -41,7 +41,7 @@ class Samples(NamedTuple):
 
 
 class Options(NamedTuple):
-    """Statements of the user about a file, as arguments of `read_record`; the unit and step are by default its own."""
+    """Statements of the user about a file. Unit and step default to the statements of the file."""
 
     columns: str | Sequence[str] = ()
     column: int | str | None = None
@@ -49,10 +49,10 @@ class Options(NamedTuple):
     units: str | None = None
     start: float | None = None
     gaps: str = "refuse"
-    of_all: bool = True  # whether the roles are those of every table, and not only of tables of their width
+    of_all: bool = True  # whether the roles apply to every table, or only to tables with as many columns
 
     def roles(self, quantity: Quantity) -> tuple[str, ...]:
-        """Return the roles of the columns, which a text separates by commas."""
+        """Return the roles of the columns from a sequence or a text with commas."""
         parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
         roles = tuple(str(part).strip().lower() for part in parts)
         known = ("time", quantity.role, "vertical", SKIP)
@@ -63,7 +63,7 @@ class Options(NamedTuple):
 
 
 class Channel(NamedTuple):
-    """A channel or column of a file: its place from 1, name and role, and samples, or the reason without them."""
+    """Channel or column of a file: number from 1, name and role, and its samples or the reason for their absence."""
 
     place: int
     name: str
@@ -76,12 +76,12 @@ class Channel(NamedTuple):
 
 
 def contents(quantity: Quantity, name: str, path: Path, options: Options) -> list[Channel]:
-    """Return the channels of a file, or the columns other than times and those that the user skips.
+    """Return the channels of a file, or the columns other than times and skipped columns.
 
     Raises
     ------
     ValueError
-        If the file cannot be read; names the file, the line, and the remedy.
+        If the file cannot be read. The message gives the file, the line and the remedy.
     """
     text = text_of(path, name, MOST_BYTES, MOST_NUMBERS, quantity.kinds)
     parts = list(channels(text)) if quantity is ACCELERATION else [text]
@@ -99,7 +99,7 @@ def contents(quantity: Quantity, name: str, path: Path, options: Options) -> lis
 
 
 def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> list[int]:
-    """Places of the columns or channels that the user names, or gives by the number from 1; by default all."""
+    """Return the numbers of the columns or channels selected by name or number from 1, by default all."""
     wanted = str(column).strip().lower()
     named = [place for place, other in names.items() if other.lower() == wanted]
     chosen = named or [place for place in names if column is None or wanted == str(place)]
@@ -109,13 +109,13 @@ def _chosen(name: str, names: Mapping[int, str], column: int | str | None) -> li
 
 
 def choice(names: Iterable[tuple[int, str]]) -> str:
-    """Places and names of columns, for a message."""
+    """Return numbers and names of columns for a message."""
     shown = [f"{place} ({name})" if name else str(place) for place, name in names]
     return ", ".join(shown)
 
 
 def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Lines, units: str) -> Samples:
-    """Samples, of which a record has two at least, at times or with a step."""
+    """Return the samples of a record, at least two, at given times or with a constant step."""
     count = len(fields)
     if count < 2:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
@@ -124,7 +124,7 @@ def _samples(name: str, time: Floats | float, fields: Sequence[str], lines: Line
 
 
 def _of_format(name: str, text: str, header: Header) -> Samples:
-    """Values without times, however many are on a line."""
+    """Return samples without times, with any number of values per line."""
     below = text.split("\n")[header.lines :]
     if header.fields.get("pair"):
         below = [line.rpartition(" ")[2] for line in map(str.strip, below)]
@@ -147,7 +147,7 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
 
 
 def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> list[Channel]:
-    """The columns of a table other than its times."""
+    """Return the columns of a table other than its times."""
     table = table_of(quantity, name, text)
     roles = _roles(quantity, name, table, options)
     width = 1 if roles == (WRAPPED,) else table.width
@@ -171,7 +171,7 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
 
 
 def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> tuple[str, ...]:
-    """The roles of the columns by option; none if the option is about other tables."""
+    """Return the roles of the columns from the options, empty if the option applies to other tables."""
     roles = options.roles(quantity)
     has_names = any(column.name for column in table.columns)
     if roles == (WRAPPED,) and (options.of_all or not has_names):
@@ -184,7 +184,7 @@ def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> tup
 
 
 def _only(quantity: Quantity, name: str, columns: list[Column], column: int | str | None) -> list[Column]:
-    """The columns, of which the user may name the only one to read beside the times."""
+    """Return the columns, where all but one are skipped if the user selects one."""
     if column is None:
         return columns
     others = {place: other.name for place, other in enumerate(columns, 1) if other.role != "time"}
@@ -194,7 +194,7 @@ def _only(quantity: Quantity, name: str, columns: list[Column], column: int | st
 
 
 def _unit(quantity: Quantity, name: str, stated: str) -> str:
-    """The unit that a column or header states; empty if it states none."""
+    """Return the unit stated by a column or header, empty if none is stated."""
     unit = unit_of(stated, quantity) if stated else ""
     if unit is None:
         raise ValueError(f"{name}: its header says the unit {stated!r}: must be one of {quantity.choice}")
@@ -202,7 +202,7 @@ def _unit(quantity: Quantity, name: str, stated: str) -> str:
 
 
 def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, above: str) -> str:
-    """The unit of a column, which it states itself or the header above does."""
+    """Return the unit of a column, stated by the column or by the header above it."""
     unit = _unit(quantity, name, column.unit or above)
     other = unit_of(above, quantity)
     if other and other != unit:
@@ -215,7 +215,7 @@ def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, a
 def _with_roles(
     quantity: Quantity, named: list[Column], cells: Sequence[list[str]], roles: Sequence[str]
 ) -> list[Column]:
-    """The columns of a table with their roles by option, header or convention."""
+    """Return the columns of a table with roles from the options, the header or conventions."""
     width = len(cells)
     columns = list(named) or [Column("")] * width
     if roles == (WRAPPED,) or (width == 1 and not named):
@@ -249,12 +249,12 @@ def _times(
     lines: Lines,
     step: float | None,
 ) -> Floats | float:
-    """Times of the samples, or their step, s.
+    """Return the times of the samples, or their step, in s.
 
     Raises
     ------
     ValueError
-        If there are none, or no column is a record; names the options that say which one is.
+        If times or record are missing. The message names the options that supply them.
     """
     roles = [column.role for column in columns]
     is_record = bool({quantity.role, "vertical"} & {*roles})
@@ -278,7 +278,7 @@ def _times(
 
 
 def _roles_to_give(quantity: Quantity, columns: Sequence[Column]) -> str:
-    """The option that states the roles of columns, with an example."""
+    """Return the option that states the roles of columns, with an example."""
     leader = SKIP if columns[0].reason in (_CLOCK, _COUNTER) else "time"
     others = [column.role if column.role == "vertical" else quantity.role for column in columns[1:]]
     example = ",".join([leader, *others])

@@ -1,10 +1,10 @@
-"""Records read from files: accelerations that shake a scene, and the pore pressure in it.
+"""Records read from files: ground accelerations and pore pressures.
 
-Signs. Positive is down-slope, whichever way the slope faces. A scene's ``k_h`` is the *driving* acceleration over
-gravity. In the frame of the ground the mass feels the opposite of what the ground does, so that ground which
-accelerates down-slope, which is positive for a record too, drives the mass up-slope: driving = -ground. Likewise
-``k_v``, which reduces the effective weight, is minus the upward acceleration of the ground. A record's file must
-therefore be declared as one or the other; `Record` takes arrays as driving by default.
+Signs: positive is down-slope, whichever way the slope faces. A scene's ``k_h`` is the *driving* acceleration over
+gravity. In the frame of the ground the inertial force on the mass is opposite to the acceleration of the ground. Ground
+that accelerates down-slope, which is positive in a record too, therefore drives the mass up-slope: driving = -ground.
+Likewise ``k_v``, which reduces the effective weight, is minus the upward acceleration of the ground. A record file must
+therefore be declared as one or the other. `Record` treats arrays as driving by default.
 """
 
 from collections.abc import Sequence
@@ -28,7 +28,7 @@ from slipcircle.workbench.common.units import (
 )
 from slipcircle.workbench.records.recordfiles import Options, Samples, choice, contents
 
-_GAP = 1.5  # of an evenly sampled record's step
+_GAP = 1.5  # least gap over the step of an evenly sampled record
 
 
 def read_record(
@@ -44,34 +44,35 @@ def read_record(
     gaps: Literal["refuse", "linear"] = "refuse",
     scaled: bool = False,
 ) -> Series:
-    """Read an acceleration record as shaking: driving acceleration over gravity, zero before and after.
+    """Read an acceleration record as shaking: driving acceleration over gravity, zero before and after the record.
 
-    Known formats are PEER's AT2, K-NET and KiK-net (the mean is taken off the counts), COSMOS 1.20, CSMIP's and
-    GeoNet's volume 2, corrected SMC of the U.S. Geological Survey, and SLIST and TSPAIR; ``column`` chooses one of
-    several channels, by its place from 1 or its orientation. Other files are tables of numbers, separated by commas,
-    semicolons, tabs or blanks. Their headers name the columns, and state step and unit, as those of ESM, AFAD, JMA,
-    CWA and UNAM do. Two columns without names are time and acceleration if the first increases evenly by less than
-    0.5 s. Lines that begin with #, % or ! are comments.
+    Known formats are PEER's AT2, K-NET and KiK-net (the mean of the counts is subtracted), COSMOS 1.20, CSMIP's and
+    GeoNet's volume 2, corrected SMC of the U.S. Geological Survey, and SLIST and TSPAIR. ``column`` selects one of
+    several channels by its number from 1 or its orientation. Other files are tables of numbers, separated by commas,
+    semicolons, tabs or blanks, whose headers name the columns and state step and unit, as in files of ESM, AFAD, JMA,
+    CWA and UNAM. Two columns without names are time and acceleration if the first increases evenly by less than 0.5 s.
+    Lines that begin with #, % or ! are comments.
 
     Parameters
     ----------
     path : str or path-like
     holds : {"ground", "driving"}
-        What the file contains. Positive is down-slope, whichever way the slope faces, and upwards for a vertical
-        record; the acceleration of the ground acts on the mass with the opposite sign, so the values change their sign.
+        Content of the file. Positive is down-slope, whichever way the slope faces, and upwards for a vertical record.
+        The acceleration of the ground acts on the mass with the opposite sign, so that the values change their sign.
     units : {"g", "mg", "%g", "m/s2", "cm/s2", "gal", "mm/s2", "ft/s2", "in/s2"}, optional
         Required if the file does not state it.
     column : int or str, optional
         Column of the acceleration: its name in the header, or its number, from 1. Required if there are several.
     columns : str or sequence of str, optional
-        Roles of all columns of a table, in place of its header: "time,acceleration,skip". A role is "time",
-        "acceleration", "vertical" or "skip"; "wrapped" alone means that each line holds values of one series.
+        Roles of all columns of a table, instead of its header: "time,acceleration,skip". A role is "time",
+        "acceleration", "vertical" or "skip". "wrapped" alone means that each line contains several values of one
+        series.
     step : float, optional
         Time between samples, s, for a file without times.
     start : float, optional
-        Time of the first sample, s; by default the file's own, or 0.
+        Time of the first sample, s, by default the file's, or 0.
     gravity : float, optional
-        By which accelerations in other units than g are divided, m/s^2.
+        Divisor of accelerations in units other than g, m/s^2.
     gaps : {"refuse", "linear"}, optional
         Treatment of samples missing from an evenly sampled record: an error, or linear interpolation.
     scaled : bool, optional
@@ -84,7 +85,7 @@ def read_record(
     Raises
     ------
     ValueError
-        Names the file, the line, the value, what is allowed, and the remedy.
+        If the file cannot be read. The message gives the file, the line, the value, the allowed values, and the remedy.
     """
     raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
     samples, _ = read_samples(ACCELERATION, path, Options(columns, column, step, units, start, gaps))
@@ -92,7 +93,7 @@ def read_record(
 
 
 def shaking_of(samples: Samples, name: str, holds: str, gravity: float, scaled: bool = False) -> Series:
-    """Accelerations of a file as shaking; the arguments are those of `read_record`."""
+    """Return the accelerations of a file as shaking. The arguments are those of `read_record`."""
     if holds not in ("ground", "driving"):
         choice = '"ground" (acceleration of the ground) or "driving" (its opposite)'
         raise ValueError(f"holds = {holds!r}: must be {choice}")
@@ -102,28 +103,28 @@ def shaking_of(samples: Samples, name: str, holds: str, gravity: float, scaled: 
 
 
 class Record(Series):
-    """A measured acceleration, from arrays or a file, as shaking: over gravity, zero before and after.
+    """Measured acceleration from arrays or a file as shaking: over gravity, zero before and after the record.
 
-    ``Record(t, a)`` takes times, ``Record(a, dt=0.01)`` a time step, from 0: ``{"shaking": {"horizontal": Record(t,
-    a)}}``.
+    ``Record(t, a)`` accepts times, ``Record(a, dt=0.01)`` a constant step from 0. An example of its use is
+    ``{"shaking": {"horizontal": Record(t, a)}}``.
 
     Parameters
     ----------
     samples : array_like
         Times in s and accelerations, or accelerations alone.
     dt : float, optional
-        Time between samples, s, in place of times.
+        Time between samples, s, instead of times.
     units : {"g", "mg", "%g", "m/s2", "cm/s2", "gal", "mm/s2", "ft/s2", "in/s2"}, optional
     holds : {"driving", "ground"}, optional
-        Positive is down-slope, whichever way the slope faces. "driving" is the acceleration that acts on the mass;
-        "ground" is that of the ground, which acts on the mass with the opposite sign.
+        Positive is down-slope, whichever way the slope faces. "driving" is the acceleration that acts on the mass,
+        "ground" the acceleration of the ground, which acts on the mass with the opposite sign.
     gravity : float, optional
-        By which accelerations in other units than g are divided, m/s^2.
+        Divisor of accelerations in units other than g, m/s^2.
 
     Raises
     ------
     ValueError
-        Names the sample or argument; for values beyond 5 g, also the unit they may be in.
+        If a sample or argument is invalid. For values beyond 5 g the message suggests a unit.
     """
 
     def __init__(
@@ -166,29 +167,29 @@ def read_pore_pressure(
     start: float | None = None,
     gaps: Literal["refuse", "linear"] = "refuse",
 ) -> dict[str, Series]:
-    """Read a record of the pore pressure, as the effect takes it: ``{"pressure": ...}`` in Pa, or ``{"ratio": ...}``.
+    """Read a pore pressure record as a parameter of the effect: ``{"pressure": ...}`` in Pa or ``{"ratio": ...}``.
 
-    The first value holds before the record, the last one after it. Files are tables as `read_record` reads them.
+    The first value applies before the record, the last value after it. Files are tables as for `read_record`.
 
     Parameters
     ----------
     path : str or path-like
     units : {"Pa", "kPa", "MPa", "ratio"}, optional
-        Required if the file does not give it; a ratio is r_u, pore pressure over the static normal stress.
+        Required if the file does not state it. A ratio is r_u, pore pressure over the static normal stress.
     column, columns, step, start, gaps
-        As for `read_record`, with the role "pressure".
+        Arguments of `read_record`, with the role "pressure".
 
     Raises
     ------
     ValueError
-        Names the file, the line, the value, what is allowed, and the remedy.
+        If the file cannot be read. The message gives the file, the line, the value, the allowed values, and the remedy.
     """
     samples, _ = read_samples(PORE_PRESSURE, path, Options(columns, column, step, units, start, gaps))
     return pressure_of(samples, str(path))
 
 
 def pressure_of(samples: Samples, name: str) -> dict[str, Series]:
-    """Pore pressures of a file as the effect takes them."""
+    """Return the pore pressures of a file as parameters of the effect."""
     is_ratio = samples.units == "ratio"
     bad = np.flatnonzero((samples.values < 0.0) | (is_ratio & (samples.values >= 1.0)))
     if bad.size:
@@ -209,7 +210,7 @@ _TIMES: dict[str, Bounds] = {
 
 
 def read_samples(quantity: Quantity, path: str | PathLike[str], options: Options) -> tuple[Samples, list[str]]:
-    """Return checked samples of the one record in a file, and a line for each column that is not used."""
+    """Return checked samples of the single record in a file, and a line for each unused column."""
     name = str(path)
     times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}
     raise_all(name, mistakes(times, {n: _TIMES[n] for n in times}))
@@ -228,7 +229,7 @@ def read_samples(quantity: Quantity, path: str | PathLike[str], options: Options
 
 
 def checked_samples(quantity: Quantity, name: str, samples: Samples | None, options: Options) -> Samples:
-    """Return samples of a file with checked times and their unit."""
+    """Return samples of a file with checked times, and with their unit."""
     requested = "" if options.units is None else unit_of(options.units, quantity)
     if requested is None or samples is None:
         raise ValueError(f"{name}: units = {options.units!r}: must be one of {quantity.choice}")
@@ -242,7 +243,7 @@ def checked_samples(quantity: Quantity, name: str, samples: Samples | None, opti
 
 
 def _checked_times(name: str, samples: Samples, start: float | None, gaps: str) -> Floats:
-    """Times of samples, checked: finite, increasing, not before the scene, without rejected gaps."""
+    """Return the times of samples after checks: finite, increasing, not before 0, and without rejected gaps."""
     if gaps not in ("refuse", "linear"):
         raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
     wrong = bad_sample(samples.time, samples.values)
@@ -259,7 +260,7 @@ def _checked_times(name: str, samples: Samples, start: float | None, gaps: str) 
 
 
 def _gap(time: Floats) -> tuple[int, str] | None:
-    """The sample after a gap in an otherwise evenly sampled record; an uneven record has no gaps."""
+    """Return the first sample after a gap in an otherwise evenly sampled record, and a message; None without a gap."""
     steps = np.diff(time)
     usual = float(np.median(steps))
     even = np.abs(steps - usual) <= 0.01 * usual + 8 * EPS * time[-1]

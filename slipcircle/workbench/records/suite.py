@@ -1,14 +1,14 @@
 """Suites of records: the accelerations in files and folders, in formats mixed as they come, one record after another.
 
-Interface between the parts of a study over records (the package `slipcircle.workbench.suites` takes plain arrays):
+Studies over records use two classes (the package `slipcircle.workbench.suites` works on plain arrays):
 
-* a `Suite` has `Entry` s (file, component, samples, step, unit, peak over gravity; `Entry.record()` reads the samples),
-  pairs of components by name, vertical components, which shake nothing, and a line for each file that is no record;
+* a `Suite` has entries (file, component, samples, step, unit, peak over gravity; `Entry.record()` reads the samples),
+  pairs of components by name, unused vertical components, and a line for each file that is not a record;
 * a `SuiteStudy` has arrays over ``(record, polarity, scale, sample)`` of every outcome and of the status, the scales,
   factors and peak accelerations of the scaled records.
 
-The samples of the first records are kept, up to 32 MB; those of others are read again where they are solved, so that
-the memory does not grow with the number of records.
+The samples of the first records are stored, up to 32 MB. Other records are read again when they are solved, so that the
+memory does not grow with the number of records.
 """
 
 import hashlib
@@ -31,8 +31,8 @@ from slipcircle.workbench.records.records import checked_samples, shaking_of
 from slipcircle.workbench.suites.intensities import Intensities, drift_warning, intensities
 from slipcircle.workbench.suites.repeated import repeated
 
-_KEPT = 2**21  # samples of a suite that stay in memory
-_SHOWN = 5  # reasons in the error of a suite without a record
+_KEPT = 2**21  # number of samples of a suite that remain in memory
+_SHOWN = 5  # number of reasons in the error for a suite without a record
 # Components at the end of a file's name, as PEER, K-NET, ESM and COSMOS write them: azimuths, axes, channel codes.
 _AXIS = "NS|EW|UD|UP|DN|DWN|DOWN|VERT?|VRT|VERTICAL|FN|FP|H1|H2"
 _NAMED = re.compile(
@@ -44,18 +44,19 @@ _SEED = re.compile(r"(?P<station>.*?)(?:^|[-_. ])[BCEHS][NGHL](?P<channel>[NEZ12
 
 
 class Place(NamedTuple):
-    """What the name of a file says: the station (or whatever precedes the component), and the component."""
+    """Station, or the text before the component, and component in the name of a file."""
 
     station: str
     component: str
 
     @property
     def is_vertical(self) -> bool:
+        """Whether the component is vertical."""
         return is_vertical(self.component)
 
 
 def place_of(name: str, component: str = "") -> Place:
-    """Station and component by the name of a file without its folder, or by its header or column."""
+    """Return station and component from the name of a file without its folder, or from its header or column."""
     stem, dot, suffix = name.rpartition(".")
     is_axis = re.fullmatch(f"(?:{_AXIS})[12]?", suffix, re.IGNORECASE)  # K-NET names components by the suffix
     plain = name if is_axis or not dot else stem
@@ -71,27 +72,27 @@ def place_of(name: str, component: str = "") -> Place:
 
 @dataclass(frozen=True)
 class Entry:
-    """One record of a suite.
+    """Record of a suite.
 
     Attributes
     ----------
     name : str
-        Names the record in tables: the file's name, with the column where it has several.
+        Name of the record in tables: the file's name, and the column if the file has several.
     file : str
-        Empty for a record given as an array.
+        Name of the file, empty for a record given as an array.
     station, component : str
-        By the header, the column or the file's name; the component is empty if they do not state it.
+        Station and component from the header, the column or the file's name. The component may be empty.
     samples : int
     step : float
         Mean time between samples, s.
     unit : str
-        Of the values in the file.
+        Unit of the values in the file.
     intensities : Intensities
     digest : str
-        Of times and values, by which a study that is continued knows the record.
+        Digest of times and values, by which a resumed study identifies the record.
     is_vertical : bool
     drift : str
-        A sentence about a velocity that does not return to zero; empty if it does.
+        Warning about a velocity that does not return to zero, otherwise empty.
     """
 
     name: str
@@ -104,7 +105,7 @@ class Entry:
     digest: str
     is_vertical: bool = False
     drift: str = ""
-    kept: Series | None = field(default=None, repr=False)  # the record itself, of arrays and small suites
+    kept: Series | None = field(default=None, repr=False)  # samples of arrays and small suites
     reading: Mapping[str, Any] = field(default_factory=dict, repr=False)
 
     @property
@@ -114,19 +115,21 @@ class Entry:
 
     @property
     def station(self) -> str:
+        """Name of the station."""
         return self.place.station
 
     @property
     def component(self) -> str:
+        """Name of the component."""
         return self.place.component
 
     def record(self) -> Series:
-        """Driving acceleration over gravity, zero before and after; from a file it starts at 0 s."""
+        """Return driving acceleration over gravity, zero before and after. A record from a file starts at 0 s."""
         return self.kept if self.kept is not None else _read(self.file, **self.reading)
 
 
 class Unread(NamedTuple):
-    """A file or column that is not used, and why."""
+    """File or column that is not used, and the reason."""
 
     file: str
     reason: str
@@ -137,7 +140,7 @@ class Unread(NamedTuple):
 
 @dataclass(frozen=True)
 class Suite:
-    """Records that shake a scene one after another; samples are read when they are needed.
+    """Records that shake a scene one after another. Samples are read when they are needed.
 
     Attributes
     ----------
@@ -171,23 +174,23 @@ class Suite:
 
     @property
     def reasons(self) -> list[str]:
-        """A line for each file, column and vertical component that is not used."""
+        """Line for each file, column and vertical component that is not used."""
         verticals = [f"{entry.name}: is a vertical component" for entry in self.verticals]
         return [*map(str, self.unread), *verticals]
 
     @property
     def not_used(self) -> list[str]:
-        """The same as warnings."""
+        """Unused files, columns and components as warnings."""
         return [f"{line}; not used" for line in self.reasons]
 
     @property
     def warnings(self) -> list[str]:
-        """Warnings about what is not used, and about each record with a drift."""
+        """Warnings about unused files and columns, and about each record with a drift."""
         drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
         return self.not_used + drifts
 
     def to_dict(self) -> dict[str, Any]:
-        """The records with their intensity measures, and what is not used, for JSON."""
+        """Return the records with their intensity measures, and the unused files, for JSON."""
         known = ("name", "file", "station", "component", "samples", "step", "unit")
         plain = [{name: getattr(entry, name) for name in known} for entry in self.entries]
         return {
@@ -199,7 +202,7 @@ class Suite:
 
     @classmethod
     def without_repeated(cls, entries: Sequence[Entry]) -> "Suite":
-        """Return the suite of records whose samples differ; the others are listed as unread."""
+        """Return the suite of distinct records. Records with identical samples are listed as unread."""
         measures = [(entry.samples, entry.step, entry.peak) for entry in entries]
         same = repeated(measures, lambda k: entries[k].record().values)
         unread = []
@@ -211,7 +214,7 @@ class Suite:
 
     @classmethod
     def of(cls, records: Any, strict: bool = False, gravity: float = 9.81) -> "Suite":
-        """A suite as it is, of paths as `read_suite` takes them, or of `Series` (a sequence, or a mapping by name)."""
+        """Return a suite from a suite, from paths as for `read_suite`, or from `Series` (a sequence or mapping)."""
         if isinstance(records, Suite):
             return records
         if isinstance(records, str | PathLike):
@@ -235,29 +238,29 @@ def read_suite(
     gravity: float = 9.81,
     gaps: Literal["refuse", "linear"] = "refuse",
 ) -> Suite:
-    """Read the records of acceleration in files and folders, in any of the formats of `read_record`.
+    """Read the acceleration records in files and folders, in all formats of `read_record`.
 
     Parameters
     ----------
     paths : iterable of path
-        Files, and folders, of which all files but hidden ones are read, those of folders within them too.
+        Files, and folders, whose files are read including subfolders, except for hidden files.
     strict : bool, optional
-        Whether a file or a column that is not used is an error; otherwise it is listed in `Suite.unread`.
+        Whether an unused file or column is an error. Otherwise it is listed in `Suite.unread`.
     holds : {"ground", "driving"}, optional
-        As of `read_record`, of all files.
+        Content of all files, see `read_record`.
     units, step : str and float, optional
-        Unit of files that do not state theirs; time between samples, s, of files without times.
+        Unit of files that do not state it, and time between samples, s, of files without times.
     columns : str or sequence of str, optional
-        As of `read_record`, of tables with that number of columns.
+        Roles of columns in tables with this number of columns, see `read_record`.
     vertical : str, optional
-        Pattern such as ``*_Z`` for the names of vertical components, in place of headers and names.
+        Pattern such as ``*_Z`` for the names of vertical components, instead of headers and names.
     gravity, gaps : float and str, optional
-        As of `read_record`.
+        Arguments of `read_record`.
 
     Raises
     ------
     ValueError
-        If there is no record, or, if strict, anything is not used.
+        If there are no records or, if strict, unused files or columns.
     """
     if units is not None and unit_of(units) is None:
         raise ValueError(f"records: units = {units!r}: must be one of {ACCELERATION.choice}")
@@ -282,8 +285,9 @@ def read_suite(
 def _read_all(
     files: Sequence[Path], vertical: str | None, reading: Mapping[str, Any]
 ) -> tuple[list[Entry], list[Unread]]:
-    """The records of files, the first of which stay in memory, and what is not used."""
-    entries, unread = list[Entry](), list[Unread]()
+    """Return the records of files, the first of which remain in memory, and the unused files and columns."""
+    entries = list[Entry]()
+    unread = list[Unread]()
     remaining = _KEPT
     for file in track(files, "records read"):
         try:
@@ -300,7 +304,7 @@ def _read_all(
 
 
 def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None) -> None:
-    """Reject a unit or a step that all files contradict, so that none needs it."""
+    """Reject a unit or a step that all files contradict."""
     units = [entry.unit for entry in entries]
     steps = [f"{entry.step:.3g}" for entry in entries]
     for name, given, stated in (("units", unit, units), ("step", step and f"{step:.3g}", steps)):
@@ -309,7 +313,7 @@ def _check_needed(entries: Sequence[Entry], unit: str | None, step: float | None
 
 
 def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
-    """Why there is no horizontal record."""
+    """Return the message about missing horizontal records."""
     shown = "".join(f"; {reason}" for reason in reasons[:_SHOWN])
     more = f"; and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
     where = ", ".join(map(str, paths))
@@ -317,7 +321,7 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
 
 
 def _entries(file: Path, vertical: str | None, reading: Mapping[str, Any]) -> Iterator[Entry | Unread]:
-    """The records of a file, and its columns that are not used."""
+    """Yield the records of a file, and its unused columns."""
     channels = contents(ACCELERATION, str(file), file, reading["options"])
     read = [channel for channel in channels if channel.samples]
     several = len(read) > 1
@@ -338,13 +342,13 @@ def _entries(file: Path, vertical: str | None, reading: Mapping[str, Any]) -> It
 
 
 def _read(file: str, channel: int, **reading: Any) -> Series:
-    """A record, read again."""
+    """Return the samples of a record, read again."""
     channels = contents(ACCELERATION, file, Path(file), reading["options"])
     return _shaking(file, channels[channel], **reading)[0]
 
 
 def _shaking(file: str, channel: Channel, options: Options, holds: str, gravity: float) -> tuple[Series, str]:
-    """A record from 0 s, and the unit of its file, or the given one where the file says none."""
+    """Return a record from 0 s, and the unit stated by its file or given by the user."""
     stated = channel.samples.units if channel.samples else ""
     with_unit = options._replace(units=stated or options.units)
     samples = checked_samples(ACCELERATION, file, channel.samples, with_unit)

@@ -1,4 +1,4 @@
-"""Tables of numbers: the first row, the separator, the names of columns, and statements of the header."""
+"""Layout of tables of numbers: first row, separator, names of columns, and statements of the header."""
 
 import re
 from typing import NamedTuple
@@ -18,9 +18,9 @@ _STATEMENT = re.compile(  # in a header: "SAMPLING INTERVAL (sec) : 0.02", "#Sam
 
 
 class Table(NamedTuple):
-    """Layout of a table, and statements of its header: columns, step (s), unit, number of samples, component."""
+    """Layout of a table, and statements of its header."""
 
-    lines: int  # above the first row
+    lines: int  # number of lines above the first row
     separator: str | None
     width: int
     columns: list[Column]  # empty without names
@@ -36,7 +36,7 @@ def table_of(quantity: Quantity, name: str, text: str) -> Table:
     Raises
     ------
     ValueError
-        If there is no row of numbers.
+        If no row of numbers exists.
     """
     lines, separator, width = first_row(name, text, quantity.name)
     above = text.split("\n", lines)[:lines]
@@ -51,13 +51,13 @@ def table_of(quantity: Quantity, name: str, text: str) -> Table:
 
 
 def _step(said: dict[str, tuple[str, str]]) -> float:
-    """The time between samples that a header states, s; 0 if it does not."""
+    """Return the time between samples stated in a header, s, or 0."""
     step = seconds_of(*said["step"])
     return step or period_of(*said["rate"])
 
 
 def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
-    """The unit that a header states, as written; empty if there is none."""
+    """Return the unit stated in a header, as written, empty if none is stated."""
     for key in ("unit", "peak"):
         bracket, value = said[key]
         known = [word for word in (bracket, value, value.partition(" ")[0]) if unit_of(word, quantity)]
@@ -67,7 +67,10 @@ def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
 
 
 def _columns(quantity: Quantity, above: list[str], separator: str | None, width: int) -> list[Column]:
-    """The columns by the last line of the header that names them, and the units below it; empty if there is none."""
+    """Return the columns from the last header line that names them, with units from the line below.
+
+    The list is empty without names.
+    """
     units = [""] * width
     if above and NUMBER_AND_STEP.fullmatch(above[-1]):
         why = f"is below {above[-1].strip()!r}, which resembles a number of samples and their step"
@@ -90,7 +93,7 @@ def _columns(quantity: Quantity, above: list[str], separator: str | None, width:
 
 
 def _parts(line: str, separator: str | None, width: int) -> tuple[str | None, list[str]]:
-    """A separator, and the fields of a line that it parts into so many; empty if none does."""
+    """Return a separator, and the fields of a line that it splits into ``width`` parts, or an empty list."""
     stated = re.sub(r"^[^:]*:|\([+-]\)", "", line).strip(" /")
     for mark in (separator, *SEPARATORS, "/"):
         if mark and mark != "/":

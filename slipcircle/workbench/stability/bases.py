@@ -93,6 +93,7 @@ class Bases:
         layer = np.count_nonzero(reaches_arc, axis=0) - 1
         of_base = (self.of_layer(values, layer) for values in soils)
         self.soil = SoilArrays(*of_base)
+        self.layer = layer
         self.unit_weight = self.of_slope(soils.unit_weight[0])
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
 
@@ -121,7 +122,7 @@ class Bases:
             gain = slope.soils.saturated_unit_weight - unit_weight
             rows.append(np.diff(gain, axis=0, prepend=0.0))
         steps = np.concatenate(rows)
-        is_above = self.above > 0.0
+        is_above = self.above[: len(steps)] > 0.0
         if self.is_shared:
             return steps[:, :, None] / self.unit_weight * is_above[:, None]
         return (steps if steps.shape[1] == 1 else steps[:, self.arc]) / self.unit_weight * is_above
@@ -198,10 +199,11 @@ class Bases:
         return load
 
     def _cohesion(self) -> Floats:
-        """At the base, which may increase with the depth below a datum; Pa."""
-        soil = self.soil
-        from_centre = soil.datum - self.centre_y
-        below_datum = from_centre + self.depth * self.scale > 0.0
-        growth = soil.cohesion_gradient * below_datum
-        at_centre = soil.cohesion + growth * from_centre
-        return self._linear(at_centre, 0.0, growth * self.scale)
+        """Return the cohesion at the base, which may increase with the depth below a line, Pa."""
+        cohesion = self._linear(self.soil.cohesion, 0.0, 0.0)
+        first = len(self.above) - len(self.slope.datums)
+        for surface, layer in enumerate(self.slope.datums, first):
+            grows = (self.layer == layer) & (self.above[surface] > 0.0)
+            growth = self.soil.cohesion_gradient * self.scale * grows
+            cohesion = cohesion + self._above_arc(surface, growth)
+        return cohesion

@@ -5,7 +5,8 @@ Lines are (1 or n, V, 2) for n slopes, and numbers () or (n,). Beyond both ends 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -26,14 +27,13 @@ class SoilArrays(NamedTuple):
     pore_ratio: Floats
     saturated_unit_weight: Floats  # the unit weight where a soil has no other below the water level
     cohesion_gradient: Floats
-    datum: Floats  # 0 where cohesion does not increase with depth
 
 
 class Columns(NamedTuple):
     """Columns of ground between vertices and crossings of lines, and surfaces there: (surfaces, 1 or n, columns).
 
     Surfaces are the tops of the layers, each cut off by those above it; with a water level then that, and the tops of
-    the wet parts of layers.
+    the wet parts of layers. The last ones are lines below which the cohesion of layers grows.
     """
 
     bounds: Floats  # x between columns, (1 or n, columns - 1)
@@ -65,6 +65,7 @@ class SlopeArrays:
     crack: Any = 0.0
     crack_water: Any = 0.0
     k_h_on_surcharge: bool = False
+    datums: Mapping[int, Floats] = field(default_factory=dict)  # lines below which the cohesion of layers grows
 
     @cached_property
     def saturates(self) -> bool:
@@ -99,11 +100,12 @@ class SlopeArrays:
     @cached_property
     def lines_cut_by_arcs(self) -> list[Floats]:
         """Boundaries, water levels, and the heights below which cohesion increases."""
-        lines = self.lines[1:] + self._pond_levels
-        for gradient, datum in zip(self.soils.cohesion_gradient, self.soils.datum, strict=True):
-            if np.any(gradient):
-                lines.append(self._over_ground(level_line(datum, self.ground)))
-        return lines
+        return [*self.lines[1:], *self._pond_levels, *self._datum_lines]
+
+    @cached_property
+    def _datum_lines(self) -> list[Floats]:
+        """Lines below which the cohesion of layers grows, over the whole ground."""
+        return [self._over_ground(line) for line in self.datums.values()]
 
     def ground_height(self, x: Floats) -> Floats:
         """Of the ground at x (n,), or of n grounds each at its x."""
@@ -119,8 +121,11 @@ class SlopeArrays:
         inner = (bounds[:, :-1] + bounds[:, 1:]) / 2
         beyond = bounds[:, -1:] + 1.0
         middle = np.concatenate([before, inner, beyond], axis=1)
-        lines = [np.stack(edge_below(line, middle, middle)) for line in self.lines]
-        height, gradient = np.stack(self._surfaces(lines), axis=1)
+        lines, datums = (
+            [np.stack(edge_below(line, middle, middle)) for line in of_kind]
+            for of_kind in (self.lines, self._datum_lines)
+        )
+        height, gradient = np.stack([*self._surfaces(lines), *datums], axis=1)
         return Columns(bounds, middle, height, gradient)
 
     def _kinks(self) -> Floats:

@@ -4,103 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import InputError, complaint, raise_all
+from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
-from slipcircle.ground import Section, ends_above
 from slipcircle.workbench.stability.condensed import least
-from slipcircle.workbench.stability.factors import YIELD, circle_factors
+from slipcircle.workbench.stability.critical import Critical, circle_of
+from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
 
-_PULLED = 0.2  # share of an arc that may be under negative stress without a warning
-_PIECES = 50  # into which an arc is cut to count it
 Range = tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Critical:
-    """A circle with its factors of safety, and data of the search.
-
-    Attributes
-    ----------
-    slope : Slope
-    factor_of_safety : dict
-        By method, with the k_h of the slope; None where a method does not apply to the circle.
-    factor_of_safety_without_k_h : dict or None
-        Without k_h, from which a motion starts; None if the slope has no k_h.
-    yield_coefficient : float or None
-        k_y, the k_h for which the factor by the paper's method is 1, as of a motion: surcharges are shaken as well;
-        negative if the mass slides without. None if no k_h is.
-    centre, radius : tuple of float, float
-        m.
-    entry, exit : tuple of float
-        Upper and lower end of the slip surface, m.
-    facing : int
-        1 if the mass slides to the right, -1 if to the left, 0 if nothing drives it.
-    negative : float
-        Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
-    warning : str
-        If a fifth of the arc or more is under negative stress, or the circle reaches an end of the ground or a limit of
-        the search, beyond which the factor may be lower.
-    method, limits : str, mapping
-        Method that was minimised, and limits of the search; empty for a given circle.
-    tried, refused : int
-        Number of circles evaluated, and of those without a factor: off the ground, too shallow, overhanging, or with
-        m_alpha below 0.05.
-    centres, values : ndarray
-        Centre of every circle evaluated, (tried, 2), and its factor or NaN, for a map.
-    """
-
-    slope: Slope = field(repr=False, compare=False)
-    factor_of_safety: dict[str, float | None]
-    centre: tuple[float, float]
-    radius: float
-    entry: tuple[float, float]
-    exit: tuple[float, float]
-    facing: int
-    negative: float
-    warning: str
-    factor_of_safety_without_k_h: dict[str, float | None] | None = None
-    yield_coefficient: float | None = None
-    method: str = ""
-    tried: int = 1
-    refused: int = 0
-    centres: Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False, compare=False)
-    values: Floats = field(default_factory=lambda: np.empty(0), repr=False, compare=False)
-    limits: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
-
-    @property
-    def between(self) -> tuple[float, float]:
-        """x of both ends, from left to right, which selects one of the masses that the circle cuts off."""
-        left, right = sorted([self.entry[0], self.exit[0]])
-        return left, right
-
-    def without_map(self) -> Critical:
-        """A copy without the circles that were evaluated."""
-        return replace(self, centres=self.centres[:0], values=self.values[:0])
-
-    def record(self) -> dict[str, Any]:
-        """For JSON, in SI units."""
-        without = self.factor_of_safety_without_k_h
-        ponds = self.slope.free_water.of_one
-        return {
-            "method": self.method,
-            "facing": self.facing,
-            "factor_of_safety": self.factor_of_safety,
-            **({"factor_of_safety_without_k_h": without} if without else {}),
-            **({"yield_coefficient": self.yield_coefficient} if self.method == YIELD else {}),
-            "circle": {"centre": list(self.centre), "radius": self.radius},
-            **({"free_water": ponds} if ponds else {}),
-            "entry": list(self.entry),
-            "exit": list(self.exit),
-            "tried": self.tried,
-            "refused": self.refused,
-        }
 
 
 def critical(
@@ -134,16 +51,15 @@ def critical(
 
     Notes
     -----
-    Each circle connects two points of the ground and is evaluated for the mass that it cuts off between them. Ground
-    vertices are always among these points (evenly chosen ones if there are more than 48), and circles deepen up to the
-    one that is vertical at an end or touches the base. The best valleys of this coarse family are refined to 1e-4 of
-    its spacing. Deterministic.
+    Each circle connects two points of the ground and is evaluated for the mass between them. Ground vertices are always
+    among these points (evenly chosen ones if there are more than 48), and circles deepen up to the one that is vertical
+    at an end or touches the base. The best valleys of this coarse family are refined to 1e-4 of its spacing.
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
     best = least(search, tell)
-    circle = _described(slope, *search.circles(best[:1]))
-    factor = circle.yield_coefficient if method == YIELD else circle.factor_of_safety[method]
+    circle = circle_of(slope, *search.circles(best[:1]))
+    factor = circle.yield_coefficient if method == YIELD else circle.factors_of_safety[method]
     factor = np.inf if factor is None else factor
     if entry is None and exit is None:
         _refuse_bottomless(slope, factor, shaken=method == YIELD or slope.k_h > 0.0)
@@ -154,6 +70,7 @@ def critical(
     return replace(
         circle,
         method=method,
+        start=method if method in METHODS else circle.start,
         limits=search.limits | {"depth": depth},
         warning="; ".join(filter(None, warnings)),
         tried=len(values),
@@ -187,63 +104,6 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
     return sentences
 
 
-def at_circle(slope: Slope, section: Section) -> Critical:
-    """The factors of a circle that is given: of a section of this slope."""
-    ends = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
-    found = _described(slope, np.array([section.centre]), np.array([section.radius]), *ends)
-    return replace(found, refused=int(None in found.factor_of_safety.values()))
-
-
-def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
-    """One circle, by arrays of one."""
-    if slope.level is not None:
-        fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
-        raise_all("Slope", complaint([fault], ()))
-    circle = centre, radius, left, right
-    factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
-    without_k_h = None
-    if slope.k_h:
-        unshaken = replace(slope.arrays(), k_h=0.0)
-        without_k_h = _by_method(circle_factors(unshaken, *circle))
-    facing = int(factors["facing"][0])
-    negative = float(factors["negative"][0])
-    first, second = _point(left), _point(right)
-    entry, exit = (first, second) if facing >= 0 else (second, first)
-    warning = ""
-    if (slope.friction or slope.layers) and negative > _PULLED:
-        warning = (
-            f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
-            "method more than on the soil"
-        )
-    return Critical(
-        slope=slope,
-        factor_of_safety=_by_method(factors),
-        centre=_point(centre),
-        radius=float(radius[0]),
-        entry=entry,
-        exit=exit,
-        facing=facing,
-        negative=negative,
-        warning=warning,
-        factor_of_safety_without_k_h=without_k_h,
-        yield_coefficient=_known(factors[YIELD]),
-    )
-
-
-def _point(points: Floats) -> tuple[float, float]:
-    return float(points[0, 0]), float(points[0, 1])
-
-
-def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
-    """The factors of one circle, None where a method refuses it."""
-    return {method: _known(factors[method]) for method in METHODS}
-
-
-def _known(values: Floats) -> float | None:
-    """The number of one circle, None where there is none."""
-    return float(values[0]) if np.isfinite(values[0]) else None
-
-
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
         return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
@@ -260,7 +120,7 @@ def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) ->
         mistakes.append(
             f"{{cohesion}} = 0: the factor decreases towards ever thinner masses{_skin(slope)}; give a least depth"
         )
-    elif not depth and slope.friction and slope.pressure:
+    elif not depth and slope.has_friction and slope.pressure:
         mistakes.append(
             "{pressure}: is uniform along every circle, and lifts thin masses; give a water level or a pore "
             "pressure ratio, or a least depth"
@@ -284,9 +144,7 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
 
 def _is_cohesionless(slope: Slope) -> bool:
     """Whether no soil of the slope has cohesion at any depth."""
-    if not slope.layers:
-        return slope.cohesion == 0.0
-    return not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.layers)
+    return not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.soils)
 
 
 def _skin(slope: Slope) -> str:
@@ -295,7 +153,7 @@ def _skin(slope: Slope) -> str:
     steepest = float(np.max(np.abs(rise) / np.maximum(run, 1e-300)))
     if slope.layers or steepest >= 1e6:
         return ""
-    return f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry"
+    return f", tan(phi)/tan(slope) = {slope.soils[0][0].peak / steepest:.4g} if dry"
 
 
 def _refuse_skin(slope: Slope, circle: Critical) -> None:
@@ -312,12 +170,12 @@ def _refuse_bottomless(slope: Slope, least: float, shaken: bool) -> None:
     Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
     it with half the opening a, least where tan(a) = 2 a.
     """
-    if slope.layers or slope.friction or slope.base is not None:
+    if slope.layers or slope.has_friction or slope.base is not None:
         return
     assert slope.unit_weight is not None
     ground = np.asarray(slope.ground)
     step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
-    deepest = 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
+    deepest = 5.5199 * slope.soils[0][0].peak_cohesion / step if step and not slope.k_h else np.inf
     if shaken:
         deepest = 0.0
     if least > deepest:

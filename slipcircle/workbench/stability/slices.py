@@ -208,8 +208,8 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
         shaken_load=base.of_slope(slope.k_h_on_surcharge),
         water=base.water,
         steps=steps,
-        constant=base.constant,
-        gradient=base.gradient,
+        constant=base.constant[: len(steps)],
+        gradient=base.gradient[: len(steps)],
         shaken=_any_of_each(steps),
     )
 

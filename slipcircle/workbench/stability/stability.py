@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import InputError, complaint, raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.checks import InputError, complaint, freeze, raise_all
+from slipcircle.base.kinds import Floats, Parameters
 from slipcircle.base.units import take_units
+from slipcircle.core import cohesion_mistakes, law_mistakes
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, datum_of, friction_at_rest, layer_mistakes
+from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
@@ -47,22 +48,6 @@ def least_of(method: str) -> str:
     return "least yield coefficient" if method == YIELD else f"least factor by {method}"
 
 
-COMPARED = """\
-The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
-at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
-they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
-paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
-motion starts from the factor by the method of the search, or by start in [circle]: strength is multiplied by \
-one number, which is constant during the motion; a Scene that is not read from a file has 1. Below a water level the \
-paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \
-Bishop's, or give a base. An [arc] has the paper's factor only, as its ground is not known. A pressure in kPa is \
-uniform along the arc.
-
-Near the top of steep slopes, and under high water pressure, the effective normal stress of slices is negative by \
-Bishop's and by the ordinary method, and friction acts against stability. The share of such arc is printed, with a \
-warning from 20 % on. Compared with Taylor's friction circles on vertical cuts with friction, Bishop's least factor is \
-accurate to 1 % for a share below 14 %, and 2 % too low at 25 %, 5 % at 34 % and 9 % at 48 %; with those stresses set \
-to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
 Circles = tuple[Floats, Floats, Floats, Floats]  # centres, radii, left and right ends of arcs
 _BLOCK = 1 << 10  # sections at a time: their slices stay in the caches
 _Layers = Sequence[tuple[Soil, Any]]  # each with its top
@@ -76,10 +61,10 @@ class Slope:
     ----------
     ground : array_like
         Points of the surface from left to right, (V, 2), x and y in m; equal x is a vertical scarp.
-    cohesion : float
-        c', Pa.
-    friction : float
-        Friction coefficient, tan(phi').
+    cohesion : float, mapping or callable
+        c', Pa, or a law of slip as for a `Soil`, whose value at the start is used in factors of safety.
+    friction : float, mapping or callable
+        Friction coefficient, tan(phi'), or a law as for a `Scene`, whose value at the start is used, too.
     unit_weight : float
         gamma, N/m^3.
     level : array_like, optional
@@ -108,6 +93,10 @@ class Slope:
         Depth of a tension crack at the upper end of an arc, and height of the water in it, m.
     k_h_on_surcharge : bool
         Whether k_h acts on the surcharges, at the ground.
+    cohesion_gradient : float
+        Growth of the cohesion per metre of depth, Pa/m.
+    datum : float, optional
+        y below which the cohesion grows, m, by default the ground.
 
     Raises
     ------
@@ -116,8 +105,8 @@ class Slope:
     """
 
     ground: ArrayLike
-    cohesion: float = 0.0
-    friction: float = 0.0
+    cohesion: float | Parameters | Callable[[Any], Any] = 0.0
+    friction: float | Parameters | Callable[[Any], Any] = 0.0
     unit_weight: float | None = None
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
@@ -132,11 +121,14 @@ class Slope:
     crack: float = 0.0
     crack_water: float = 0.0
     k_h_on_surcharge: bool = False
+    cohesion_gradient: float = 0.0
+    datum: float | None = None
 
     def __post_init__(self) -> None:
         take_units(self, vars(self))
         mistakes = self._field_mistakes()
         if not mistakes:
+            freeze(self, ("cohesion", "friction"))
             object.__setattr__(self, "ground", np.array(self.ground, dtype=np.float64))
             if self.level is not None:
                 object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
@@ -145,16 +137,19 @@ class Slope:
 
     def _field_mistakes(self) -> list[str]:
         """A sentence for each field that is missing, out of range, or excluded by another."""
-        fields = {name: value for name, value in vars(self).items() if name not in _LAYERED}
-        mistakes = []
+        fields, mistakes = {name: value for name, value in vars(self).items() if name not in _LAYERED}, list[str]()
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
             for name in _OF_ONE_SOIL:
-                if getattr(self, name):
+                if getattr(self, name) not in (0.0, None):
                     mistakes.append(f"{name}: is given by the soils of the layers; leave it out")
             mistakes += layer_mistakes(self.layers, self.surcharge)
-        elif self.unit_weight is None:
-            mistakes.append("unit_weight is missing")
+        else:
+            if self.unit_weight is None:
+                mistakes.append("unit_weight is missing")
+            of_laws = self._law_mistakes()
+            mistakes += of_laws
+            fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
         mistakes += slope_errors(fields)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
@@ -162,16 +157,28 @@ class Slope:
             )
         return mistakes
 
+    def _law_mistakes(self) -> list[str]:
+        """Return a message for each mistake in strengths that are laws; numbers are checked with the other fields."""
+        found = []
+        if callable(self.friction) or isinstance(self.friction, Mapping):
+            found += law_mistakes(self.friction)
+        if callable(self.cohesion) or isinstance(self.cohesion, Mapping):
+            found += cohesion_mistakes(self.cohesion, "cohesion")
+        return found
+
+    @property
+    def _strength(self) -> dict[str, Any]:
+        """Cohesion and friction of one soil at the start."""
+        return {"cohesion": cohesion_at_rest(self.cohesion), "friction": friction_at_rest(self.friction)}
+
     def _joint_mistakes(self) -> list[str]:
         """A sentence for each mistake of fields that are valid by themselves."""
-        mistakes = []
-        ground = np.asarray(self.ground)
-        mistakes += complaint([water_fault(*self._water)], ())
-        if not self.layers and self.cohesion == 0.0 and self.friction == 0.0:
+        mistakes = complaint([water_fault(*self._water)], ())
+        if not self.layers and not any((*self._strength.values(), self.cohesion_gradient)):
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
         if self.crack_water > self.crack:
             mistakes.append(f"{{crack_water}} = {self.crack_water!r}: must be at most the depth of the crack")
-        if self.base is not None and self.base >= float(ground[:, 1].max()):
+        if self.base is not None and self.base >= float(np.asarray(self.ground)[:, 1].max()):
             mistakes.append(f"{{base}} = {self.base:.10g}: must lie below the highest point of the ground")
         return mistakes
 
@@ -193,17 +200,22 @@ class Slope:
 
     def arrays(self) -> SlopeArrays:
         """For `circle_factors`."""
-        names = ("water_unit_weight", "pressure", "k_h", "crack", "crack_water", "k_h_on_surcharge")
-        numbers = {name: getattr(self, name) for name in names}
-        layers = self.layers
-        if not layers:
-            assert self.unit_weight is not None
-            layers = _one_layer(self.unit_weight, self.cohesion, self.friction, self.pore_ratio)
-        return _slope_arrays(_of_one_slope, self, layers, self.surcharge, numbers)
+        numbers = {name: getattr(self, name) for name in ("water_unit_weight", "pressure", "k_h", *_LAYERED[2:])}
+        return _slope_arrays(_of_one_slope, self, self.soils, self.surcharge, numbers)
+
+    @property
+    def soils(self) -> Sequence[tuple[Soil, Any]]:
+        """Soils from the ground down, each with its top; a single soil has its strength at the start."""
+        return self.layers or one_layer(vars(self) | self._strength)
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether a soil has friction at the start."""
+        return any(np.any(soil.peak) for soil, _ in self.soils)
 
 
 _LAYERED = ("layers", "surcharge", "crack", "crack_water", "k_h_on_surcharge")
-_OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio")
+_OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio", "cohesion_gradient", "datum")
 
 
 def require_drive(section: Section) -> None:
@@ -291,7 +303,7 @@ def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _B
     numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
-    layers = _one_layer(section.unit_weight, strength["cohesion"], strength["friction"], strength["pore_ratio"])
+    layers = one_layer({"unit_weight": section.unit_weight, **strength})
     numbers |= {"pressure": by_lane(strength["pressure"])}
     return _slope_arrays(by_lane, section, layers, (), numbers)
 
@@ -308,10 +320,16 @@ def _slope_arrays(
     lines = by_lane(slope.ground, 2)
     level = None if slope.level is None else by_lane(slope.level, 2)
     water = free_water(lines, level, slope.confined, slope.ponds)
+    tops = [lines, *(_top_line(top, lines, by_lane) for _, top in layers[1:])]
     return SlopeArrays(
         ground=lines,
         soils=_soil_arrays(layers, by_lane, slipped),
-        tops=tuple(_top_line(top, lines, by_lane) for _, top in layers[1:]),
+        tops=tuple(tops[1:]),
+        datums={
+            k: top if soil.datum is None else _top_line(soil.datum, lines, by_lane)
+            for k, (top, (soil, _)) in enumerate(zip(tops, layers, strict=True))
+            if np.any(soil.cohesion_gradient)
+        },
         level=level,
         ponds=water if len(water.first) else None,
         surcharge=tuple((x1, x2, by_lane(q1), by_lane(q2)) for x1, x2, q1, q2 in surcharge),
@@ -327,9 +345,9 @@ def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
     return np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
 
 
-def _one_layer(unit_weight: Any, cohesion: Any, friction: Any, pore_ratio: Any) -> _Layers:
-    """Homogeneous ground as its only layer."""
-    return [(Soil(unit_weight, cohesion, friction, pore_ratio=pore_ratio), None)]
+def one_layer(numbers: Mapping[str, Any]) -> _Layers:
+    """Return homogeneous ground as its only layer."""
+    return [(Soil(**{name: numbers[name] for name in _OF_ONE_SOIL if name in numbers}, name="soil"), None)]
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
@@ -337,21 +355,13 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
-        datum = datum_of(soil, layers)
-        cohesion = cohesion_at_rest(soil.cohesion, slipped)
-        growth = soil.cohesion_gradient
-        if slipped and np.any(growth):
-            peak = np.where(soil.peak_cohesion, soil.peak_cohesion, 1.0)
-            rest = np.where(soil.peak_cohesion, cohesion, 1.0)
-            growth = growth * rest / peak
         of_layer = SoilArrays(
-            cohesion=by_lane(cohesion),
+            cohesion=by_lane(cohesion_at_rest(soil.cohesion, slipped)),
             friction=by_lane(friction_at_rest(soil.friction, slipped)),
             unit_weight=by_lane(soil.unit_weight),
             pore_ratio=by_lane(soil.pore_ratio),
             saturated_unit_weight=by_lane(saturated),
-            cohesion_gradient=by_lane(growth),
-            datum=by_lane(0.0 if datum is None else datum),
+            cohesion_gradient=by_lane(growth_at_rest(soil.cohesion, soil.cohesion_gradient, slipped)),
         )
         rows.append(of_layer)
     fields = zip(*rows, strict=True)
@@ -383,8 +393,10 @@ def soil(friction: Any, effects: Any, slipped: bool = False) -> dict[str, Any]:
     water = effects.get("pore_pressure", {})
     of_friction = friction_at_rest(friction, slipped)
     strength = {"friction": of_friction, "cohesion": cohesion_at_rest(cohesion, slipped)}
+    if "gradient" in cohesion:
+        strength["cohesion_gradient"] = growth_at_rest(cohesion, cohesion["gradient"], slipped)
     if "record" in water or not any(np.any(value) for value in strength.values()):
         return {}
     pore_ratio = at_start(water.get("ratio", 0.0))
     pressure = at_start(water.get("pressure", 0.0))
-    return strength | {"pore_ratio": pore_ratio, "pressure": pressure}
+    return strength | {"datum": cohesion.get("datum"), "pore_ratio": pore_ratio, "pressure": pressure}

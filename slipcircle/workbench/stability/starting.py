@@ -63,16 +63,16 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
 
 
 def yield_by(scene: Any, method: str) -> Any:
-    """Return the yield coefficient at the start by a method; None as of `residual_by`."""
+    """Return the yield coefficient at the start by a method; None as of `factor_of`."""
     return _of_scene(scene, lambda driven: yield_coefficient(driven, method))
 
 
-def residual_by(scene: Any, method: str) -> Any:
-    """Return the factor of safety of the original geometry with residual strength by a method.
+def factor_of(scene: Any, method: str, slipped: bool = False) -> Any:
+    """Return the factor of safety of the original geometry by a method, at the start or with residual strength.
 
     None where the strength is unknown; NaN where the method refuses the circle.
     """
-    return _of_scene(scene, lambda driven: factor_by(method, driven), slipped=True)
+    return _of_scene(scene, lambda driven: factor_by(method, driven), slipped)
 
 
 def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> float | None:

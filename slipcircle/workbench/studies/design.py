@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
 from slipcircle.core import ANSWERED, Motion, Scene, Status
-from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
 from slipcircle.workbench.files.numbers import Number, Uncertain
 from slipcircle.workbench.studies.motions import factors_at_start, motions
@@ -165,10 +165,9 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
     """Values of each input, in its key's unit, at points of the unit cube, (inputs, ...)."""
     is_correlated = np.any(design.correlation != np.eye(len(points)))
     if is_correlated:  # a Gaussian copula: normal scores are mixed
-        normal = statistics().norm
         mixing = np.linalg.cholesky(design.correlation)
-        scores = np.tensordot(mixing, normal.ppf(points), 1)
-        points = np.clip(normal.cdf(scores), 2.0**-54, 1.0 - 2.0**-53)
+        scores = np.tensordot(mixing, special().ndtri(points), 1)
+        points = np.clip(special().ndtr(scores), 2.0**-54, 1.0 - 2.0**-53)
     values = []
     for uncertain, of_input in zip(design.drawn.values(), points, strict=True):
         flat = of_input.reshape(-1)

@@ -16,7 +16,7 @@ from slipcircle.base.checks import INFINITY, array_of, mistakes, raise_all
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
-from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.identity import digest
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.loaded import stability_of
@@ -151,7 +151,7 @@ def _over_records(
     progress: IO[str] | None,
 ) -> SuiteStudy:
     """The study of a scene under records."""
-    statistics()  # which it ends with: missing, it is missed before hours of solving
+    special()  # which it ends with: missing, it is missed before hours of solving
     design = suite_design(replace(sampling, base=0), records, shaken)
     scenes = sum(map(design.scenes, range(design.blocks)))
     described = _described(design.sampling) | _suite_described(design)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
 
 _CONFIDENCE = 0.95  # of intervals
@@ -19,6 +19,13 @@ _FEWEST = 4  # records of a curve
 _FEWEST_OF_INTERVAL = 12  # of an interval that covers the true value as often as it should
 _SAME = 1e-9  # relative difference of equal peak accelerations, which scaling rounds
 _UNKNOWN = np.full((2, 2), np.nan)
+
+
+def interval_note(records: int) -> str:
+    """Return whether fragility curves from so many records have intervals, in words."""
+    if records >= _FEWEST_OF_INTERVAL:
+        return "95 % intervals of records as independent draws"
+    return f"no intervals: {records} records, fewer than {_FEWEST_OF_INTERVAL}"
 
 
 class FragilityCurve(NamedTuple):
@@ -56,7 +63,7 @@ class FragilityCurve(NamedTuple):
         variance = of_intercept + 2.0 * joint * log_pga + of_slope * log_pga**2
         half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
         bounds = np.stack([middle, middle - half, middle + half])
-        return statistics().norm.cdf(bounds)
+        return np.asarray(special().ndtr(bounds))
 
     def to_dict(self) -> dict[str, Any]:
         """The curve for JSON."""
@@ -113,7 +120,7 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
     covariance = unscale @ fitted_covariance @ unscale.T
     records = np.unique(record).size
     freedom = records - coefficients.size
-    quantile = statistics().t.ppf((1.0 + _CONFIDENCE) / 2.0, freedom) if records >= _FEWEST_OF_INTERVAL else math.nan
+    quantile = special().stdtrit(freedom, (1.0 + _CONFIDENCE) / 2.0) if records >= _FEWEST_OF_INTERVAL else math.nan
     return _curve(threshold, coefficients, covariance, float(quantile))
 
 
@@ -195,10 +202,8 @@ def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Float
 
 def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
     """Log-likelihood of shares at arguments of Phi, its derivative, and its expected second derivative, negative."""
-    from scipy import special
-
-    log_above = special.log_ndtr(argument)
-    log_below = special.log_ndtr(-argument)
+    log_above = special().log_ndtr(argument)
+    log_below = special().log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
     above = np.exp(log_density - log_above)
     below = np.exp(log_density - log_below)

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
-from slipcircle.workbench.files.loaded import SlopeScene, stability_of
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.variation import slope_of
+from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.samples import SampleSearch
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.stability.starting import OF_CLOSURE

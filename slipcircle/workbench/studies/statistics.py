@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
-from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.distributions import special
 
 # Bins of a histogram: of equal relative width 2**-10 from 2**-30 to 2**30, one below (zero too), one above, and the
 # last one for infinity.
@@ -80,12 +80,11 @@ def value_text(value: float) -> str:
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
-    beta = statistics().beta
     hits = np.asarray(hits, dtype=np.float64)
     tail = (1.0 - confidence) / 2
     misses = n - hits
-    low = beta.ppf(tail, hits, misses + 1)
-    high = beta.ppf(1.0 - tail, hits + 1, misses)
+    low = special().betaincinv(hits, misses + 1, tail)
+    high = special().betaincinv(hits + 1, misses, 1.0 - tail)
     low = np.where(hits > 0, low, 0.0)
     high = np.where(misses > 0, high, 1.0)
     return low, high
@@ -139,8 +138,8 @@ def width(confidence: float, replicates: int = 1) -> float:
     """Standard errors of half an interval: of many samples, or of a few replicates."""
     tail = (1.0 + confidence) / 2
     if replicates > 1:
-        return float(statistics().t.ppf(tail, replicates - 1))
-    return float(statistics().norm.ppf(tail))
+        return float(special().stdtrit(replicates - 1, tail))
+    return float(special().ndtri(tail))
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
@@ -148,10 +147,11 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
 
     The number of samples below the quantile is binomial, whatever the distribution.
     """
-    below = statistics().binom(n, p)
     tail = (1.0 - confidence) / 2
-    low = int(below.ppf(tail))
-    high = int(below.ppf(1.0 - tail))
+    tails = np.array([tail, 1.0 - tail])
+    count = np.ceil(special().bdtrik(tails, n, p))
+    before = np.maximum(count - 1.0, 0.0)
+    low, high = np.where(special().bdtr(before, n, p) >= tails, before, count).astype(int).tolist()
     return low, min(high, n) + 1
 
 

@@ -11,7 +11,7 @@ from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
 from slipcircle.base.kinds import Floats
 from slipcircle.tables import Series
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.suites.intensities import intensities
 
 _SHAPE = 3.0  # of the gamma distribution by which the intensity grows with time (Saragoni and Hart 1974)
@@ -75,16 +75,16 @@ def synthetic_records(
 
 def _noise(rng: np.random.Generator, duration: float) -> Series:
     """White noise behind the filter, under the envelope."""
-    growth = statistics().gamma(_SHAPE)
-    first, last = growth.ppf([0.05, 0.95])
-    scale = duration / float(last - first)
-    count = math.ceil(scale * float(growth.ppf(0.9995)) / _STEP)
+    first, last, longest = special().gammaincinv(_SHAPE, [0.05, 0.95, 0.9995]).tolist()
+    scale = duration / (last - first)
+    count = math.ceil(scale * longest / _STEP)
     time = np.asarray(_STEP * np.arange(count), dtype=np.float64)
-    envelope = np.sqrt(growth.pdf(time / scale))
+    scaled = time / scale
+    density = np.exp(special().xlogy(_SHAPE - 1.0, scaled) - scaled - special().gammaln(_SHAPE))
     noise = np.fft.rfft(rng.normal(size=count))
     frequencies = np.fft.rfftfreq(count, _STEP).astype(np.float64)
     filtered = np.fft.irfft(noise * _filter(frequencies), count)
-    return Series(time, envelope * filtered, held=False)
+    return Series(time, np.sqrt(density) * filtered, held=False)
 
 
 def _filter(frequencies: Floats) -> Floats:

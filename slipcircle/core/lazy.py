@@ -1,0 +1,39 @@
+"""Modules outside the core that only some scenes or results need, imported at their first use."""
+
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+MODULES = {
+    "given": "slipcircle.given",  # tabulated coefficients replace the computed ones
+    "arc": "slipcircle.words.arc",  # an arc is invalid
+    "history": "slipcircle.history.history",  # states, forces, stresses or energy are requested
+    "journey": "slipcircle.history.journey",  # the displacement of toe or centroid is requested
+    "validity": "slipcircle.history.validity",  # the range of validity is requested
+    "toe": "slipcircle.ground.toe",  # the range of validity of a section is requested
+    "forcing": "slipcircle.tables.forcing",  # shaking, or pore pressure that changes with time
+    "tables": "slipcircle.tables.tables",  # a function of time, or a piecewise or tabulated law
+    "functions": "slipcircle.tables.functions",  # friction is a Python function of slip
+    "soils": "slipcircle.layers.fragments",  # soils have friction laws of their own
+    "water": "slipcircle.ground.water",  # a section has a water level
+    "depths": "slipcircle.layers.depths",  # cohesion of one soil grows with depth
+    "standing": "slipcircle.layers.standing",  # free water covers the exit of a section
+    "creep": "slipcircle.stiff.creep",  # a viscous layer without end time, or the slow run-out is requested
+    "stiff": "slipcircle.stiff.implicit",  # explicit steps are too many
+    "plan": "slipcircle.words.choice",  # the description of a plan is requested
+    "equation": "slipcircle.words.equation",  # the equation of motion is requested
+    "estimate": "slipcircle.words.accuracy",  # the error estimate is requested
+    "warnings": "slipcircle.words.warnings",  # warnings are requested
+    "plausible": "slipcircle.words.plausible",  # a scene has an unusual number
+    "summary": "slipcircle.words.summary",  # the one-line summary is requested
+    "refusal": "slipcircle.words.refusal",  # a single scene has no result
+    "velocity": "slipcircle.words.velocity",  # velocity classes are requested
+    "parameters": "slipcircle.derivatives.parameters",  # lanes of an ensemble are selected
+    "sensitivity": "slipcircle.derivatives.sensitivity",  # derivatives are requested
+}
+
+
+@cache
+def lazy_import(name: str) -> Any:
+    """Return a module outside the core by its name in `MODULES`, imported at its first use."""
+    return import_module(MODULES[name])

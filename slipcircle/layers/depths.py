@@ -1,0 +1,117 @@
+"""Depth of an arc below a line that stays in space, with which cohesion grows: integrals along the arc.
+
+Vertically below the line as it lies before the slide; where the line is below the arc the depth is 0. Beyond the ends
+of the arc lies the strength of the end.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.kinds import Effects, Floats
+from slipcircle.ground.ground import continued
+from slipcircle.ground.heights import HeightIntegrals, height_integrals
+from slipcircle.layers.at_rest import cohesion_at_rest
+from slipcircle.layers.strips import edge_below
+
+_INWARD = 1e-9  # of an end of the arc, over R: at a scarp the ground of the mass counts
+
+
+class Depths(NamedTuple):
+    """Depths of arcs below a line, over R; directions are down-slope."""
+
+    facing: Floats
+    first: Floats
+    last: Floats
+    held: tuple[Floats, Floats]  # depths at both ends of the arc
+    heights: HeightIntegrals
+
+    def integral(self, there: Floats, limit: Any = None) -> Floats:
+        """Integral from the entry of the arc to directions (..., circles), by its own line up to a limit beyond."""
+        limit = self.last if limit is None else limit
+        inside = np.clip(there, self.first, limit)
+        entry = self.facing * self.first
+        end = self.facing * inside
+        left = np.minimum(entry, end)
+        right = np.maximum(entry, end)
+        within = self.heights.integral(left, right)
+        at_first, at_last = self.held
+        beyond = there - inside
+        at_end = np.where(beyond > 0.0, at_last, at_first)
+        total: Floats = within + beyond * at_end
+        return total
+
+    def mean(self, rotation: Floats) -> Floats:
+        """Mean depth over the arc under the mass after rotations (..., circles)."""
+        up_to_exit = self.integral(self.last + rotation)
+        up_to_entry = self.integral(self.first + rotation)
+        opening = self.last - self.first
+        mean: Floats = (up_to_exit - up_to_entry) / opening
+        return mean
+
+    @property
+    def kinks(self) -> Floats:
+        """Directions at which a cumulative integral has kinks, (circles, kinks)."""
+        of_line = self.heights.kinks * self.facing[:, None]
+        ends = np.stack([self.first, self.last], axis=1)
+        return np.concatenate([of_line, ends], axis=1)
+
+
+def depths_below(section: Any, top: Any) -> Depths:
+    """Return the depths of the arcs of a section below a height, heights of its shape, or a line; below its ground."""
+    _, centre, radius = section._circle
+    lines = section._top_line(top)
+    facing = section._facing
+    first, last = section._span
+    from_centre = lines - centre[:, None]
+    over_radius = from_centre / radius[:, None, None]
+    line = continued(over_radius, -2.0, 2.0)
+    heights = height_integrals(lines, centre, radius)
+    at_first = _at_end(line, facing, first, _INWARD)
+    at_last = _at_end(line, facing, last, -_INWARD)
+    return Depths(facing, first, last, (at_first, at_last), heights)
+
+
+def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> Floats:
+    """Return the depths of an end of the arcs below lines over R."""
+    x = facing * np.sin(direction)
+    inside = x + facing * inward
+    y, _ = edge_below(line, x[:, None], inside[:, None])
+    depth = y[:, 0] + np.cos(direction)
+    return np.maximum(depth, 0.0)
+
+
+class MeanDepth(NamedTuple):
+    """Mean depth of the slip surface of a section of one soil as a function of the rotation, m."""
+
+    section: Any
+    depths: Depths
+
+    def __call__(self, rotation: Any) -> Any:
+        shape, turned = self.section._rotations(rotation)
+        over_radius = self.depths.mean(turned)
+        by_rotation = over_radius.reshape(shape)
+        return by_rotation * self.section.radius
+
+    @property
+    def kinks(self) -> Floats:
+        """Rotations at which it is not smooth, on a last axis."""
+        ends = np.stack([self.depths.first, self.depths.last], axis=1)
+        between = self.depths.kinks[:, :, None] - ends[:, None]
+        rotations = between.reshape(len(ends), -1)
+        return np.sort(rotations, axis=1)
+
+
+def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
+    """Return effects of which the cohesion, or that which softens, grows with depth."""
+    depth = MeanDepth(section, depths_below(section, cohesion.get("datum")))
+    grown = {**effects}
+    for name, given in effects.items():
+        if name == "cohesion" and "gradient" in given:
+            grown[name] = {**given, "depth": depth}
+        elif name.startswith("softening"):
+            peak = cohesion_at_rest(cohesion)
+            per_peak = cohesion["gradient"] / peak
+            gradient = given["moment"] * per_peak
+            grown[name] = {**given, "gradient": gradient, "depth": depth}
+    return grown

@@ -1,0 +1,34 @@
+"""Files of scenes by name: the scenes that ship, and others by their path."""
+
+import os
+from difflib import get_close_matches
+from importlib import resources
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+_FOLDER = resources.files("slipcircle") / "scenes"
+
+
+def shipped() -> tuple[str, ...]:
+    """Return the names of the scenes that ship."""
+    return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
+
+
+def find(name: str | PathLike[str]) -> Any:
+    """Return the file of a scene that ships, by name, or of another scene, by path."""
+    if not isinstance(name, str | PathLike):
+        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
+    if name in (names := shipped()):
+        return _FOLDER / f"{name}.toml"
+    path = Path(name)
+    for candidate in (path, Path(f"{name}.toml")):
+        if os.path.exists(candidate) and not os.path.isdir(candidate):  # without an error for invalid file names
+            return candidate
+    if str(name) and os.path.isdir(path):
+        raise ValueError(f"{path}: is a folder; give a scene's file")
+    near = get_close_matches(path.stem, [*names, *(file.stem for file in path.parent.glob("*.toml"))], 1)
+    is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
+    known = f"scene {str(name)!r} is unknown; known are {', '.join(names)}"
+    said = f"{path}: there is no such file" if is_path else known
+    raise ValueError(said + "".join(f"; did you mean {n}?" for n in near))

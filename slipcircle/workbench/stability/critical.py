@@ -1,0 +1,314 @@
+"""A slip circle of a slope with its factors of safety, and the scene of the motion along it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import InputError, complaint, raise_all
+from slipcircle.base.forms import Pictured
+from slipcircle.base.kinds import Floats, Numbers, cached_property
+from slipcircle.core import AS_ENTERED, Motion, Scene
+from slipcircle.ground import Section, ends_above
+from slipcircle.layers import LayeredSection
+from slipcircle.workbench.stability.factors import YIELD, circle_factors
+from slipcircle.workbench.stability.stability import METHODS, Slope, one_layer
+from slipcircle.workbench.stability.starting import OF_CLOSURE, at_rest_by, factor_of, strength_factor, yield_by
+
+_PULLED = 0.2  # share of an arc that may be under negative stress without a warning
+_PIECES = 50  # into which an arc is cut to count it
+_CRACK_EMPTIES = "a crack opens and empties as soon as the mass moves; leave it out"
+_BY_START = ("factor_of_safety", "yield_coefficient", "residual", "at_rest")
+_NO_START = (
+    "circle.start: by {} this circle has no factor of safety to start from; give another circle, or another method in "
+    '[circle], such as start = "ordinary" or "paper"'
+)
+
+
+@dataclass(frozen=True)
+class Critical(Pictured):
+    """A circle with its factors of safety, and data of the search.
+
+    Attributes
+    ----------
+    slope : Slope
+    factors_of_safety : dict
+        By method, with the k_h of the slope; None where a method does not apply to the circle.
+    factors_of_safety_without_k_h : dict or None
+        Without k_h, from which a motion starts; None if the slope has no k_h.
+    start : str
+        Method from whose factor of safety a motion starts: that of the search, or Bishop's.
+    factor_of_safety : float or None
+        Factor of safety by the starting method, with the k_h of the slope.
+    section : Section
+        Mass above the circle, layered if the slope has layers, a surcharge or a tension crack.
+    yield_coefficient : float or None
+        k_y, the k_h for which the factor by the paper's method is 1, as of a motion: surcharges are shaken as well;
+        negative if the mass slides without. None if no k_h is.
+    centre, radius : tuple of float, float
+        m.
+    entry, exit : tuple of float
+        Upper and lower end of the slip surface, m.
+    facing : int
+        1 if the mass slides to the right, -1 if to the left, 0 if nothing drives it.
+    negative : float
+        Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
+    warning : str
+        If a fifth of the arc or more is under negative stress, or the circle reaches an end of the ground or a limit of
+        the search, beyond which the factor may be lower.
+    method, limits : str, mapping
+        Method that was minimised, and limits of the search; empty for a given circle.
+    tried, refused : int
+        Number of circles evaluated, and of those without a factor: off the ground, too shallow, overhanging, or with
+        m_alpha below 0.05.
+    centres, values : ndarray
+        Centre of every circle evaluated, (tried, 2), and its factor or NaN, for a map.
+    """
+
+    slope: Slope = field(repr=False, compare=False)
+    factors_of_safety: dict[str, float | None]
+    centre: tuple[float, float]
+    radius: float
+    entry: tuple[float, float]
+    exit: tuple[float, float]
+    facing: int
+    negative: float
+    warning: str
+    factors_of_safety_without_k_h: dict[str, float | None] | None = None
+    yield_coefficient: float | None = None
+    method: str = ""
+    start: str = "bishop"
+    tried: int = 1
+    refused: int = 0
+    centres: Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False, compare=False)
+    values: Floats = field(default_factory=lambda: np.empty(0), repr=False, compare=False)
+    limits: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def factor_of_safety(self) -> float | None:
+        return self.factors_of_safety[self.start]
+
+    @property
+    def between(self) -> tuple[float, float]:
+        """x of both ends, from left to right, which selects one of the masses that the circle cuts off."""
+        left, right = sorted([self.entry[0], self.exit[0]])
+        return left, right
+
+    def without_map(self) -> Critical:
+        """A copy without the circles that were evaluated."""
+        return replace(self, centres=self.centres[:0], values=self.values[:0])
+
+    def record(self) -> dict[str, Any]:
+        """Return the circle for JSON, in SI units."""
+        further: dict[str, Any] = {}
+        if self.factors_of_safety_without_k_h:
+            further["factors_of_safety_without_k_h"] = self.factors_of_safety_without_k_h
+        if self.method == YIELD:
+            further["yield_coefficient"] = self.yield_coefficient
+        if ponds := self.slope.free_water.of_one:
+            further["free_water"] = ponds
+        return further | {
+            "method": self.method,
+            "facing": self.facing,
+            "factor_of_safety": self.factor_of_safety,
+            "factor_of_safety_method": self.start,
+            "factors_of_safety": self.factors_of_safety,
+            "circle": {"centre": list(self.centre), "radius": self.radius},
+            "entry": list(self.entry),
+            "exit": list(self.exit),
+            "tried": self.tried,
+            "refused": self.refused,
+        }
+
+    # --- the motion along it -----------------------------------------------------------------------------------------
+
+    @cached_property
+    def section(self) -> Section:
+        slope = self.slope
+        names = ("ground", "level", "water_unit_weight", "base", "confined", "ponds")
+        common: dict[str, Any] = {name: getattr(slope, name) for name in names}
+        common |= {"centre": self.centre, "radius": self.radius, "between": self.between}
+        if slope.layers or slope.surcharge or slope.crack:
+            loads: dict[str, Any] = {"surcharge": slope.surcharge, "crack": slope.crack}
+            return LayeredSection(**common, **loads, layers=slope.layers or one_layer(vars(slope)))
+        return Section(**common, unit_weight=float(slope.unit_weight or 0.0))
+
+    def scene(self, effects: Mapping[str, Any] | Iterable[str] = (), **given: Any) -> SlopeScene[Any]:
+        """Return the scene of the motion along the circle, which starts from `factor_of_safety` without k_h.
+
+        Parameters
+        ----------
+        effects : mapping or iterable of str
+            As for a `Scene`, in addition to the cohesion and the pore pressure of the slope.
+        **given
+            Further fields of the `Scene`, such as ``end_time``, and ``start``, another starting method.
+
+        Raises
+        ------
+        ValueError
+            For water in a tension crack, which a motion does not have, a circle without a result by the starting
+            method, and mistakes in the fields.
+        """
+        if self.slope.crack_water:
+            raise InputError("scene", [f"{{crack_water}} = {self.slope.crack_water!r}: {_CRACK_EMPTIES}"])
+        fields = {"start": self.start, "stability": self.without_map(), **given}
+        if not isinstance(self.section, LayeredSection):
+            fields["friction"] = self.slope.friction
+        named = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
+        every_effect = self._own_effects() | dict(named)
+        return SlopeScene(self.section, effects=every_effect, **fields)
+
+    def _own_effects(self) -> dict[str, Any]:
+        """Return the pore pressure of the slope as an effect, and the cohesion of a single soil."""
+        slope = self.slope
+        effects = dict[str, Any]()
+        water = {"pressure": slope.pressure}
+        if not isinstance(self.section, LayeredSection):
+            water["ratio"] = slope.pore_ratio
+            cohesion = slope.cohesion
+            strength = dict(cohesion) if isinstance(cohesion, Mapping) else {"cohesion": cohesion}
+            if slope.cohesion_gradient:
+                strength["gradient"] = slope.cohesion_gradient
+            if slope.datum is not None:
+                strength["datum"] = slope.datum
+            if cohesion or slope.cohesion_gradient:
+                effects["cohesion"] = strength
+        if any(water.values()):
+            effects["pore_pressure"] = {name: value for name, value in water.items() if value}
+        return effects
+
+
+@dataclass(frozen=True)
+class SlopeScene(Scene[Numbers]):
+    """A scene with the factors of safety of its circle, as returned by `load` and `Critical.scene`.
+
+    Attributes
+    ----------
+    stability : Critical, optional
+        Factors of safety of the section's circle, and how it was found.
+    remarks : tuple of str
+        Interpretations of the file that may not be intended.
+    start : str
+        Method from whose factor of safety the motion starts. It sets `strength_factor`, and again in every scene that
+        is derived from this one, unless that has another strength factor explicitly.
+    set_by_start : float or array
+        The strength factor that ``start`` has set.
+    """
+
+    stability: Critical | None = None
+    remarks: tuple[str, ...] = ()
+    start: str = OF_CLOSURE
+    set_by_start: Any = AS_ENTERED
+
+    def __post_init__(self) -> None:
+        if self.strength_factor is self.set_by_start:
+            self._start_with(AS_ENTERED)  # until all fields are known to be valid
+        super().__post_init__()
+        self.start_anew()
+        if not self.shape and self.strength_factor != self.strength_factor:
+            raise InputError("", [_NO_START.format(self.start)])
+
+    def start_anew(self) -> None:
+        if self.strength_factor is self.set_by_start:
+            self._start_with(strength_factor(self, self.start))
+
+    def _start_with(self, factor: Any) -> None:
+        """Set the strength factor."""
+        for name in ("strength_factor", "set_by_start"):
+            object.__setattr__(self, name, factor)
+
+    def by_start(self, quantity: str, motion: Motion) -> Any:
+        if quantity not in _BY_START or self.start == OF_CLOSURE or self.strength_factor is not self.set_by_start:
+            return None
+        if quantity == "yield_coefficient":  # under shaking the strength factor has made it that of the closure
+            found = None if "shaking" in self.called else yield_by(self, self.start)
+        elif quantity == "factor_of_safety":  # without shaking it has made this factor that of the closure
+            found = factor_of(self, self.start) if "shaking" in self.called else None
+        elif quantity == "residual":
+            found = factor_of(self, self.start, slipped=True)
+        elif self.shape or not motion.arrested:
+            return None
+        else:
+            friction = float(motion.friction_at(motion.settling_time))
+            found = at_rest_by(self, self.start, motion.end.rotation, friction)
+        return None if found is None or np.all(np.isnan(found)) else (found, self.start)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the fields, and whether the start sets the strength factor: a copy has another number object."""
+        return vars(self) | {"set_by_start": self.strength_factor is self.set_by_start}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        factor = state["strength_factor"] if state["set_by_start"] else None
+        vars(self).update(state | {"set_by_start": factor})
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """All numbers that may be arrays; the strength factor follows from the others unless it is explicit."""
+        numbers = super().numbers
+        if self.strength_factor is not self.set_by_start:
+            return numbers
+        return {name: value for name, value in numbers.items() if name != "strength_factor"}
+
+
+def at_circle(slope: Slope, section: Section) -> Critical:
+    """Return the given circle of a section of a slope with its factors of safety."""
+    ends = sorted([tuple(section.entry), tuple(section.exit)])
+    left, right = np.array(ends)[:, None]
+    centre = np.array([section.centre])
+    radius = np.array([section.radius])
+    found = circle_of(slope, centre, radius, left, right)
+    return replace(found, refused=int(None in found.factors_of_safety.values()))
+
+
+def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
+    """Return one circle, given by arrays of one, with its factors of safety."""
+    if slope.level is not None:
+        fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
+        raise_all("Slope", complaint([fault], ()))
+    circle = centre, radius, left, right
+    factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
+    without_k_h = None
+    if slope.k_h:
+        unshaken = replace(slope.arrays(), k_h=0.0)
+        without_k_h = _by_method(circle_factors(unshaken, *circle))
+    facing = int(factors["facing"][0])
+    negative = float(factors["negative"][0])
+    first, second = _point(left), _point(right)
+    entry, exit = (first, second) if facing >= 0 else (second, first)
+    warning = ""
+    if slope.has_friction and negative > _PULLED:
+        warning = (
+            f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
+            "method more than on the soil"
+        )
+    return Critical(
+        slope=slope,
+        factors_of_safety=_by_method(factors),
+        centre=_point(centre),
+        radius=float(radius[0]),
+        entry=entry,
+        exit=exit,
+        facing=facing,
+        negative=negative,
+        warning=warning,
+        factors_of_safety_without_k_h=without_k_h,
+        yield_coefficient=_known(factors[YIELD]),
+    )
+
+
+def _point(points: Floats) -> tuple[float, float]:
+    return float(points[0, 0]), float(points[0, 1])
+
+
+def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
+    """The factors of one circle, None where a method refuses it."""
+    return {method: _known(factors[method]) for method in METHODS}
+
+
+def _known(values: Floats) -> float | None:
+    """The number of one circle, None where there is none."""
+    return float(values[0]) if np.isfinite(values[0]) else None
