@@ -98,7 +98,6 @@ def test_every_number_of_a_study_is_an_estimate_of_it(method: str) -> None:
     assert expected <= printed
     facts = {"samples": f"512, {method}", "seed": "5", "samples of a block": str(study.size),
              "requested relative error of each solution": "1e-09",
-             "relative error of quantiles from bins": "none: samples were kept",
              "friction.angle_deg": "scipy.stats.norm(10.0, 1.0)",
              "arc.radius_m": "scipy.stats.uniform(1400.0, 100.0)"}  # fmt: skip
     facts["samples by how they ended"] = ", ".join(f"{n} {Status(k).words}" for k, n in enumerate(study.counts) if n)
@@ -133,7 +132,7 @@ def test_its_figures_are_whole_drawings() -> None:
         drawing = ElementTree.fromstring(base64.b64decode(source, validate=True))
         assert len(list(drawing.iter("{http://www.w3.org/2000/svg}path"))) > 30
     order = [e.tag for e in root.find("body").iter() if e.tag in ("h1", "h2", "figure", "dl", "img", "table")]
-    assert order[:3] == ["h1", "figure", "dl"]
+    assert order[:4] == ["h1", "dl", "figure", "dl"]
     assert order.index("img") < order.index("table")
 
 
@@ -161,6 +160,17 @@ def test_uncertain_inputs_are_marked() -> None:
     text = report([solve(scene)], [file.encode()], COMMAND)
     assert "uncertain, normal" in text
     assert "at the median of friction.angle_deg" in text
+
+
+@pytest.mark.usefixtures("unseen")
+def test_the_date_of_a_report(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The day of 1e9 s, in UTC; what is no time is an error."""
+    known = [motion("wet-slope")], [b"[report]\nproject = 'Dam 7'\n" + find("wet-slope").read_bytes()], COMMAND
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1000000000")
+    assert "<dt>date</dt><dd>2001-09-09</dd></div><div><dt>project</dt><dd>Dam 7</dd>" in report(*known)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
+    with pytest.raises(ValueError, match="SOURCE_DATE_EPOCH: must be a time in seconds since 1970"):
+        report(*known)
 
 
 def test_comments_stand_beside_their_keys() -> None:

@@ -125,10 +125,6 @@ def test_a_sample_of_a_study_is_its_motion(study: Study) -> None:
     assert study.to_dict()["outputs"]["run_out"]["mean"]["value"] == study.mean("run_out").value
     for k in (0, 7, -1):
         assert study[k].run_out == pytest.approx(study.samples["run_out"][k], rel=1e-12)
-    counted = ensemble(study.scene, 20, 1, keep=False, sensitivity=0)
-    for ask in (lambda: counted[0], counted.to_pandas, counted.to_xarray):
-        with pytest.raises(ValueError, match="were only counted"):
-            ask()
 
 
 def test_pickled_it_is_the_same(study: Study) -> None:
@@ -179,7 +175,8 @@ def test_pandas(study: Study) -> None:
     samples = study.to_pandas()
     np.testing.assert_array_equal(samples["run_out"], study.samples["run_out"])
     assert set(samples["status"]) == {"RESTS"}
-    assert samples.attrs["units"] == {**{n: q.unit for n, q in OUTCOMES.items()}, "friction.angle_deg": "deg"}
+    units = {**{n: q.unit for n, q in OUTCOMES.items()}, "friction.angle_deg": "deg", "rotation": "rad"}
+    assert samples.attrs["units"].items() >= units.items()
 
 
 def test_xarray_keeps_dimensions(study: Study) -> None:

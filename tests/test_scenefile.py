@@ -362,12 +362,12 @@ def test_the_guide_has_every_law_effect_and_key_and_fits_a_page() -> None:
 def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
     """What makes a parameter dimensionless, as people read it, computed."""
     names = {"alpha": "half_angle", "g": "gravity", "R": "radius", "rho": "density", "sigma_ref": "reference_stress",
-             "Theta": "Theta",
+             "Theta": "Theta", "gradient": "gradient",
              "strength_factor": "strength_factor"}  # fmt: skip
     scales = {name: 1.0 + 0.37 * k for k, name in enumerate((*names.values(), "thickness", "heat_capacity", "cover"))}
     known = scales | {short: scales[name] for short, name in names.items()} | {"sqrt": np.sqrt}
     formulas = [(effect, f.split("* = ")) for effect in EFFECTS.values() for f in effect.formulas if "* = " in f]
-    assert len(formulas) == 7
+    assert len(formulas) == 8
     for effect, (symbol, formula) in formulas:
         (p,) = (p for p in effect.parameters if p.symbol == symbol)
         product = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)

@@ -12,19 +12,7 @@ from slipcircle import ensemble, load
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS, described, distribution_of
 from slipcircle.workbench.files.numbers import Uncertain, number_in
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
-from slipcircle.workbench.studies.statistics import (
-    BIN_ERROR,
-    BINS,
-    bins,
-    edges,
-    histogram_quantile,
-    indices,
-    moments,
-    pooled,
-    proportion,
-    ranks,
-    sums,
-)
+from slipcircle.workbench.studies.statistics import Ordered, indices, proportion, ranks, sums
 from tests.campaigns import coverage
 
 _LOG = math.log1p(0.3**2)
@@ -96,26 +84,25 @@ def test_proportion_and_ranks_cover() -> None:
         assert high == n + 1 or below.cdf(high - 2) < 0.975 <= below.cdf(high - 1)
 
 
-def test_moments_of_parts_are_those_of_the_whole() -> None:
-    """In any parts, empty ones too."""
-    values = np.random.default_rng(2).gamma(2.0, 3.0, 5000) + 1e4
-    found = np.zeros(5)
-    for part in np.split(values, [0, 1, 7, 7, 1000, 4990]):
-        found = pooled(np.stack([found, moments(part)]))
-    mean = float(np.mean(values))
-    off = [math.fsum((values - mean) ** k) for k in (2, 3, 4)]
-    np.testing.assert_allclose(found, np.array([5000.0, mean, *off]), rtol=1e-9)
-
-
-def test_bins() -> None:
-    """Every value lies in its own; a quantile of their counts is that of the sample to within a bin."""
-    sample = np.sort(10 ** np.random.default_rng(1).uniform(-8, 8, 1000))
-    values = np.concatenate([[0.0, 1e-300, 1e300, np.inf], sample, edges()[1:-1]])
-    k = bins(values)
-    assert np.all((edges()[k] <= values) & ((values < edges()[k + 1]) | (k == BINS - 1)))
-    shares = np.linspace(0, 1, 51)
-    quantiles = histogram_quantile(np.bincount(bins(sample), minlength=BINS), shares, (sample[0], sample[-1]))
-    np.testing.assert_allclose(quantiles, np.quantile(sample, shares, method="inverted_cdf"), rtol=BIN_ERROR)
+@pytest.mark.parametrize("replicates", [1, 16])
+def test_quantiles_and_moments_are_numpys_and_scipys(replicates: int) -> None:
+    """Exactly, whatever rounding does to the share; infinite values lie above every other, and have no moments."""
+    rng = np.random.default_rng(2)
+    sample = rng.gamma(2.0, 3.0, 4801)
+    ordered = Ordered([*np.array_split(sample, replicates), np.empty(0)])
+    for p in [*rng.uniform(size=200), *np.linspace(0.0, 1.0, 101)]:
+        value, low, high = ordered.quantile(p, 0.95)
+        assert value == np.quantile(sample, p, method="inverted_cdf")
+        assert value == stats.quantile(sample, p, method="inverted_cdf")
+        assert not low > value
+        assert not high < value
+    mean, error, std, _ = ordered.spread()
+    assert (mean, std) == pytest.approx((sample.mean(), sample.std(ddof=1)), rel=1e-13)
+    parts = [part.mean() for part in np.array_split(sample, replicates)]
+    assert error == pytest.approx(stats.sem(parts if replicates > 1 else sample), rel=1e-12)
+    beyond = Ordered([np.append(sample, np.inf)])
+    assert beyond.spread() == Ordered([sample]).spread()
+    assert (beyond.at_share(1.0), beyond.at_share(1.0 - 1.0 / 4802)) == (np.inf, sample.max())
 
 
 WEIGHTS = np.array([[0.0], [1.0], [9.0]])

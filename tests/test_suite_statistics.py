@@ -9,7 +9,7 @@ from scipy import signal, stats
 
 from slipcircle import Series
 from slipcircle.workbench.studies.fragility import fragility_curve
-from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, exceedance_shares, variance_shares
+from slipcircle.workbench.studies.statistics import distribution, exceedance, exceedance_shares, variance_shares
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import REGRESSIONS, Shaking, comparisons
 from slipcircle.workbench.suites.synthetic import synthetic_records

@@ -15,12 +15,15 @@ from matplotlib import pyplot
 
 from slipcircle import Arc, Scene, Series, ensemble, load, solve
 from slipcircle.core import Status
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_record
 from slipcircle.workbench.records.suite import place_of, read_suite
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import Shaking, comparisons
+from slipcircle.workbench.suites.synthetic import write_records
 from tests.support.blocks import quake
 from tests.support.outputs import tree
 
@@ -363,16 +366,64 @@ def test_what_commands_refuse(
     assert message in err
 
 
-def test_a_report_of_a_suite_is_written_again_to_the_byte(tmp_path: Path, said: Any) -> None:
-    line, page = "sweep newmark-pulse --synthetic 3:1.5:12 --seed 2 --polarities", tmp_path / "page.html"
-    run_out = np.array(json.loads(said(f"{line} --report {page} --json"))["run_out"])
+HEADED = """
+[report]
+title = "Slope 4 & its berm"
+project = "Dam 7"
+author = "A. Author"
+checker = "C. Checker"
+"""
+
+
+def test_a_report_of_a_suite_shows_its_slope_and_numbers(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any
+) -> None:
+    """Of each record as it is solved alone, of all by NumPy, of the circle by its search; the same bytes again."""
+    scene, page = tmp_path / "slope.toml", tmp_path / "page.html"
+    scene.write_text(find("shaken-slope").read_text("utf-8") + HEADED, "utf-8")
+    records = {f"q{seed}": quake(seed).scaled(2.0) for seed in (1, 2, 3)}
+    write_records(records, tmp_path / "records")
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", str(86400 * 365))
+    line = f"sweep {scene} --records {tmp_path / 'records'} --polarities --seed 2 --report {page} --json"
+    said(line)
     text = page.read_text("utf-8")
-    said(f"{line} --report {page} --json")
+    said(line)
     assert page.read_text("utf-8") == text
-    words = " ".join(" ".join(tree(text).itertext()).split())
-    median = np.quantile(np.abs(run_out[:, :, 0, 0]), 0.5, method="inverted_cdf")  # as in its table
+    root = tree(text)
+    words = " ".join(" ".join(root.itertext()).split())
+    assert root.find(".//h1").text == "Slope 4 & its berm"
+    assert "date 1971-01-01 project Dam 7 author A. Author checker C. Checker" in words
+    assert [image.get("alt") for image in root.iter("img")] == ["Suite of shaken-slope", "Slope of shaken-slope"]
+    every_row = [[cell.text for cell in row] for row in root.iter("tr")]
+    cells = {row[0]: row[1:] for row in every_row}
+    still = load(scene)
+    solved = []
+    for number, record in enumerate(records.values(), 1):
+        shaken = [{**still.called, "shaking": {"horizontal": record.scaled(sign)}} for sign in (1.0, -1.0)]
+        both = [solve(replace(still, effects=effects)) for effects in shaken]
+        moved = [abs(motion.end.displacement) for motion in both]
+        speed = max(abs(motion.outcomes["peak_velocity"]) for motion in both)
+        found = [float(cell) for cell in cells[f"synthetic-{number:04d}.csv"][1:5]]
+        assert found == pytest.approx([*moved, sum(moved) / 2, speed], rel=2e-3)
+        solved += moved
+    assert len(solved) == 6
+    at_scale = [[float(cell.split(" ")[0]) for cell in row[1:]] for row in every_row if row[0] == "scale 1"]
+    share, mean, p16, median, p84 = at_scale[0][:5]
+    assert share == pytest.approx(100.0 * np.mean(np.array(solved) > 0.0), abs=0.1)
+    assert mean == pytest.approx(np.mean(solved), rel=2e-3)
+    wanted = np.quantile(solved, [0.16, 0.5, 0.84], method="inverted_cdf")
+    assert [p16, median, p84] == pytest.approx(wanted, rel=2e-3)
+    assert at_scale[1][1:] == pytest.approx([np.mean(np.array(solved) > d) for d in (0.01, 0.05, 0.15, 1.0)], abs=0.005)
     assert f"median displacements {median:.4g} m" in words
-    assert "synthetic 3" in words
+    stability = stability_of(still)
+    assert stability is not None
+    for method, name in (("paper", "the paper's method"), ("bishop", "Bishop's method")):
+        assert cells[f"factor of safety by {name}"] == [f"{stability.factors_of_safety[method]:.4g}"]
+    assert cells["radius"] == [f"{stability.radius:.4g} m"]
+    assert [float(x) for x in cells["centre"][0].removesuffix(" m").split(",")] == pytest.approx(
+        list(stability.centre), abs=0.01
+    )
+    assert max(len(list(group)) for group in root.iter("tbody")) == 10
 
 
 def test_a_picture_has_every_record_in_order() -> None:

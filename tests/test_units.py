@@ -88,11 +88,13 @@ def scene_of(folder: Path, text: str) -> Scene[float]:
 def test_a_slope_in_feet(tmp_path: Path) -> None:
     """It is the slope in metres, by factors from definitions; its numbers are called by keys in any unit."""
     scene = scene_of(tmp_path, FEET)
+    arc: Any = scene.arc
     expected = [0.3048 * np.array(x) for x in ([[0, 60], [60, 60], [140, 20], [180, 20]], [120, 90], 80)]
-    for found, value in zip((scene.arc.ground, scene.arc.centre, scene.arc.radius), expected, strict=True):
+    for found, value in zip((arc.ground, arc.centre, arc.radius), expected, strict=True):
         np.testing.assert_allclose(found, value, rtol=1e-15)
-    assert scene.arc.unit_weight == pytest.approx(120 * PSF / 0.3048, rel=1e-14)
-    assert scene.effects["cohesion"]["cohesion"] == pytest.approx(225 * PSF, rel=1e-14)
+    assert arc.unit_weight == pytest.approx(120 * PSF / 0.3048, rel=1e-14)
+    effects: Any = scene.effects
+    assert effects["cohesion"]["cohesion"] == pytest.approx(225 * PSF, rel=1e-14)
     uncertain = uncertain_numbers(scene)["cohesion.cohesion"]
     assert uncertain.key == "cohesion.cohesion_psf"
     assert uncertain.number.to_si(uncertain.moments[0]) == pytest.approx(225 * PSF, rel=1e-12)
@@ -127,16 +129,18 @@ def test_quantities_of_pint() -> None:
     plain = Arc(4897 * 0.3048, math.radians(215.2), 4.833, 127.3 * PSF / 0.3048)
     assert arc.polar_moment == pytest.approx(plain.polar_moment, rel=1e-14)
     scene = Scene(arc, q(0.17, ""), {"cohesion": {"cohesion": q(600, "lbf/ft^2")}}, end_time=q(1, "min"))
-    assert scene.effects["cohesion"]["cohesion"] == pytest.approx(600 * PSF, rel=1e-9)
+    effects: Any = scene.effects
+    assert effects["cohesion"]["cohesion"] == pytest.approx(600 * PSF, rel=1e-9)
     assert (scene.friction, scene.end_time) == (0.17, 60)
     points = [[0.0, 60], [60, 60], [140, 20], [180, 20]]
-    section = Section(q(points, "ft"), [q(120, "ft"), q(90, "ft")], q(80, "ft"), 19e3)
+    section: Any = Section(q(points, "ft"), [q(120, "ft"), q(90, "ft")], q(80, "ft"), 19e3)
     assert section.radius == pytest.approx(24.384, rel=1e-12)
-    slope = Slope(q(points, "ft"), q(12, "kPa"), 0.3, q(19, "kN/m^3"))
+    slope: Any = Slope(q(points, "ft"), q(12, "kPa"), 0.3, q(19, "kN/m^3"))
     np.testing.assert_allclose(slope.ground, section.ground, rtol=1e-12)
     assert slope.cohesion == pytest.approx(12e3, rel=1e-12)
     law = {"law": "exponential", "peak": q(5, "kPa"), "residual": 1e3, "length": q(2, "ft")}
-    assert Soil(19e3, law).cohesion["length"] == pytest.approx(0.6096, rel=1e-12)
+    soil: Any = Soil(19e3, law)
+    assert soil.cohesion["length"] == pytest.approx(0.6096, rel=1e-12)
     for make, said in (
         (lambda: Arc(q(3, "s"), 3.7, 4.8, 2e4), r"radius = 3 second: must be m, or another unit"),
         (lambda: Scene(plain, q(20, "deg")), "friction = 20 degree: must be a number without unit"),
@@ -235,10 +239,10 @@ soil = "clay"
 top_file = "flat.csv"
 top_file_unit = "ft"
 """
-    scene = scene_of(tmp_path, text)
-    np.testing.assert_allclose(scene.arc.ground, 0.3048 * np.array([[0, 60], [60, 60], [140, 20], [180, 20]]))
-    np.testing.assert_allclose(scene.arc.level, [[0, 3], [54.864, 3]])
-    np.testing.assert_allclose(scene.arc.layers[1][1], 0.3048 * np.array([[0, 3], [54.864, 3]]))
+    arc: Any = scene_of(tmp_path, text).arc
+    np.testing.assert_allclose(arc.ground, 0.3048 * np.array([[0, 60], [60, 60], [140, 20], [180, 20]]))
+    np.testing.assert_allclose(arc.level, [[0, 3], [54.864, 3]])
+    np.testing.assert_allclose(arc.layers[1][1], 0.3048 * np.array([[0, 3], [54.864, 3]]))
     for old, new, said in (
         ('"ground.csv"', '"rock.csv"', "ground.points_file = 'rock.csv': there is no such file"),
         (

@@ -18,9 +18,15 @@ from scipy import stats
 from slipcircle import Arc, Scene, backanalyse, load, solve
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.fragility import fragility_curve
-from slipcircle.workbench.studies.statistics import indices, probability, sums, width
-from slipcircle.workbench.studies.suitestatistics import exceedance, exceedance_shares
-from slipcircle.workbench.studies.tally import Tally, counted
+from slipcircle.workbench.studies.statistics import (
+    Ordered,
+    exceedance,
+    exceedance_shares,
+    indices,
+    probability,
+    sums,
+    width,
+)
 
 LOW, HIGH = 0.92, 0.98  # accepted coverage
 WEIGHTS = np.array([0.5, 0.4, 0.3])  # of three normal inputs in the logarithm of the output
@@ -69,7 +75,7 @@ class Coverage:
 def design(method: str, n: int, base: int, seed: int) -> Design:
     """Draw samples or base points of an ensemble; the scene is not solved."""
     scene = Scene(Arc(100.0, 4.0, 4.8, 20e3), 0.1)
-    return Design(scene, 1e-9, {}, {}, (), method, n, base, False, np.eye(0), seed, 4096)
+    return Design(scene, 1e-9, {}, {}, (), method, n, base, np.eye(0), seed, 4096)
 
 
 def lognormal(points: Any) -> Any:
@@ -87,18 +93,15 @@ def of_samples(count: int) -> Iterator[Row]:
             for seed in range(count):
                 drawn = design(method, n, 0, seed)
                 values = [lognormal(drawn.points(block, 3)) for block in range(drawn.sample_blocks)]
-                tally = Tally(drawn.replicates)
-                for replicate, output in enumerate(values):
-                    tally.add(replicate, counted(output))
+                in_order = Ordered(values)
                 for p, true in zip(QUANTILES, at, strict=True):
-                    ends = (tally.quantile(x) if 0 <= x <= 1 else math.nan for x in tally.share_interval(p, 0.95))
-                    counts.add(f"quantile {p}", (0.0, *ends), true)
+                    counts.add(f"quantile {p}", in_order.quantile(p, 0.95), true)
                 hits = np.array([np.sum(output[:, None] > at, axis=0) for output in values])
                 shares = zip(QUANTILES, *probability(hits, np.array([*map(len, values)]), 0.95), strict=True)
                 for p, *estimate in shares:
                     if method == "monte-carlo" or 0 < estimate[0] < 1:
                         counts.add(f"probability {1 - p:.2f}", estimate, 1 - p)
-                value, error, *_ = tally.spread()
+                value, error, *_ = in_order.spread()
                 half = error * width(0.95, drawn.replicates)
                 moments.add("mean", (value, value - half, value + half), mean)
             yield from counts.rows(method == "monte-carlo")

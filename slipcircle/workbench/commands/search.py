@@ -34,7 +34,7 @@ def run(options: argparse.Namespace) -> Answer:
     method = YIELD if options.least == YIELD else options.method
     searched = [critical_of_file(name, method, say) for name in track(options.scenes, "slopes searched")]
     names, notes, circles, warnings = zip(*searched, strict=True)
-    columns = [tables.stability_column(circle) for circle in circles]
+    columns = [factors | circle for factors, circle in map(tables.stability_columns, circles)]
     note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
     table = Part(["", *names], tables.beside(columns), note=note)
     records = [

@@ -15,7 +15,7 @@ from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synt
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.fragility import interval_note
-from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, variance_shares
+from slipcircle.workbench.studies.statistics import distribution, exceedance, variance_shares
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.regressions import Comparison
 
@@ -133,12 +133,12 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
 
 def _exceedance_part(study: SuiteStudy) -> Part:
     """Exceedance probabilities at each scale."""
-    thresholds = study.design.thresholds
+    thresholds = study.records.thresholds
     levels = exceedance(study.displacement, thresholds)
-    pga = [] if study.design.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
+    pga = [] if study.records.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
     head = ["", *["PGA (g)"] * bool(pga), *(f"D > {shown(d)} m" for d in thresholds.tolist())]
     rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
-    median = "" if study.design.to_pga else "PGA: median of the records; "
+    median = "" if study.records.to_pga else "PGA: median of the records; "
     note = f"{median}95 % intervals, of as many draws as there are records"
     return Part(head, rows, "probability that D exceeds a threshold", note)
 

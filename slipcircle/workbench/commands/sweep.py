@@ -28,14 +28,13 @@ from slipcircle.workbench.outputs.report import parts, study_report
 from slipcircle.workbench.outputs.suitereport import suite_report
 from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.studies import export
-from slipcircle.workbench.studies.design import METHODS
+from slipcircle.workbench.studies.design import FACTOR, METHODS
 from slipcircle.workbench.studies.engines import ENGINES, engine
 from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _MOST_ROWS, _MOST_COLUMNS = 60, 25  # of a grid, on the screen
-_FACTOR = "factor of safety, "
 _GRID_QUANTILES = (0.05, 0.5, 0.95)
 
 
@@ -84,7 +83,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help="of a running Dask cluster, tcp://10.0.0.1:8786; without it --engine dask starts one on this machine",
+        help="compute on a running Dask cluster, tcp://10.0.0.1:8786, in place of an engine on this machine",
     )
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
     picture = "exceedance curves and sensitivity indices, a grid of one or two numbers, or displacements by record"
@@ -107,7 +106,7 @@ def run(options: argparse.Namespace) -> Answer:
         study = _compute(scene, levels, options)
     except (BrokenExecutor, CancelledError) as error:
         remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
-        raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
+        raise ValueError(f"sweep: a worker or the scheduler died; {remedy}") from error
     if isinstance(study, SuiteStudy):
         return _answer_of_records(study, options, content)
     tables = _of_grid(study) if levels else _of_samples(study, options.verbose)
@@ -208,9 +207,9 @@ class _Tables(NamedTuple):
 def _of_grid(study: Study) -> _Tables:
     """Return a row a scene: inputs in their keys' units, outputs, status, and why there is no result."""
     keys = [u.key for u in study.design.inputs.values()]
-    factors = [name for name in study.samples if name.startswith(_FACTOR)]
+    factors = [name for name in study.samples if name.startswith(FACTOR)]
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), *factors, "status", "reason"]
-    *columns, statuses = (values.tolist() for values in study.samples.values())
+    *columns, statuses = (study.samples[name].tolist() for name in (*keys, *OUTCOMES, *factors, "status"))
     rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, statuses, strict=True)]
 
     def record() -> Any:
@@ -244,7 +243,7 @@ def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str
 def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
     """Return a row for each scene of a grid: inputs, outcomes, the factor of safety of the start, status."""
     heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
-    heads |= {f"{_FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
+    heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
     columns = {heads[name] or name: study.samples[name].tolist() for name in heads if name in study.samples}
     rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
     return Part([*columns, "status"], rows, study.scene.name)
@@ -258,10 +257,10 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
     shares = {}
     for name, values in study.samples.items():
         known = values[~np.isnan(values)]
-        if name.startswith(_FACTOR) and known.size:
+        if name.startswith(FACTOR) and known.size:
             quantiles = np.quantile(known, _GRID_QUANTILES, method="inverted_cdf").tolist()
             named = {f"quantile_{p}": value for p, value in zip(_GRID_QUANTILES, quantiles, strict=True)}
-            shares[name.removeprefix(_FACTOR)] = {"below_1": float(np.mean(known < 1.0)), **named}
+            shares[name.removeprefix(FACTOR)] = {"below_1": float(np.mean(known < 1.0)), **named}
     return shares
 
 

@@ -25,10 +25,11 @@ def tag(name: str, text: str) -> Raw:
 
 
 def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
-    """A table of texts."""
+    """Return a table of texts, whose rows are in groups of at most ten."""
     top = f"<thead><tr>{''.join(tag('th', c) for c in head)}</tr></thead>" if head else ""
-    body = "\n".join(f"<tr>{''.join(tag('td', c) for c in row)}</tr>" for row in rows)
-    return Raw(f"<table>{top}<tbody>\n{body}\n</tbody></table>")
+    lines = [f"<tr>{''.join(tag('td', c) for c in row)}</tr>" for row in rows]
+    groups = ["\n".join(["<tbody>", *lines[k : k + 10], "</tbody>"]) for k in range(0, len(lines), 10)]
+    return Raw(f"<table>{top}{''.join(groups)}</table>")
 
 
 def terms(facts: Iterable[tuple[str, str]]) -> Raw:

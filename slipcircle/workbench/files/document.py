@@ -6,6 +6,7 @@ names the key that was probably meant, which is then not reported as missing.
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from difflib import get_close_matches
 from itertools import chain
@@ -17,7 +18,7 @@ from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_li
 from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
 from slipcircle.workbench.files.numbers import numbers
 
-_UNITS = ("_deg", "_s", *(f"_{suffix(next(iter(units)))}" for units in UNITS_OF_KEYS.values()))  # of published keys
+_UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 
 
 class Document:
@@ -80,18 +81,15 @@ class Document:
         table = self._tables[path]
         if table.is_of_unknown_law:
             content = {"law": content["law"]}
-        units: dict[str, dict[str, str]] = {}  # by SI unit: a key of each unit in which the table has it
-        present: dict[str, str] = {}
+        spelt: dict[str, str] = {}  # keys as typed, by their published spelling
         for name, value in content.items():
             full = joined(path, name)
-            known, unit, ratio = published(name)
+            known, *_ = published(name)
             if known not in table.keys:
                 known = name
-            if known in present:
-                self._report(full, f"{joined(path, present[known])} and {full}: are one quantity; remove one")
-                continue
-            present[known] = name
-            if name in table.tables and isinstance(value, dict):
+            if known in spelt:
+                self._report(full, f"{joined(path, spelt[known])} and {full}: are one quantity; remove one")
+            elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
                 title = self._tables[full].title
@@ -99,21 +97,28 @@ class Document:
             elif known in table.keys:
                 key = table.keys[known]
                 self.typed[joined(path, key.name)] = joined(path, known)
-                units.setdefault(key.number.si, {}).setdefault(unit, full)
-                if name != known:
-                    key = key.in_unit(name, unit, ratio)
-                arguments[key.name] = self._argument(full, key, value, content, table)
+                arguments[key.name] = self._argument(full, key.spelt(name), value, content, table)
             else:
                 meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
                 self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
-        for spelt in units.values():
-            if len(spelt) > 1:
-                words = " and ".join(f"{key} in {unit}" for unit, key in spelt.items())
+            spelt.setdefault(known, name)
+        self._report_mixed_units(path, table, spelt)
+        self._note_missing(path, spelt)
+        self._check_sets(path, spelt)
+        self._check_choices(path, spelt)
+
+    def _report_mixed_units(self, path: str, table: Table, spelt: Mapping[str, str]) -> None:
+        """Report a quantity that a table has in several units."""
+        units: dict[str, dict[str, str]] = {}
+        for known, name in spelt.items():
+            if known in table.keys:
+                quantity = units.setdefault(table.keys[known].number.si, {})
+                quantity.setdefault(published(name)[1], joined(path, name))
+        for typed in units.values():
+            if len(typed) > 1:
+                words = " and ".join(f"{key} in {unit}" for unit, key in typed.items())
                 self._report(path, f"{words}: are mixed units in one table; give both in one unit")
-        self._note_missing(path, present)
-        self._check_sets(path, present)
-        self._check_choices(path, present)
 
     def _heading(self, path: str) -> str:
         """Heading of a table of a file, or of each table in a list."""
@@ -255,8 +260,8 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
 def _similar(unknown: str, here: list[str], table: Table) -> str:
     """The key or table that is most like an unknown key, or the only one with its unit; "" if there is none."""
-    unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
-    of_unit = [key for key in here if key.endswith(unit)]
+    units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
+    of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]
     similar = get_close_matches(unknown, here, 1)
     if not similar:
         return of_unit[0] if len(of_unit) == 1 else ""

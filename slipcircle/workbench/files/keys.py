@@ -106,8 +106,11 @@ class Key(NamedTuple):
         is_word = isinstance(value, str) and value.lower() in self.kind.split("|")
         return [] if right.get(self.kind, is_word) else [("", value)]
 
-    def in_unit(self, name: str, unit: str, ratio: float) -> "Key":
-        """Return the key by another spelling, in another unit."""
+    def spelt(self, name: str) -> "Key":
+        """Return the key by another spelling, in the unit at its end."""
+        _, unit, ratio = published(name)
+        if unit in ("", self.number.unit):
+            return self
 
         def bound(words: re.Match[str]) -> str:
             return f"{words[1]} {float(words[2]) / ratio:.6g}"
@@ -352,5 +355,15 @@ for _q in OBSERVABLE.values():
     _least = -5e-324 if _q.unit == "s" else -_most
     _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
 OBSERVED = table_of("what was observed of the motion, for `slipcircle backanalyse`", _SEEN)
+REPORT = Table(
+    "what heads a report",
+    {
+        "title": Key("title", "title, by default the name of the scene"),
+        "project": Key("project", "project"),
+        "author": Key("author", "who computed"),
+        "checker": Key("checker", "who checks"),
+    },
+)
+FURTHER = {"observed": OBSERVED, "report": REPORT}
 TOP = table_of("a scene of slipcircle", _TOP, _TEXT)
-WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES, "observed": OBSERVED})
+WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES, **FURTHER})

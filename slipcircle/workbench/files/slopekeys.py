@@ -11,8 +11,8 @@ from slipcircle.workbench.files.keys import (
     COHESION,
     EFFECT_TABLES,
     FRICTION,
+    FURTHER,
     LENGTH,
-    OBSERVED,
     OF_SOIL,
     RATE_OF_SOILS,
     TOP,
@@ -245,7 +245,7 @@ _COHESION = EFFECT_TABLES["cohesion"]
 _OF_EFFECTS = EFFECT_TABLES | {
     "cohesion": _COHESION._replace(laws={name: _plausible(table) for name, table in _COHESION.laws.items()})
 }
-WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, "observed": OBSERVED})
+WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, **FURTHER})
 _GROUND = SLOPING["ground"]
 _OF_LAYERS = {name: table for name, table in WITH_ONE_SOIL.tables.items() if name not in NOT_WITH_LAYERS} | {
     "ground": _GROUND._replace(keys={k: key for k, key in _GROUND.keys.items() if key.name != "unit_weight"})

@@ -13,16 +13,18 @@ from slipcircle.workbench.stability.stability import METHODS
 WIDTH = 100
 INDENT = 28
 HEAD = """\
-A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... Others
-are accepted in its place, one for all lengths, stresses, ... of a table: _ft, _in, _us_ft, _cm and
-_mm for _m (also in _ft_s, _ft_s2), _psf, _ksf, _psi, _Pa and _MPa for _kPa, _pcf for _kN_m3, and
-_per_ft_psf for _per_m_kPa. points_file of [ground], level_file of [water] and top_file of
-[[layers]] name a file of points: a CSV file with columns x and y, or a DXF drawing with its layer,
-"section.dxf#GROUND". Its unit is in the header or the drawing, or in points_file_unit, ... [arc] and
+A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
 [friction] are needed. Adding a table, even an empty one, enables its effect; an effect without a
 table is not computed and costs nothing. In place of [arc], [ground] and [circle] describe a real
 slope, [water] its water level, [soils.NAME] and [[layers]] its soils, then without [friction],
 [cohesion] and [pore_pressure]. Vaiont has an [arc], as no citable profile is available.
+
+Other units are accepted in place of the one at the end of a key: _ft, _in, _us_ft, _cm and _mm for
+_m (also in _m_s, _m_s2 and _per_m_kPa), _psf, _ksf, _psi, _Pa and _MPa for _kPa, _pcf for _kN_m3:
+radius_ft, speed_ft_s, cohesion_per_ft_psf. A table has one unit for each quantity. points_file of
+[ground], level_file of [water] and top_file of [[layers]] name a file of points, relative to the
+scene file: a spreadsheet (CSV) with columns x and y, "section.csv", or the lines on a layer of a
+drawing (DXF), "section.dxf#GROUND". Its unit is in its header, or in points_file_unit = "ft", ...
 
 The dimensionless balance of momentum (times over sqrt(R/g), stresses over sigma_ref = unit weight
 R (1 - cos alpha); numbers in brackets are equations and figures of the paper):

@@ -88,7 +88,16 @@ def _played(film: "Film") -> bytes:
 def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
     """What makes a drawing of a result, by the kind of picture; loaded on first use."""
     from slipcircle.workbench.cost.costplot import frontier
-    from slipcircle.workbench.outputs import comparison, layerplot, plots, searchplot, studyplots, suiteplots, tornado
+    from slipcircle.workbench.outputs import (
+        comparison,
+        layerplot,
+        plots,
+        searchplot,
+        sectionplot,
+        studyplots,
+        suiteplots,
+        tornado,
+    )
     from slipcircle.workbench.outputs.sheets import sheet
 
     def alone(draw: Callable[..., Any], height: float) -> Callable[[Any], "Drawing"]:
@@ -105,6 +114,7 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
         "study": studyplots.overview,
         "sensitivity": tornado.panels,
         "backanalysis": studyplots.explained,
+        "slope": alone(sectionplot.slope, 5.0),
         "search": lambda named: searchplot.overview(*named),
         "ladder": lambda rungs: alone(plots.ladder, 1.2 + 0.4 * len(rungs))(rungs),
         "cost": alone(frontier, 5.0),

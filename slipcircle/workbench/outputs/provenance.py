@@ -52,6 +52,8 @@ def _of_table(
     keys, prefix = tables[path].keys, f"{path}." if path else ""
     for name, value in given.items():
         where = f"{prefix}{name}"
+        if where == "report":
+            continue
         if where in tables:
             if not value:
                 yield Input(where, "yes", "", tables[where].title, sources.get(where, ""))

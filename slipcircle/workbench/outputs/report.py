@@ -1,35 +1,47 @@
 """Reports on motions and studies for a reviewer: an HTML file, also well-formed XML, with instructions to reproduce it.
 
-It is self-contained and has no date, so that the same scene, package and machine write the same bytes.
+It is self-contained. Apart from its date, which SOURCE_DATE_EPOCH sets, the same scene, package and machine write the
+same bytes.
 """
 
 import base64
 import hashlib
+import os
+import time
+import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Plan, Status, law_names, plan
+from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import OUTCOMES, json_text, prefixed, words
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.common.summary import summary
-from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.tables import Part, beside, cell_text, interval, motion_groups, stretches_part
+from slipcircle.workbench.outputs.tables import (
+    Part,
+    beside,
+    cell_text,
+    interval,
+    motion_groups,
+    stability_columns,
+    stretches_part,
+)
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.searched import SEARCHED
-from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR
+from slipcircle.workbench.studies.statistics import BEYOND
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
@@ -48,19 +60,34 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 
 
 def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = "") -> str:
-    """A page of parts, and how to reproduce it: command, digests of scene files, versions."""
+    """Return a page of parts under its heading, and how to reproduce it: command, digests of scene files, versions."""
+    files = [*files]
+    heading = _heading(title, [content for _, content in files])
     sources = {}
     for name, content in files:
         sources[f"scene file of {name}"] = f"sha256 {hashlib.sha256(content).hexdigest()}"
     sources |= facts()
     versions = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in sources.items()]
-    body = [tag("h1", title), *parts, tag("h2", "To repeat it")]
+    title = heading.pop("title")
+    facts_of_report = Raw(f'<dl class="facts">{terms(heading.items())}</dl>')
+    body = [tag("h1", title), facts_of_report, *parts, tag("h2", "To repeat it")]
     body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
     body.append(tag("pre", command))
     body.append(_scrolling(versions))
     if script:
         body.append(live.engine())
     return document(title, body, live.style() + live.text("report.css"), script, compiles=bool(script))
+
+
+def _heading(title: str, files: Iterable[bytes]) -> dict[str, str]:
+    """Return the title, the date and what the first [report] of these scene files says."""
+    reports = (tomllib.loads(content.decode("utf-8-sig")).get("report") for content in files)
+    try:
+        now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
+        date = time.strftime("%Y-%m-%d", time.gmtime(now))
+    except (ValueError, OverflowError, OSError) as error:
+        raise ValueError("SOURCE_DATE_EPOCH: must be a time in seconds since 1970") from error
+    return {"title": title, "date": date} | (next(filter(None, reports), None) or {})
 
 
 def chapter(
@@ -114,6 +141,23 @@ def _path(key: str) -> Raw:
 def _number(value: float) -> str:
     """Six digits."""
     return shown(float(value), 6)
+
+
+def slope_figure(scene: Scene) -> Iterator[Raw]:
+    """Yield the section with its circle, and its centre and factors of safety where they are known."""
+    name, critical = scene.name, stability_of(scene)
+    what, result = ("search", (name, critical)) if critical else ("slope", scene.arc)
+    caption = "The section with its slip circle" + (", the centre and the factors of safety." if critical else ".")
+    yield figure(f"Slope of {name}", caption, pictures.picture(what, result, "svg"))
+
+
+def slope_parts(scene: Scene) -> Iterator[Part | Raw]:
+    """Yield the section with its circle, and tables of factors of safety and of the circle."""
+    yield from slope_figure(scene)
+    if critical := stability_of(scene):
+        factors, circle = stability_columns(critical)
+        yield Part([], [*factors.items()], "Factors of safety")
+        yield Part([], [*circle.items()], "Slip circle")
 
 
 def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
@@ -177,6 +221,8 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
+    if stability_of(plan.scene):
+        yield from slope_figure(plan.scene)
     for title, rows in motion_groups(motion).items():
         yield Part([], [*rows.items()], title or "Results")
     if layered := stretches_part(motion):
@@ -312,8 +358,6 @@ def _quantile_notes(study: Study) -> Iterator[str]:
         yield NO_INTERVAL
     if study.without_result:
         yield f"{BEYOND}: among the {study.without_result} samples that move without a result, so beyond any value"
-    if not study.samples:
-        yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
 def study_report(study: Study, file: bytes, command: str) -> str:
@@ -338,6 +382,7 @@ def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
         numbers[f"median {words(name, quantity.unit)}"] = study.quantile(name, 0.5)
     key_numbers = terms((name, interval(estimate)) for name, estimate in numbers.items())
     yield Raw(f'<dl class="facts">{key_numbers}</dl>')
+    yield from slope_parts(study.scene)
     yield from parts(study)
     yield from input_parts(way, file)
     yield from uncertain_part(design)
@@ -348,6 +393,5 @@ def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
         ["samples of a block", str(study.size)],
         ["samples by how they ended", ", ".join(ends)],
         ["requested relative error of each solution", _number(design.accuracy)],
-        ["relative error of quantiles from bins", "none: samples were kept" if study.samples else _number(BIN_ERROR)],
     ]
     yield Part([], method, "Method and accuracy")

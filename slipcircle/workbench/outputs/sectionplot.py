@@ -79,6 +79,17 @@ def section(motion: Motion, ax: Any = None) -> Any:
     return ax
 
 
+def slope(soil: Any, ax: Any) -> None:
+    """Draw an arc or a section to scale, with its circle and the mass at the start."""
+    mass = mass_of(soil, soil)
+    outline = mass.outline()
+    view = surroundings(ax, mass, soil, [outline])
+    area(ax, outline, "start")
+    name_circle(ax, mass, soil)
+    view.show(ax)
+    title(ax, "section")
+
+
 class Stage(NamedTuple):
     """Scenery of the section of a motion, and positions of its mass."""
 

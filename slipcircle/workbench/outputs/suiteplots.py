@@ -22,7 +22,7 @@ from slipcircle.workbench.outputs.plotstyle import (
 from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.fragility import interval_note
-from slipcircle.workbench.studies.suitestatistics import distribution, exceedance
+from slipcircle.workbench.studies.statistics import distribution, exceedance
 
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.suitestudy import SuiteStudy
@@ -79,7 +79,7 @@ def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
     in_view = (middle > least) & (middle < np.inf)
     if np.any(in_view):
         label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
-    words = "peak acceleration of each record (g)" if study.design.to_pga else "factor on the records (–)"
+    words = "peak acceleration of each record (g)" if study.records.to_pga else "factor on the records (–)"
     ax.set(xlabel=words, ylabel="displacement (m)", yscale="log", ylim=(least, 1.5 * greatest))
     note(ax, ["grey: records; band: 16 to 84 %"])
     return ax
@@ -96,7 +96,7 @@ def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
     levels = np.median(study.pga, axis=0)
     greatest = levels.max() if levels.size > 1 else study.pga.max()
     pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
-    estimates = np.array(exceedance(study.displacement, study.design.thresholds))
+    estimates = np.array(exceedance(study.displacement, study.records.thresholds))
     for curve, shares, style in zip(study.fragility(), np.swapaxes(estimates, 0, 1), cycle(SERIES), strict=False):
         _shares(ax, levels, shares, style)
         anchors = (levels, shares[:, 0])

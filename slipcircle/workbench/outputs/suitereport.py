@@ -8,10 +8,9 @@ from slipcircle.core import plan
 from slipcircle.workbench.common.markup import Raw, terms
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.provenance import uncertain_part
-from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page
+from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page, slope_parts
 from slipcircle.workbench.outputs.tables import Part
-from slipcircle.workbench.studies.statistics import value_text
-from slipcircle.workbench.studies.suitestatistics import distribution
+from slipcircle.workbench.studies.statistics import distribution, value_text
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _CAPTION = (
@@ -24,9 +23,9 @@ _CAPTION = (
 
 def suite_report(study: SuiteStudy, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
     """A report on a suite of records as HTML; the seed is added to the command if missing."""
-    name, way = study.scene.name or "scene", plan(study.scene, study.design.sampling.accuracy)
+    name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
     if "--seed" not in command:
-        command += f" --seed {study.design.sampling.seed}"
+        command += f" --seed {study.design.seed}"
     of_suite = chapter(way, study.warnings, _contents(study, [*tables], file), record, "", file)
     return page(f"Shaken slope: {name}", of_suite, [(name, file)], command)
 
@@ -35,9 +34,10 @@ def _contents(study: SuiteStudy, tables: Sequence[Part], file: bytes) -> Iterato
     """Picture, key numbers, tables, inputs and method."""
     yield figure(f"Suite of {study.scene.name}", _CAPTION, pictures.picture("suite", study, "svg"))
     yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
+    yield from slope_parts(study.scene)
     yield from tables
-    yield from input_parts(plan(study.scene, study.design.sampling.accuracy), file)
-    sampling = study.design.sampling
+    yield from input_parts(plan(study.scene, study.design.accuracy), file)
+    sampling = study.design
     yield from uncertain_part(sampling)
     method = [
         ["records", str(len(study.suite))],

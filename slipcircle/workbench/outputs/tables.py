@@ -186,17 +186,16 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 # --- slopes ----------------------------------------------------------------------------------------------------------
 
 
-def stability_column(critical: Critical) -> dict[str, str]:
-    """A slip circle of a slope with its factors of safety, by labels."""
-    column = _factors(critical.factors_of_safety, critical.slope.k_h)
+def stability_columns(critical: Critical) -> tuple[dict[str, str], dict[str, str]]:
+    """Return the factors of safety of a slip circle, and its geometry with free water, by labels."""
+    factors = _factors(critical.factors_of_safety, critical.slope.k_h)
     without = critical.factors_of_safety_without_k_h or {}
-    column |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
+    factors |= {f"{label}, without k_h": text for label, text in _factors(without).items()}
+    if critical.yield_coefficient is not None:
+        factors["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
     size = critical.radius
     entry_and_exit = {"entry": _point(critical.entry, size), "exit": _point(critical.exit, size)}
-    column |= pond_row(critical.slope) | entry_and_exit | _circle(critical)
-    if critical.yield_coefficient is not None:
-        column["yield coefficient k_y"] = f"{critical.yield_coefficient:.4f}, by the paper's method"
-    return column
+    return factors, pond_row(critical.slope) | entry_and_exit | _circle(critical)
 
 
 def pond_row(soil: Any) -> dict[str, str]:

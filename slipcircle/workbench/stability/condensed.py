@@ -32,7 +32,7 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     """Return the best circles, the best first, after descents from the valleys of a coarse family."""
     arrays = search.arrays
     many_soils = len(arrays.tops) >= MANY_SOILS
-    vertices = [line.shape[1] for line in arrays.lines]
+    vertices = [line.shape[1] for line in (*arrays.lines, *arrays.datums.values())]
     if max(vertices) <= MANY_VERTICES + 2 and not many_soils:  # with both ends of the continued line
         best, step = search.valleys(*search.coarse_family(), tell)
         for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
@@ -61,7 +61,9 @@ def _screened(search: Search) -> tuple[Floats, Floats]:
     arrays = search.arrays
     soils, firsts = merged(arrays.soils, _MERGED)
     tops = tuple(arrays.tops[k - 1] for k in firsts[1:])
-    few = search.on_lines(replace(arrays, soils=soils, tops=tops))
+    groups = np.searchsorted(firsts, [*arrays.datums], side="right") - 1
+    datums = dict(zip(groups.tolist(), arrays.datums.values(), strict=True))
+    few = search.on_lines(replace(arrays, soils=soils, tops=tops, datums=datums))
     q, steps = few.coarse_family(touching=False)
     values = few.evaluate(q, _ROUGH_NODES)
     best = in_order(values)[:_SCREENED]
@@ -92,7 +94,9 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
         ground = condensed(ground, kept, exact)
     level = None if arrays.level is None else _few(arrays.level, most)
     tops = tuple(_few(top, most) for top in arrays.tops)
-    return search.on_lines(replace(arrays, ground=ground[None], level=level, tops=tops)), kept
+    datums = {layer: _few(line, most) for layer, line in arrays.datums.items()}
+    condensed_arrays = replace(arrays, ground=ground[None], level=level, tops=tops, datums=datums)
+    return search.on_lines(condensed_arrays), kept
 
 
 def _few(line: Floats, most: int) -> Floats:
@@ -185,7 +189,4 @@ def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
     def mean(values: Floats) -> Floats:
         return np.add.reduceat(values, firsts) / layers
 
-    means = SoilArrays(*map(mean, soils))
-    growth = np.where(means.cohesion_gradient > 0.0, means.cohesion_gradient, 1.0)
-    datum = mean(soils.cohesion_gradient * soils.datum) / growth
-    return means._replace(datum=datum), firsts
+    return SoilArrays(*map(mean, soils)), firsts

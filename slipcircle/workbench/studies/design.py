@@ -1,26 +1,28 @@
-"""The design of a study: the scenes that it solves, sampled or on a grid, in independent blocks.
+"""Designs of studies: the scenes that are solved, in independent blocks.
 
-`Design.run_block` is a pure function of the design and the block's index: where and when it runs does not matter, nor
-how often. Blocks of samples come first, then those for the sensitivity indices.
+`Design.run_block` is a pure function of the design and the index of a block. Blocks of samples, or of a grid, come
+first, those for the sensitivity indices after them. Under records a block has some records with the lanes of a block of
+samples, which are the same for every record, so that the variance can be split into that of records and of the soil.
 """
 
+import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
-from slipcircle.core import ANSWERED, Motion, Scene, Status
+from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
 from slipcircle.workbench.files.numbers import Number, Uncertain
+from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
+from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.motions import factors_at_start, motions
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
-from slipcircle.workbench.studies.searched import searched_factors
-from slipcircle.workbench.studies.statistics import sums
-from slipcircle.workbench.studies.tally import counted
+from slipcircle.workbench.studies.searched import SEARCHED, searched_factors
 
 Result = dict[str, NDArray[Any]]
 # Of a sample that slides, but not to a known end: it moves, and exceeds every threshold.
@@ -28,6 +30,16 @@ NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s < Status.INVALID)
 METHODS = ("monte-carlo", "sobol")
 REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
+FACTOR = "factor of safety, "  # before the method in the name of a result
+# Results of every motion with their units: signed, NaN without a result, 0 of what does not move.
+RESULTS: Mapping[str, str] = {
+    **{name: quantity.unit for name, quantity in OUTCOMES.items()},
+    "end_displacement": "m",
+    "rotation": "rad",
+    "slips": "",
+    "outside_range": "",
+}
+_TYPES = {"slips": np.int32, "outside_range": np.bool_, "status": np.int8}  # others are float64
 
 
 @dataclass(frozen=True)
@@ -42,11 +54,11 @@ class Design:
     method: str  # one of `METHODS`, or "grid"
     n: int  # samples
     base: int  # base points of the sensitivity indices, each of which takes the number of inputs and two more scenes
-    keep: bool  # whether blocks return their samples too
     correlation: Floats  # of the inputs' normal scores, (inputs, inputs)
     seed: int
     size: int  # samples of a block, a power of two, 4 at least
     search_each: bool = False  # whether factors of safety are also those of the circle searched for each sample
+    records: GroundMotions | None = None  # that shake every sample in place of the scene's own
 
     @property
     def correlations(self) -> list[dict[str, Any]]:
@@ -76,9 +88,39 @@ class Design:
         return self.replicates * -(-self.share(0) // self.size)
 
     @property
+    def base_scenes(self) -> int:
+        """How many scenes each base point of the sensitivity indices has."""
+        return len(self.inputs) + 2
+
+    @property
     def blocks(self) -> int:
         """How many blocks there are."""
+        if self.records is not None:
+            return math.ceil(len(self.records.suite) / self._together) * self.sample_blocks
         return self.sample_blocks + min(BATCHES, self.base)
+
+    @property
+    def _together(self) -> int:
+        """How many records a block has: so many that their motions fill its lanes."""
+        assert self.records is not None
+        return self.records.together(self.piece(0)[2])
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the results: samples and then the scenes of base points, or (record, polarity, scale, sample)."""
+        if self.records is not None:
+            return (len(self.records.suite), *self.records.shape, self.n)
+        return (self.n + self.base * self.base_scenes,)
+
+    @property
+    def outputs(self) -> dict[str, Any]:
+        """The type of each result by its name."""
+        names = [*RESULTS]
+        if self.with_factors:
+            names += [f"{FACTOR}{method}" for method in factors(self.scene, math.nan)]
+        if self.search_each:
+            names += [f"{FACTOR}{SEARCHED}{method}" for method in STABILITY_METHODS]
+        return {name: np.dtype(_TYPES.get(name, np.float64)) for name in (*names, "status")}
 
     def piece(self, index: int) -> tuple[tuple[int, ...], int, int]:
         """Stream, start and length of a block of samples, of a replicate's last maybe 0, or of one of base points."""
@@ -93,11 +135,27 @@ class Design:
         stream = (1, replicate) if self.method == "sobol" else (0,)
         return stream, start, min(self.size, left)
 
+    def place(self, index: int) -> tuple[slice, ...]:
+        """Return where the results of a block are in arrays of `shape`."""
+        group, block = divmod(index, self.sample_blocks) if self.records is not None else (0, index)
+        turn, replicate = divmod(block, self.replicates)
+        length = self.piece(block)[2]
+        if block < self.sample_blocks:
+            earlier = (self.piece(block - k)[2] for k in range(1, replicate + 1))
+            start = turn * self.size * self.replicates + sum(earlier)
+        else:
+            before = sum(self.piece(k)[2] for k in range(self.sample_blocks, block))
+            start = self.n + before * self.base_scenes
+            length *= self.base_scenes
+        lanes = slice(start, start + length)
+        if self.records is None:
+            return (lanes,)
+        first = group * self._together
+        return slice(first, first + self._together), slice(None), slice(None), lanes
+
     def scenes(self, index: int) -> int:
         """How many scenes a block solves."""
-        _, _, length = self.piece(index)
-        is_sample = index < self.sample_blocks
-        return length if is_sample else length * (len(self.inputs) + 2)
+        return math.prod(len(range(*part.indices(n))) for part, n in zip(self.place(index), self.shape, strict=True))
 
     def points(self, index: int, dimensions: int) -> Floats:
         """Points of the unit cube that a block draws, (dimensions, count)."""
@@ -106,49 +164,65 @@ class Design:
         return draw(self.seed, stream, start, length, dimensions)
 
     def task(self, index: int) -> tuple[Callable[[int], Result], int]:
-        """What computes a block."""
-        return self.run_block, index
+        """Return the function that computes a block and its argument, with the records of the block alone."""
+        if self.records is None:
+            return self.run_block, index
+        group, block = divmod(index, self.sample_blocks)
+        first = group * self._together
+        return replace(self, records=self.records.part(first, first + self._together)).run_block, block
 
     def values(self, index: int) -> list[Floats]:
-        """Values of each input at the samples of a block, in its key's unit."""
+        """Values of each input at the scenes of a block, in its key's unit."""
         if self.method == "grid":
             return _on_grid(self, index)
-        return _drawn(self, self.points(index, len(self.inputs)))
+        d = len(self.inputs)
+        if index < self.sample_blocks:
+            return _drawn(self, self.points(index, d))
+        points = self.points(index, 2 * d)  # A and B; the scenes are A, B, and A with one column of B for each input
+        matrices = np.tile(points[:d, None, :], (1, d + 2, 1))
+        matrices[:, 1] = points[d:]
+        for k in range(d):
+            matrices[k, 2 + k] = points[d + k]
+        return _drawn(self, matrices)
+
+    def samples(self) -> dict[str, Floats]:
+        """Return the values of each input at all samples by key, in its unit."""
+        blocks = [self.values(block) for block in range(self.sample_blocks)]
+        of_inputs = zip(self.inputs.values(), zip(*blocks, strict=True), strict=True)
+        return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
+
+    def _si(self, index: int) -> dict[str, Floats]:
+        """The same in SI units, by name."""
+        with np.errstate(all="ignore"):
+            return {
+                name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
+            }
 
     def run_block(self, index: int) -> Result:
-        """Compute a block.
-
-        Returns
-        -------
-        dict of ndarray
-            Counts by ``status`` and of what is ``outside_range``; of each output the bins that are not empty, their
-            counts, and of its finite values the extremes and the `moments`; where `with_factors`, the numbers of
-            `at_start`; the samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
-        """
-        if index >= self.sample_blocks:
-            return {"sums": _sums(self, index)}
-        values = self.values(index)
-        solved = _solve(self, values)
-        valid, status = ~np.isnan(solved.moves), solved.motion.status
-        outside = np.count_nonzero(solved.motion.outside_range)
-        result: Result = {"status": np.bincount(status, minlength=len(Status)), "outside_range": np.array(outside)}
-        for name, outcome in solved.outcomes.items():
-            result |= {f"{name}.{part}": value for part, value in counted(outcome[valid]).items()}
+        """Compute a block and return its results by the names of `outputs`."""
+        si, scene = self._si(index), self.scene
+        shape: tuple[int, ...] = (-1,)
+        if self.records is not None:
+            scene, si, shape = self.records.lanes(scene, si, self.piece(index)[2])
+        motion = motions(scene, si, self.accuracy)
+        end = motion.end
+        result: dict[str, Any] = {
+            **motion.outcomes,
+            "end_displacement": end.displacement,
+            "rotation": end.rotation,
+            "slips": motion.slips,
+            "outside_range": motion.outside_range,
+            "status": motion.status,
+        }
+        del motion.end  # which refers to its motion, so that only the garbage collector would free both
         by_method: dict[str, Floats] = {}
         if self.with_factors:
-            by_method = factors(solved.motion.plan.scene, solved.motion.factor_of_safety)
+            by_method = factors(motion.plan.scene, motion.factor_of_safety)
         if self.search_each:
-            by_method |= searched_factors(self.scene, solved.si, valid)
-        result |= _counted_factors(by_method, valid)
-        if self.keep:
-            for number, value in zip(self.inputs.values(), values, strict=True):
-                result[f"sample.{number.key}"] = value
-            for name, outcome in solved.outcomes.items():
-                result[f"sample.{name}"] = np.where(np.isinf(outcome), np.nan, outcome)
-            for method, factor in by_method.items() if self.method == "grid" else ():
-                result[f"sample.factor of safety, {method}"] = np.where(np.isinf(factor), np.nan, factor)
-            result["sample.status"] = status
-        return result
+            is_searched = (motion.status < Status.INVALID) & (index < self.sample_blocks)
+            by_method |= searched_factors(self.scene, si, is_searched)
+        result |= {f"{FACTOR}{method}": factor for method, factor in by_method.items()}
+        return {name: np.reshape(result[name], shape).astype(kind) for name, kind in self.outputs.items()}
 
     @property
     def with_factors(self) -> bool:
@@ -156,9 +230,8 @@ class Design:
         return self.search_each or self.method == "grid"
 
     def at_start(self, index: int) -> Result:
-        """Of each factor of safety of a block of samples the same as of outputs, and how many are below 1, unknown."""
-        by_method, valid = factors_at_start(self.scene, _si(self, self.values(index)), self.accuracy)
-        return _counted_factors(by_method, valid)
+        """Return the factors of safety of a block of samples by method; nothing is integrated."""
+        return factors_at_start(self.scene, self._si(index), self.accuracy)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
@@ -181,62 +254,3 @@ def _on_grid(design: Design, index: int) -> list[Floats]:
     shape = [len(level) for level in design.levels]
     places = np.unravel_index(np.arange(start, start + length), shape)
     return [level[place] for level, place in zip(design.levels, places, strict=True)]
-
-
-class _Solved(NamedTuple):
-    """What blocks count of their scenes."""
-
-    motion: Motion
-    moves: Floats  # 1 or 0, NaN of what is no scene
-    si: dict[str, Floats]  # values of the inputs in SI units
-    outcomes: dict[str, Floats]  # magnitudes; 0 of what does not move, infinite of what slides without a result
-
-
-def _si(design: Design, values: list[Floats]) -> dict[str, Floats]:
-    """Values of the inputs in SI units, by name."""
-    with np.errstate(all="ignore"):
-        return {name: design.inputs[name].to_si(x) for name, x in zip(design.inputs, values, strict=True)}
-
-
-def _solve(design: Design, values: list[Floats]) -> _Solved:
-    si = _si(design, values)
-    motion = motions(design.scene, si, design.accuracy)
-    no_result = np.isin(motion.status, NO_RESULT)
-    is_invalid = motion.status >= Status.INVALID
-    moves = np.where(is_invalid, np.nan, motion.moves | no_result)
-    outcomes = {}
-    for name in OUTCOMES:
-        magnitude = np.abs(motion.outcomes[name])
-        outcomes[name] = np.where(no_result, np.inf, magnitude)
-    return _Solved(motion, moves, si, outcomes)
-
-
-def _counted_factors(by_method: Mapping[str, Floats], valid: Any) -> Result:
-    """By method, of what is valid: how many are below 1 and how many are not known, and the bins of the others."""
-    result: Result = {}
-    for method, values in by_method.items():
-        factor = values[valid]
-        unknown = np.isnan(factor)
-        result[f"factor.{method}"] = np.array([np.sum(factor < 1.0), np.sum(unknown)])
-        for part, value in counted(factor[~unknown]).items():
-            result[f"factor bins.{method}.{part}"] = value
-    return result
-
-
-def _sums(design: Design, index: int) -> Floats:
-    """`sums` of moving and of each outcome for a batch of base points A, B, and A with one column of B for each input.
-
-    Of the base points whose scenes are all valid.
-    """
-    d = len(design.inputs)
-    points = design.points(index, 2 * d)
-    count = points.shape[1]
-    matrices = np.tile(points[:d, None, :], (1, d + 2, 1))
-    matrices[:, 1] = points[d:]
-    for k in range(d):
-        matrices[k, 2 + k] = points[d + k]
-    solved = _solve(design, _drawn(design, matrices))
-    outputs = np.stack([solved.moves, *solved.outcomes.values()])
-    outputs = outputs.reshape(-1, d + 2, count)
-    valid = ~np.isnan(outputs[0]).any(axis=0)
-    return np.stack([sums(y) for y in outputs[:, :, valid]])

@@ -1,12 +1,10 @@
-"""Where blocks are computed: in threads, on a Dask cluster, or by any executor; and the folder that keeps them.
+"""Where blocks are computed, and where their results are stored.
 
-Blocks may finish in any order and are handed on by their index, so that every executor gives the same bits on machines
-of one class. With a folder each is kept when it is finished, under its name only when it is whole on the disk, and a
-later run with the same folder computes what is missing.
+Blocks may finish in any order, on any executor of `concurrent.futures`: each is stored in its place in arrays, so that
+every executor gives the same bits on machines of one class. Large studies, and those with a folder, have their arrays
+in memory-mapped files of NumPy, with a digest of the inputs and results of each finished block. A later run with the
+same folder computes the blocks whose digest is missing or wrong.
 
-On many machines, with s seconds a block and worker, w workers, and the scheduler and this process taking c seconds a
-block one after the other (sending it off, taking its result back and adding it up), b blocks take about
-``max(b s / w, b c)``: more workers than s/c gain nothing, see `forecast`. Larger blocks move that limit up.
 Dask's workers want MALLOC_TRIM_THRESHOLD_=268435456 in their environment: with Dask's own 65536 a block's temporaries
 are given back to the system and faulted in again, which takes half as long again or more.
 """
@@ -14,188 +12,159 @@ are given back to the system and faulted in again, which takes half as long agai
 import hashlib
 import json
 import logging
+import math
 import os
 import signal
-from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from multiprocessing import get_context
 from pathlib import Path
+from tempfile import TemporaryFile, gettempdir
 from threading import Event
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.base.optional import optional
-from slipcircle.workbench.common.files import replacing, write
-from slipcircle.workbench.studies.design import Result
+from slipcircle.workbench.common.files import write
+from slipcircle.workbench.studies.design import Design, Result
 
-ENGINES = ("threads", "dask")
-_INTERRUPTED = Event()  # Ctrl-C, while Dask computes
-_AHEAD = 512  # blocks that may be under way beyond the first unfinished one: more than a cluster's workers
-
-
-def forecast(blocks: int, seconds: float, overhead: float, workers: int) -> float:
-    """Seconds that blocks take on workers: seconds a block each, and overhead a block that nobody shares.
-
-    Examples
-    --------
-    A regional study of 1e9 scenes in blocks of 2**18, 0.16 s each at 0.6 microseconds a scene, with 3 ms for each that
-    nobody shares (`python -m tests.campaigns.scale_ensemble` measures both): from about 50 workers on that is what it
-    takes.
-
-    >>> [round(forecast(3815, 0.16, 0.003, workers)) for workers in (1, 10, 50, 100)]
-    [610, 61, 12, 11]
-    """
-    return max(-(-blocks // workers) * seconds, blocks * overhead)
+ENGINES = ("threads", "processes")
+_AHEAD = 512  # blocks under way at once: more than the workers of a cluster
+_IN_MEMORY = 10**7  # scenes up to which arrays without a folder are in memory
+_DIGEST = 32  # bytes
+_FORMAT = "arrays"  # of a folder
 
 
 @contextmanager
 def engine(name: str = "threads", workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor]:
-    """An executor by the engine's name, one of `ENGINES`, with so many workers: by default one for each processor.
-
-    Dask's are those of a scheduler at an address, such as tcp://10.0.0.1:8786; without one, processes on this machine.
-    """
+    """Open an executor: threads or processes, by default one for each processor, or that of a Dask scheduler."""
     if workers is not None and workers < 1:
         raise ValueError(f"--workers {workers}: must be 1 at least; leave it out for one for each processor")
-    if scheduler is not None and (name != "dask" or workers is not None):
-        raise ValueError("--scheduler: is of --engine dask, and has its own workers: leave out --workers")
-    workers = workers or os.cpu_count() or 1
-    if name == "dask":
-        client = _dask_client(workers, scheduler)
-        executor = client.get_executor()
-        # They would print tracebacks for futures that are cancelled, and for messages to a client that has gone.
-        logs = [logging.getLogger(name) for name in ("tornado.application", "distributed.scheduler")]
-        with _deferred_interrupt():
-            try:
-                yield executor
-            finally:
-                for log in logs:
-                    log.disabled = True
-                executor.shutdown(wait=False)  # one message for all that are left; future by future takes seconds
-                client.close()
-                if client.cluster is not None:
-                    client.cluster.close()
-                for log in logs:
-                    log.disabled = False
-    else:
-        pool = ThreadPoolExecutor(workers)
-        try:
-            yield pool
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)  # interrupted it waits for no block
-            raise
-        pool.shutdown(cancel_futures=True)
-
-
-def _dask_client(workers: int, scheduler: str | None) -> Any:
-    distributed = optional("distributed", "--engine dask")
-    if scheduler is None:
-        with _blocked_interrupt():  # its processes inherit it: this one ends them, and they print no traceback
-            return distributed.Client(
-                distributed.LocalCluster(
-                    n_workers=workers, threads_per_worker=1, host="127.0.0.1", dashboard_address=None, silence_logs=50
-                )
-            )
+    if scheduler is not None and workers is not None:
+        raise ValueError("--scheduler: has its own workers: leave out --workers")
+    client = None if scheduler is None else _client(scheduler)
+    pool = _pool(name, workers or os.cpu_count() or 1) if client is None else as_executor(client)
     try:
-        return distributed.Client(scheduler, timeout="10s")
+        yield pool
+    finally:
+        pool.shutdown(wait=isinstance(pool, ProcessPoolExecutor))  # others end by themselves
+        if client is not None:
+            client.close()
+
+
+def _client(scheduler: str) -> Any:
+    for name in ("tornado.application", "distributed.client"):  # which print tracebacks of cancelled futures
+        logging.getLogger(name).disabled = True
+    try:
+        return optional("distributed", "--scheduler").Client(scheduler, timeout="10s")
     except OSError as error:
         raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
 
 
+def _pool(name: str, workers: int) -> Executor:
+    if name == "processes":  # which leave Ctrl-C to this one
+        return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
+    return ThreadPoolExecutor(workers)
+
+
 def as_executor(given: Any) -> Executor:
-    """An executor of `concurrent.futures`, or that of a Dask client."""
+    """Return an executor of `concurrent.futures`, or that of a Dask client."""
     if hasattr(given, "get_executor"):
-        return given.get_executor()
+        return given.get_executor(pure=False)  # keys by content would cost more than the blocks
     if not hasattr(given, "submit"):
         raise ValueError(f"executor = {given!r}: must be one of concurrent.futures, or a Dask client")
     return given
 
 
-@contextmanager
-def _blocked_interrupt() -> Iterator[None]:
-    """Without Ctrl-C, where signals can be held back."""
-    from multiprocessing import resource_tracker
+class Store:
+    """Arrays of the results of a study, in memory or in files.
 
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    resource_tracker.ensure_running()  # starting, it would let them through again
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+    Attributes
+    ----------
+    values : mapping of str to ndarray
+        Results by name, of the design's shape.
+    damaged : int
+        Number of finished blocks that a folder did not have as they were written.
+    """
 
+    def __init__(self, design: Design, described: Callable[[], Mapping[str, Any]], folder: Any = None) -> None:
+        self.design = design
+        self.damaged = 0
+        self._study = b""
+        path = None if folder is None else Path(folder)
+        if path is not None:
+            self._study = _opened(path, {"format": _FORMAT, **described()})
+            self._digests = _mapped(path, "digests", np.dtype(np.uint8), (design.blocks, _DIGEST))
+        in_memory = path is None and math.prod(design.shape) <= _IN_MEMORY
+        self.values = {
+            name: np.zeros(design.shape, kind) if in_memory else _mapped(path, name, kind, design.shape)
+            for name, kind in design.outputs.items()
+        }
 
-@contextmanager
-def _deferred_interrupt() -> Iterator[None]:
-    """A Ctrl-C that `_result` raises: raised at once in one of Dask's own callbacks it would be swallowed there."""
-    try:
-        before = signal.signal(signal.SIGINT, lambda *_: _INTERRUPTED.set())
-    except ValueError:  # outside the main thread, which alone hears signals
-        yield
-        return
-    try:
-        yield
-    finally:
-        _INTERRUPTED.clear()
-        signal.signal(signal.SIGINT, before)
-
-
-def _result(future: Future[Result]) -> Result:
-    """The result of a block, waited for so that Ctrl-C is heard meanwhile."""
-    while not wait([future], timeout=0.1).done and not _INTERRUPTED.is_set():
-        pass
-    if _INTERRUPTED.is_set():
-        raise KeyboardInterrupt
-    return future.result()
-
-
-class Folder:
-    """Finished blocks on the disk, for one study, seed and size; each says which block of which study it is."""
-
-    def __init__(self, path: str | os.PathLike[str], description: dict[str, Any]) -> None:
-        held = stored(path)
-        self.path, text = Path(path), json.dumps(description, indent=2).encode()
-        self._study = hashlib.sha256(text).hexdigest()
-        try:
-            self.path.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise ValueError(f"{self.path}: can be no folder for blocks: {error.strerror}") from error
-        if held is None:
-            write(self.path / "study.json", text)
-        elif other := [k for k in description | held if description.get(k) != held.get(k)]:
-            raise ValueError(
-                f"{self.path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"
-            )
-
-    def _file(self, index: int) -> Path:
-        return self.path / f"block-{index:08d}.npz"
-
-    def _label(self, index: int, result: Result) -> str:
-        """Return the name of a block with those of its arrays, their types and shapes."""
-        arrays = ", ".join(f"{name} {array.dtype.str} {array.shape}" for name, array in result.items())
-        return f"block {index} of study {self._study}: {arrays}"
-
-    def load(self, index: int) -> Result | None:
-        """Return a finished block, or None if it is missing, damaged or another block under this name."""
-        try:
-            with open(self._file(index), "rb") as whole, np.load(whole, allow_pickle=False) as file:
-                result = {name: file[name] for name in file.files}
-            label = result.pop("label").tobytes().decode()
-        except Exception:  # whatever a damaged file leads to, the block is computed again
-            return None
-        return result if label == self._label(index, result) else None
+    def has(self, index: int) -> bool:
+        """Return whether a block is stored as it was written."""
+        if not self._study or not self._digests[index].any():
+            return False
+        is_whole = self._digests[index].tobytes() == self._digest(index)
+        self.damaged += not is_whole
+        return is_whole
 
     def save(self, index: int, result: Result) -> None:
         """Store a finished block."""
-        label = np.frombuffer(self._label(index, result).encode(), np.uint8)
-        with replacing(self._file(index)) as file:
-            np.savez(file, label=label, **result)  # type: ignore[arg-type]
+        for name, values in self.values.items():
+            values[self.design.place(index)] = result[name]
+        if self._study:
+            self._digests[index] = np.frombuffer(self._digest(index), np.uint8)
+
+    def _digest(self, index: int) -> bytes:
+        """Return the digest of the inputs of a block, which are those of its study, and of its stored results."""
+        digest = hashlib.sha256(self._study + index.to_bytes(8))
+        place = self.design.place(index)
+        for values in self.values.values():
+            digest.update(np.ascontiguousarray(values[place]).data)
+        return digest.digest()
+
+
+def _opened(path: Path, description: dict[str, Any]) -> bytes:
+    """Open the folder of a study and return its digest; refuse the folder of another study."""
+    held, text = stored(path), json.dumps(description, indent=2).encode()
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ValueError(f"{path}: can be no folder for blocks: {error.strerror}") from error
+    if held is None:
+        write(path / "study.json", text)
+    elif other := [k for k in description | held if description.get(k) != held.get(k)]:
+        raise ValueError(f"{path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder")
+    return hashlib.sha256(text).digest()
+
+
+def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+    """Return an array in a file of a folder, whose header and size are made as they must be, or in a temporary file.
+
+    Its space on the disk is allocated beforehand where the system can do so: a full disk would end the process later.
+    """
+    path = (folder or Path(gettempdir())) / f"{name}.npy"
+    size = math.prod(shape) * kind.itemsize
+    try:
+        with open(os.open(path, os.O_RDWR | os.O_CREAT, 0o666), "r+b") if folder else TemporaryFile() as file:
+            header = {"descr": kind.str, "fortran_order": False, "shape": shape}
+            np.lib.format.write_array_header_1_0(file, header)
+            start = file.tell()
+            file.truncate(start + size)
+            if hasattr(os, "posix_fallocate"):
+                os.posix_fallocate(file.fileno(), 0, start + size)
+            return np.asarray(np.memmap(file, kind, "r+", start, shape))
+    except OSError as error:
+        remedy = f"free {size / 1e6:.3g} MB, and run it again; finished blocks are kept"
+        raise ValueError(f"{path}: cannot be written: {error.strerror}; {remedy}") from error
 
 
 def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
-    """The description of the study whose blocks a folder holds."""
+    """Return the description of the study whose blocks a folder holds."""
     if not isinstance(folder, str | os.PathLike):
         raise ValueError(f"folder = {folder!r}: must be a path")
     path = Path(folder) / "study.json"
@@ -207,44 +176,60 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
         raise ValueError(f"{path}: is damaged: {error}; give an empty folder") from error
     if not isinstance(description, dict):
         raise ValueError(f"{path}: is no study; give an empty folder")
+    if description.get("format") != _FORMAT:
+        raise ValueError(f"{folder}: holds blocks in the format of another version; give an empty folder")
     return description
 
 
-class Blocks(Protocol):
-    """A study in independent blocks; a task is a function and its argument, which go to a worker."""
+def compute(
+    design: Design, executor: Executor, store: Store, progress: Callable[[int, int], None] = lambda *_: None
+) -> None:
+    """Compute the blocks that are not stored, and store each as soon as it is finished; `Progress` counts scenes."""
+    under_way: dict[Future[Result], int] = {}
 
-    @property
-    def blocks(self) -> int: ...
+    def save(futures: Iterable[Future[Result]]) -> None:
+        for future in futures:
+            index = under_way.pop(future)
+            store.save(index, future.result())
+            progress(design.scenes(index), 0)
 
-    def scenes(self, index: int) -> int: ...
+    with _deferred_interrupt() as interrupted:
 
-    def task(self, index: int) -> tuple[Callable[[int], Result], int]: ...
+        def save_until(left: int) -> None:
+            while len(under_way) > left:
+                if interrupted.is_set():
+                    raise KeyboardInterrupt
+                save(wait(under_way, 0.1, FIRST_COMPLETED).done)
+
+        try:
+            for index in range(design.blocks):
+                if store.has(index):
+                    progress(design.scenes(index), design.scenes(index))
+                    continue
+                work, argument = design.task(index)
+                under_way[executor.submit(work, argument)] = index
+                save_until(_AHEAD)
+            save_until(0)
+        finally:  # after an error or Ctrl-C, finished blocks are stored as well
+            for future in [*under_way]:
+                future.cancel()
+            save([future for future in under_way if _is_complete(future)])
 
 
-def run_blocks(
-    design: Blocks, executor: Executor, folder: Folder | None = None, progress: Callable[[int, int], None] | None = None
-) -> Iterator[Result]:
-    """Results of all blocks of a design, in their order; `Progress` is called with each."""
-    under_way: dict[int, Result | Future[Result]] = {}
-    begun = 0
+@contextmanager
+def _deferred_interrupt() -> Iterator[Event]:
+    """Yield an event that Ctrl-C sets; a KeyboardInterrupt at once could be raised, and lost, in a callback of Dask."""
+    interrupted = Event()
     try:
-        for index in range(design.blocks):
-            while begun < min(index + _AHEAD, design.blocks):
-                kept = folder.load(begun) if folder else None
-                work, argument = design.task(begun)
-                under_way[begun] = executor.submit(work, argument) if kept is None else kept
-                begun += 1
-            found = under_way.pop(index)
-            is_new = isinstance(found, Future)
-            result = _result(found) if isinstance(found, Future) else found
-            if folder and is_new:
-                folder.save(index, result)
-            if progress:
-                scenes = design.scenes(index)
-                progress(scenes, 0 if is_new else scenes)
-            yield result
+        before = signal.signal(signal.SIGINT, lambda *_: interrupted.set())
+    except ValueError:  # outside the main thread, which alone receives signals
+        yield interrupted
+        return
+    try:
+        yield interrupted
     finally:
-        ended = {index: found for index, found in under_way.items() if isinstance(found, Future) and found.done()}
-        for index, future in ended.items():  # what was finished meanwhile is kept as well
-            if folder and not future.cancelled() and future.exception() is None:
-                folder.save(index, future.result())
+        signal.signal(signal.SIGINT, before)
+
+
+def _is_complete(future: Future[Result]) -> bool:
+    return future.done() and not future.cancelled() and future.exception() is None

@@ -3,10 +3,10 @@
 import json
 import math
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import replace
-from typing import IO, Any, TypeVar
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,19 +18,16 @@ from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.identity import digest
-from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
-from slipcircle.workbench.studies.design import REPLICATES, Design, Result
-from slipcircle.workbench.studies.engines import Blocks, Folder, as_executor, engine, run_blocks, stored
+from slipcircle.workbench.studies.design import REPLICATES, Design
+from slipcircle.workbench.studies.engines import Store, as_executor, compute, engine, stored
+from slipcircle.workbench.studies.groundmotions import OfRecords, ground_motions
 from slipcircle.workbench.studies.settings import OF_ARRAYS, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
-from slipcircle.workbench.studies.suitedesign import OfRecords, SuiteDesign, suite_design
 from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
-T = TypeVar("T")
-_KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
 
@@ -68,7 +65,6 @@ def ensemble(
     *,
     method: str = "monte-carlo",
     sensitivity: int | None = None,
-    keep: bool | None = None,
     size: int | None = None,
     confidence: float = 0.95,
     accuracy: float | None = None,
@@ -91,9 +87,8 @@ def ensemble(
     method, sensitivity : str and int, optional
         "monte-carlo"; or "sobol": 16 independently scrambled sequences, whose spread gives the intervals. Base points
         of the sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
-    keep, size : bool and int, optional
-        Whether to keep the samples (by default up to 2**20 of them) or to count them in bins of relative width 1/1024;
-        samples of a block, a power of two, by default for at least eight blocks.
+    size : int, optional
+        Samples of a block, a power of two, by default for at least eight blocks.
     confidence, accuracy : float, optional
         Of all intervals; requested relative error of each solution, by default that of the scene, or 1e-9.
     folder, progress : path and stream, optional
@@ -113,13 +108,15 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    settings = method, sensitivity, keep, size, search_each
+    settings = method, sensitivity, size, search_each
     shaken = OfRecords(**of_records)
     raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, shaken))
     design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
-    if records is None:
-        return conduct(design, executor, confidence, folder, progress)
-    return _over_records(design, records, shaken, executor, folder, progress)
+    if records is not None:
+        special()  # which it ends with: missing, it is missed before hours of solving
+        unshaken, motions = ground_motions(design.scene, design.inputs, records, shaken)
+        design = replace(design, scene=unshaken, base=0, records=motions)
+    return conduct(design, executor, confidence, folder, progress)
 
 
 def _design(
@@ -131,31 +128,14 @@ def _design(
     accuracy: float | None,
 ) -> Design:
     """The design of an ensemble whose settings are valid."""
-    method, sensitivity, keep, size, search_each = settings
+    method, sensitivity, size, search_each = settings
     drawn = uncertain_numbers(scene)
     scene, matrix = along_means(scene), _correlation(drawn, correlation)
-    keep = n <= _KEEP if keep is None else keep
     inputs = {k: u.number for k, u in drawn.items()}
     base = _base_points(sensitivity, len(drawn), n, correlation)
     accuracy = plan(scene, accuracy).accuracy
     size = int(size or _size(n, method))
-    return Design(scene, accuracy, inputs, drawn, (), method, n, base, keep, matrix, seed, size, search_each)
-
-
-def _over_records(
-    sampling: Design,
-    records: Any,
-    shaken: OfRecords,
-    executor: Any,
-    folder: str | os.PathLike[str] | None,
-    progress: IO[str] | None,
-) -> SuiteStudy:
-    """The study of a scene under records."""
-    special()  # which it ends with: missing, it is missed before hours of solving
-    design = suite_design(replace(sampling, base=0), records, shaken)
-    scenes = sum(map(design.scenes, range(design.blocks)))
-    described = _described(design.sampling) | _suite_described(design)
-    return computed(design, scenes, described, executor, folder, progress, lambda r: SuiteStudy(design, r))
+    return Design(scene, accuracy, inputs, drawn, (), method, n, base, matrix, seed, size, search_each)
 
 
 def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
@@ -235,7 +215,7 @@ def grid(
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
     axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
     accuracy, independent = plan(scene, accuracy).accuracy, np.eye(len(inputs))
-    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, True, independent, 0, _size(n, "grid"))
+    design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
 
 
@@ -254,31 +234,19 @@ def varied_number(scene: Scene, path: str, values: Any) -> Number:
 
 def conduct(
     design: Design, executor: Any, confidence: float, folder: str | os.PathLike[str] | None, progress: IO[str] | None
-) -> Study:
-    """Compute a design's blocks and add them up."""
-    scenes = design.n + design.base * (len(design.inputs) + 2)
-    described = _described(design)
-    return computed(design, scenes, described, executor, folder, progress, lambda r: Study(design, confidence, r))
-
-
-def computed(
-    design: Blocks,
-    scenes: int,
-    described: dict[str, Any],
-    executor: Any,
-    folder: str | os.PathLike[str] | None,
-    progress: IO[str] | None,
-    add_up: Callable[[Iterable[Result]], T],
-) -> T:
-    """What the results of a design's blocks add up to, with the number of scenes for the progress."""
-    blocks = Folder(folder, described) if folder is not None else None
-    with engine("threads") if executor is None else nullcontext(as_executor(executor)) as workers:
+) -> Any:
+    """Compute the blocks of a design and return the study of their results."""
+    store = Store(design, lambda: _described(design), folder)
+    with engine() if executor is None else nullcontext(as_executor(executor)) as workers:
         if progress is None:
-            return add_up(run_blocks(design, workers, blocks))
-        with Progress(scenes, "scenes", progress) as shown:
-            study = add_up(run_blocks(design, workers, blocks, shown))
-    print(shown.text(), file=progress, flush=True)
-    return study
+            compute(design, workers, store)
+        else:
+            with Progress(math.prod(design.shape), "scenes", progress) as shown:
+                compute(design, workers, store, shown)
+            print(shown.text(), file=progress, flush=True)
+    if design.records is not None:
+        return SuiteStudy(design, store.values, store.damaged)
+    return Study(design, confidence, store.values, store.damaged)
 
 
 def _described(design: Design) -> dict[str, Any]:
@@ -287,7 +255,7 @@ def _described(design: Design) -> dict[str, Any]:
     searched = stability_of(scene) if design.with_factors else None
     described = {
         "slipcircle": VERSION,
-        "outcomes": [*OUTCOMES],
+        "outputs": [*design.outputs],
         "factors": "each" if design.search_each else "means",
         "accuracy": design.accuracy,
         "search": [searched.slope, searched.method, searched.limits] if searched else [],
@@ -303,19 +271,15 @@ def _described(design: Design) -> dict[str, Any]:
         "method": design.method,
         "samples": design.n,
         "sensitivity_base": design.base,
-        "keep": design.keep,
         "seed": design.seed,
         "block": design.size,
         "correlation": design.correlation,
     }
+    if records := design.records:
+        described |= {
+            "records": [entry.digest for entry in records.suite],
+            "shaking": records.shaking,
+            "polarities": records.polarities,
+            "scale_to_pga" if records.to_pga else "scales": records.scales,
+        }
     return dict(json.loads(json.dumps(described, default=_known)))
-
-
-def _suite_described(design: SuiteDesign) -> dict[str, Any]:
-    """What identifies a study over records beside its samples."""
-    return {
-        "records": [entry.digest for entry in design.suite],
-        "shaking": dict(design.shaking),
-        "polarities": [*design.polarities],
-        "scale_to_pga" if design.to_pga else "scales": design.scales.tolist(),
-    }

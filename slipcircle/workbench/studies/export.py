@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from slipcircle.core import Status
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 HEAD = ("table", "output", "input", "at", "value", "low", "high")
@@ -97,7 +97,6 @@ def record(study: Any) -> dict[str, Any]:
         "block": study.size,
         "accuracy": design.accuracy,
         "confidence": study.confidence,
-        "bin_error": 0.0 if study.samples else BIN_ERROR,
         "status": {s.name: int(study.counts[s]) for s in Status},
         "moving": _record(study.moving),
         "probability_of_failure": {row.input: _record(row.estimate) for row in failure},
@@ -131,19 +130,8 @@ def _output(study: Any, groups: _Groups, name: str) -> dict[str, Any]:
 
 
 def arrays(study: Any) -> dict[str, NDArray[Any]]:
-    """Everything as arrays by name: of each table and output rows of (at, value, low, high); bins, counts, samples."""
-    named: dict[str, NDArray[Any]] = {"status_counts": study.counts}
-    for (table, output), rows in _grouped(study).items():
-        words = f"{output}_{table}"
-        name = words.replace(" ", "_").replace("-", "_")
-        numbers = [(row.at, *row.estimate) for row in rows]
-        named[name] = np.array(numbers)
-    for name in OUTCOMES:
-        named[f"{name}_bins"] = study.bins(name)
-    for name, values in study.samples.items():
-        named[f"sample_{name}"] = values
-    named["inputs"] = np.array([u.key for u in study.design.inputs.values()])
-    return named
+    """Return the samples as arrays by name: inputs by key, results and status."""
+    return {f"sample_{name}": values for name, values in study.samples.items()}
 
 
 def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:

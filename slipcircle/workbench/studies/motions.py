@@ -18,12 +18,12 @@ def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = No
         return solve(lanes, accuracy, invalid=invalid)
 
 
-def factors_at_start(scene: Scene, values: Mapping[str, Any], accuracy: float) -> tuple[dict[str, Any], Any]:
-    """Factors of safety of the same by method, and which are of scenes; nothing is integrated."""
+def factors_at_start(scene: Scene, values: Mapping[str, Any], accuracy: float) -> dict[str, Any]:
+    """Return factors of safety of the same scenes by method; nothing is integrated."""
     with np.errstate(all="ignore"):
         lanes, invalid = _lanes(scene, values)
         statics = Forces(problem_of(plan(lanes, accuracy), invalid)).statics
-        return factors(lanes, statics["factor_of_safety"]), ~invalid
+        return factors(lanes, statics["factor_of_safety"])
 
 
 def _lanes(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Any]:

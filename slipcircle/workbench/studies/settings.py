@@ -9,8 +9,8 @@ from slipcircle.base.checks import shown
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
+from slipcircle.workbench.studies.groundmotions import OfRecords
 from slipcircle.workbench.studies.searched import search_mistakes
-from slipcircle.workbench.studies.suitedesign import OfRecords
 
 _MOST = 10**12
 _MOST_BASE = 2**22
@@ -24,9 +24,9 @@ def setting_mistakes(
     scene: Scene, n: Any, confidence: Any, settings: Sequence[Any], correlation: Any, records: Any, shaken: OfRecords
 ) -> list[str]:
     """A sentence for each mistake."""
-    method, points, keep, size, search_each = settings
+    method, points, size, search_each = settings
     with_records = records is not None
-    flags = {"keep": keep, "search_each": search_each, "polarities": shaken.polarities, "strict": shaken.strict}
+    flags = {"search_each": search_each, "polarities": shaken.polarities, "strict": shaken.strict}
     found = _scene_mistakes(scene, search_each, with_records)
     found += _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
     found += [f"{k} = {v!r}: must be True or False" for k, v in flags.items() if not isinstance(v, _Flag)]

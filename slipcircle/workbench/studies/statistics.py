@@ -1,64 +1,19 @@
-"""Statistics of samples, in one pass and constant memory: histograms, moments, estimates with their intervals."""
+"""Statistics of samples: quantiles, moments, probabilities and sensitivity indices, with their intervals."""
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 
-# Bins of a histogram: of equal relative width 2**-10 from 2**-30 to 2**30, one below (zero too), one above, and the
-# last one for infinity.
-_BITS = 10
-_LOWEST = (1023 - 30) << _BITS
-_INNER = 60 << _BITS
-BINS = _INNER + 3
-BIN_ERROR = 2.0**-_BITS
 # Of replicates with an interval: samples of each, of these in the tail, and the standard deviation of their counts.
 _LEAST_SIZE = 16
 _LEAST_IN_TAIL = 2.0
 _LEAST_SPREAD = 0.7
-
-
-def bins(values: Floats) -> NDArray[np.int64]:
-    """The bin of each magnitude: the exponent and the first bits of the significand of a float64 are its number."""
-    leading_bits = values.view(np.int64) >> (52 - _BITS)
-    place = leading_bits - _LOWEST + 1
-    finite = np.clip(place, 0, BINS - 2)
-    return np.where(np.isinf(values), BINS - 1, finite)
-
-
-def edges() -> Floats:
-    """Lower edges of the bins, and infinity."""
-    leading_bits = np.arange(_LOWEST, _LOWEST + _INNER + 1, dtype=np.int64)
-    inner = leading_bits << (52 - _BITS)
-    return np.concatenate([[0.0], inner.view(np.float64), [np.inf, np.inf]])
-
-
-def histogram_quantile(counts: NDArray[np.int64], p: Any, ends: tuple[float, float]) -> Any:
-    """Quantiles from counts in `bins`, interpolated within a bin: off by less than the bin's width.
-
-    ``ends`` are the least and the greatest finite value; infinite where that many values are.
-    """
-    cumulated = np.cumsum(counts)
-    total = cumulated[-1]
-    rank = np.ceil(np.asarray(p) * total)
-    rank = np.clip(rank, 1, total)
-    k = np.searchsorted(cumulated, rank)
-    edge = edges()
-    lower = edge[k]
-    upper = edge[k + 1]
-    above = rank - cumulated[k]
-    share = above / counts[k] + 1.0  # of the bin, that is below
-    with np.errstate(invalid="ignore"):
-        width = np.where(upper < np.inf, upper - lower, 0.0)
-        inside = lower + width * share
-    inside = np.clip(inside, *ends)
-    value = np.where(k == 0, 0.0, inside)
-    return np.where(k == BINS - 1, np.inf, value)
 
 
 class Estimate(NamedTuple):
@@ -67,6 +22,24 @@ class Estimate(NamedTuple):
     value: float
     low: float
     high: float
+
+
+class Exceedance(NamedTuple):
+    """Probabilities that values are exceeded, with their intervals."""
+
+    at: Floats
+    probability: Floats
+    low: Floats
+    high: Floats
+
+
+class Convergence(NamedTuple):
+    """Estimates from the first n valid samples."""
+
+    n: int
+    moving: Estimate
+    median: Estimate
+    upper: Estimate
 
 
 NOT_GIVEN = Estimate(math.nan, math.nan, math.nan)
@@ -149,41 +122,13 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
     """
     tail = (1.0 - confidence) / 2
     tails = np.array([tail, 1.0 - tail])
-    count = np.ceil(special().bdtrik(tails, n, p))
+    count = np.nan_to_num(np.ceil(special().bdtrik(tails, n, p)), nan=n * p)  # NaN of p = 0 and 1
     before = np.maximum(count - 1.0, 0.0)
     low, high = np.where(special().bdtr(before, n, p) >= tails, before, count).astype(int).tolist()
     return low, min(high, n) + 1
 
 
-# --- moments ---------------------------------------------------------------------------------------------------------
-
-
-def moments(values: Floats) -> Floats:
-    """Number and mean of values, and sums of the second to fourth powers of what they differ from it."""
-    if not values.size:
-        return np.zeros(5)
-    mean = float(np.mean(values))
-    off = values - mean
-    squares = off * off
-    powers = (squares, squares * off, squares * squares)
-    return np.array([values.size, mean, *map(np.sum, powers)])
-
-
-def pooled(each: Floats) -> Floats:
-    """`moments` of several sets of values together, a row each: powers of (x - mean) + off, expanded."""
-    n, mean, second, third, fourth = each.T
-    total = n.sum()
-    if not total:
-        return each[0]
-    common_mean = (n @ mean) / total
-    off = mean - common_mean
-    square = off * off
-    mixed = 4 * off * third
-    fourths = fourth + mixed + 6 * square * second + n * square**2
-    thirds = third + 3 * off * second + n * off * square
-    seconds = second + n * square
-    sums_of_powers = [powers.sum() for powers in (seconds, thirds, fourths)]
-    return np.array([total, common_mean, *sums_of_powers])
+# --- moments and quantiles --------------------------------------------------------------------------------------------
 
 
 class Spread(NamedTuple):
@@ -195,19 +140,64 @@ class Spread(NamedTuple):
     std_error: float
 
 
-def spread(moments: Floats) -> Spread:
-    """Of independent samples, from their `moments`.
+def spread(values: Floats) -> Spread:
+    """Return mean and standard deviation of independent samples.
 
     The variance of a sample's variance is that of the squares over n; a root halves relative errors.
     """
-    n, mean, second, _, fourth = moments.tolist()
+    n = values.size
+    mean = float(np.mean(values)) if n else math.nan
     if n < 2:
-        return Spread(mean if n else math.nan, math.nan, math.nan, math.nan)
-    std = math.sqrt(second / (n - 1))
-    variance_of_squares = fourth / n - (second / n) ** 2
-    variance_of_variance = max(variance_of_squares, 0.0) / n
-    std_error = math.sqrt(variance_of_variance) / (2 * std) if std else 0.0
+        return Spread(mean, math.nan, math.nan, math.nan)
+    squares = (values - mean) ** 2
+    std = math.sqrt(float(np.sum(squares)) / (n - 1))
+    std_error = math.sqrt(float(np.var(squares)) / n) / (2 * std) if std else 0.0
     return Spread(mean, std / math.sqrt(n), std, std_error)
+
+
+class Ordered:
+    """Values of an output in increasing order, of all replicates and of each; infinite values exceed every other."""
+
+    def __init__(self, replicates: Sequence[Floats]) -> None:
+        self.replicates = [np.sort(values) for values in replicates if values.size]
+        together = np.concatenate([*self.replicates, np.empty(0)])
+        self.values = together if len(self.replicates) < 2 else np.sort(together)
+        self.finite = self.values[: np.searchsorted(self.values, np.inf)]
+
+    def at_share(self, share: float) -> float:
+        """Return the least value that at least a share of the samples does not exceed; NaN for a share beyond 1."""
+        if not 0.0 <= share <= 1.0:
+            return math.nan
+        rank = math.ceil(share * self.values.size)
+        return float(self.values[max(rank, 1) - 1])
+
+    def quantile(self, p: float, confidence: float) -> Estimate:
+        """Return the p-quantile, a value of a sample, with its interval; NaN where an end is unknown.
+
+        The interval is from ranks of independent samples. Of several replicates it is from their shares that do not
+        exceed the quantile (Woodruff 1952).
+        """
+        n = self.values.size
+        if not n:
+            return NOT_GIVEN
+        value = self.at_share(p)
+        if len(self.replicates) == 1:
+            low, high = ((rank - 0.5) / n for rank in ranks(p, n, confidence))
+        else:
+            finite = min(value, float(np.finfo(np.float64).max))
+            shares = np.array([np.searchsorted(x, finite, side="right") / x.size for x in self.replicates])
+            half = float(share_width(shares, n / len(shares), confidence))
+            low, high = p - half, p + half
+        return Estimate(value, self.at_share(low), self.at_share(high))
+
+    def spread(self) -> Spread:
+        """Return mean and standard deviation with their errors, from the replicates where there are several."""
+        together = spread(self.finite)
+        filled = [values for values in self.replicates if values.size > 1]
+        if len(filled) < 2:
+            return together
+        errors = standard_error(np.array([spread(values[values < np.inf]) for values in filled]))
+        return together._replace(mean_error=float(errors[0]), std_error=float(errors[2]))
 
 
 # --- sensitivity indices ---------------------------------------------------------------------------------------------
@@ -271,3 +261,100 @@ def sums(y: Floats) -> Floats:
             saltelli = np.sum(b * step)
             totals += [jansen, saltelli, np.sum(step)]
     return np.array(totals, dtype=np.float64)
+
+
+# --- displacements under records -------------------------------------------------------------------------------------
+
+# Displacements are arrays (record, polarity, scale, sample), m: 0 of a mass that does not move, infinite if it moves
+# without a result, NaN of an invalid scene. Records are the independent draws, polarities and samples of one are not.
+THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements, m, that tables and pictures show
+
+
+class Distribution(NamedTuple):
+    """The distribution of displacements at one scale.
+
+    Attributes
+    ----------
+    moving : float
+        Share of motions with a displacement.
+    mean, median, p16, p84 : float
+        Of all motions, m; those that do not move count as 0.
+    geometric_mean, std_ln : float
+        exp of the mean of ln D, m, and the standard deviation of ln D, of those that move; NaN if too few do.
+    """
+
+    moving: float
+    mean: float
+    median: float
+    p16: float
+    p84: float
+    geometric_mean: float
+    std_ln: float
+
+
+def distribution(displacement: Floats, scale: int) -> Distribution:
+    """The distribution of displacements at a scale, by its place."""
+    values = _valid(displacement, scale)
+    if not values.size:
+        unknown = (math.nan,) * len(Distribution._fields)
+        return Distribution(*unknown)
+    p16, median, p84 = np.quantile(values, (0.16, 0.5, 0.84), method="inverted_cdf").tolist()
+    moving = values > 0.0
+    logs = np.log(values[moving & (values < np.inf)])
+    geometric_mean = math.exp(logs.mean()) if logs.size else math.nan
+    std_ln = float(logs.std(ddof=1)) if logs.size > 1 else math.nan
+    mean, share = float(values.mean()), float(moving.mean())
+    return Distribution(share, mean, median, p16, p84, geometric_mean, std_ln)
+
+
+def _valid(displacement: Floats, scale: int) -> Floats:
+    """The displacements of a scale in a row, without what is no scene."""
+    values = displacement[:, :, scale].ravel()
+    return values[~np.isnan(values)]
+
+
+def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
+    """Share of a record's motions at a scale that exceed a threshold, m, (record, scale); NaN if none is known."""
+    known = ~np.isnan(displacement)
+    exceeds = (displacement > threshold) & known
+    with np.errstate(invalid="ignore"):
+        return exceeds.sum(axis=(1, 3)) / known.sum(axis=(1, 3))
+
+
+def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
+    """Probabilities that displacements exceed thresholds, m, by scale and threshold.
+
+    The intervals are those of a share of as many draws as there are records (Clopper and Pearson 1934): as if both
+    polarities and all samples of a record exceeded a threshold together, which is never too short. Counting motions
+    instead would be, as the two polarities of a record are not independent.
+    """
+    records, _, scales, _ = displacement.shape
+    found = []
+    for k in range(scales):
+        values = _valid(displacement, k)
+        exceeds = values[:, None] > thresholds
+        shares = exceeds.mean(axis=0) if values.size else np.full(thresholds.size, np.nan)
+        lows, highs = proportion(shares * records, records, confidence)
+        rows = np.stack([shares, lows, highs], axis=1)
+        found.append([Estimate(*row) for row in rows.tolist()])
+    return found
+
+
+class Shares(NamedTuple):
+    """Shares of the variance of the displacement: of records, of polarities and of samples alone; the rest is joint."""
+
+    records: float
+    polarities: float
+    samples: float
+
+
+def variance_shares(displacement: Floats, scale: int) -> Shares:
+    """First-order shares of the variance at a scale: variances of means over all else; NaN where they are not known."""
+    values = displacement[:, :, scale]
+    if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
+        return Shares(math.nan, math.nan, math.nan)
+    total = np.var(values)
+    records = np.var(values.mean(axis=(1, 2)))
+    polarities = np.var(values.mean(axis=(0, 2)))
+    samples = np.var(values.mean(axis=(0, 1)))
+    return Shares(float(records / total), float(polarities / total), float(samples / total))

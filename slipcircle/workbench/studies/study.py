@@ -5,9 +5,10 @@ and exceed every threshold: quantiles among them are infinite, and statistics th
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,47 +16,33 @@ from numpy.typing import NDArray
 from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
 from slipcircle.base.optional import optional
-from slipcircle.core import ANSWERED, Motion, Scene, Status
+from slipcircle.core import Motion, Scene, Status
 from slipcircle.words import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
-from slipcircle.workbench.studies.design import NO_RESULT, Design, Result
-from slipcircle.workbench.studies.factors import Factors, factors_of
+from slipcircle.workbench.studies.design import FACTOR, NO_RESULT, RESULTS, Design
+from slipcircle.workbench.studies.engines import engine
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.searched import effect_of_searching
 from slipcircle.workbench.studies.statistics import (
-    NOT_GIVEN,
+    Convergence,
     Estimate,
+    Exceedance,
     Indices,
+    Ordered,
     Spread,
     indices,
     probability,
+    sums,
     value_text,
     width,
 )
-from slipcircle.workbench.studies.tally import COUNTED, Tally
 
-
-class Exceedance(NamedTuple):
-    """Probabilities that values are exceeded, with their intervals."""
-
-    at: Floats
-    probability: Floats
-    low: Floats
-    high: Floats
-
-
-class Convergence(NamedTuple):
-    """What was known after the first n samples."""
-
-    n: int
-    moving: Estimate
-    median: Estimate
-    upper: Estimate
+_VARYING = ("moves", *OUTCOMES)  # outputs with sensitivity indices
 
 
 class Study(Pictured):
@@ -67,75 +54,78 @@ class Study(Pictured):
     seed, size : int
         Repeat the same samples.
     confidence : float
-    outside_range : int
-        Number of samples that leave the range of validity, `Motion.outside_range`; statistics include them.
-    sensitivity : mapping
-        `Indices` of each output, and of whether the mass moves, if there is more than one input.
-    convergence : list of Convergence
-        Convergence of the median and of the 95 % quantile of the run-out.
-    samples : mapping
-        Inputs by key, in the unit of the key, outputs and status, if they were kept.
+    values : mapping of str to ndarray
+        Results of each sample in SI units, by name: ``run_out``, ``peak_velocity``, ``duration``, ``end_displacement``
+        (permanent), ``rotation`` (at the end), ``slips`` (how often it begins to slide), ``outside_range`` and
+        ``status`` (`Status`), of a grid also factors of safety. They have a sign, are 0 of a mass that does not move,
+        and NaN without a result.
+    damaged : int
+        Number of blocks of the folder that were damaged and computed again.
     """
 
-    def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
+    def __init__(self, design: Design, confidence: float, values: Mapping[str, NDArray[Any]], damaged: int = 0) -> None:
         self.design = design
         self.seed = design.seed
         self.size = design.size
         self.confidence = confidence
-        self.sensitivity: Mapping[str, Indices] = {}
-        self.convergence: list[Convergence] = []
-        self.samples: Mapping[str, NDArray[Any]] = {}
-        replicates = design.replicates
-        self._counts = np.zeros((replicates, len(Status)), np.int64)
-        self.outside_range = 0
-        self._tallies = {name: Tally(replicates) for name in OUTCOMES}
-        self._with_motions = Factors(replicates)
-        self._add_all(results)
-
-    def _add_all(self, results: Iterable[Result]) -> None:
-        """Add all blocks up, those of samples first."""
-        samples = dict[str, list[NDArray[Any]]]()
-        sums = list[Floats]()
-        for index, result in enumerate(results):
-            if index >= self.design.sample_blocks:
-                sums.append(result["sums"])
-                continue
-            self._add(index % self.design.replicates, result)
-            for name, values in result.items():
-                if name.startswith("sample."):
-                    samples.setdefault(name.removeprefix("sample."), []).append(values)
-            if self._is_checkpoint(index + 1):
-                median = self.quantile("run_out", 0.5)
-                upper = self.quantile("run_out", 0.95)
-                self.convergence.append(Convergence(self.n, self.moving, median, upper))
-        self.samples = {name: np.concatenate(values) for name, values in samples.items()}
-        self._indices_from(np.stack(sums) if sums else None)
-
-    def _add(self, replicate: int, result: Result) -> None:
-        """Add a block up."""
-        self._counts[replicate] += result["status"]
-        self.outside_range += int(result["outside_range"])
-        for name, tally in self._tallies.items():
-            tally.add(replicate, {part: result[f"{name}.{part}"] for part in COUNTED})
-        self._with_motions.add(replicate, result)
+        self.damaged = damaged
+        self.values = {name: array[: design.n] for name, array in values.items()}
+        self._base_values = {name: array[design.n :] for name, array in values.items()}
+        self._ordered: dict[str, Ordered] = {}
 
     @cached_property
-    def _factors(self) -> Factors:
-        return self._with_motions if self.design.with_factors else factors_of(self.design)
+    def inputs(self) -> dict[str, Floats]:
+        """Values of the numbers that vary at each sample, by key and in its unit."""
+        return self.design.samples()
 
-    def _is_checkpoint(self, blocks: int) -> bool:
-        """Whether the convergence is looked at after so many blocks: whole turns of all replicates, powers of two."""
-        turns, rest = divmod(blocks, self.design.replicates)
-        is_power = turns & (turns - 1) == 0
-        return self.design.method != "grid" and not rest and (is_power or blocks == self.design.sample_blocks)
+    @cached_property
+    def samples(self) -> dict[str, NDArray[Any]]:
+        """Inputs, and results as magnitudes where they are finite, by name."""
+        found: dict[str, NDArray[Any]] = {**self.inputs}
+        for name, values in self.values.items():
+            if values.dtype == np.float64:
+                magnitude = np.abs(values) if name in OUTCOMES else values
+                found[name] = np.where(np.isinf(values), np.nan, magnitude)
+            else:
+                found[name] = values
+        return found
 
-    def _indices_from(self, sums: Floats | None) -> None:
-        """The sensitivity indices from the sums of batches of base points, (batches, 1 + outcomes, ...)."""
-        self._invalid_points = 0
-        if sums is not None:
-            self._invalid_points = self.design.base - int(sums[:, 0, 0].sum())
-            named = enumerate(("moves", *OUTCOMES))
-            self.sensitivity = {n: indices(sums[:, k], self.confidence) for k, n in named}
+    @cached_property
+    def sensitivity(self) -> Mapping[str, Indices]:
+        """`Indices` of each output, and of whether the mass moves, if there is more than one input."""
+        by_output = zip(*self._batches, strict=True)
+        return {n: indices(np.stack(batches), self.confidence) for n, batches in zip(_VARYING, by_output, strict=False)}
+
+    @cached_property
+    def _batches(self) -> list[list[Floats]]:
+        """The `sums` of whether the mass moves and of each outcome, by batches of base points."""
+        return [self._sums(block) for block in range(self.design.sample_blocks, self.design.blocks)]
+
+    def _sums(self, block: int) -> list[Floats]:
+        """Return the `sums` of a batch, of its base points whose scenes are all valid."""
+        (lanes,) = self.design.place(block)
+        first = lanes.start - self.design.n
+        values = {name: array[first : lanes.stop - self.design.n] for name, array in self._base_values.items()}
+        status = values["status"]
+        moves = np.where(status < Status.INVALID, status != Status.STAYS, np.nan)
+        outputs = np.stack([moves, *(_magnitudes(values, name) for name in OUTCOMES)])
+        outputs = outputs.reshape(len(_VARYING), self.design.base_scenes, -1)
+        valid = ~np.isnan(outputs[0]).any(axis=0)
+        return [sums(y) for y in outputs[:, :, valid]]
+
+    @cached_property
+    def convergence(self) -> list[Convergence]:
+        """Convergence of the median and of the 95 % quantile of the run-out, after 1, 2, 4, ... turns of replicates."""
+        found = []
+        blocks, turn = self.design.sample_blocks, self.design.replicates
+        while turn < 2 * blocks and self.design.method != "grid":
+            (lanes,) = self.design.place(min(turn, blocks) - 1)
+            design = replace(self.design, n=lanes.stop, base=0)
+            first = Study(design, self.confidence, self.values)
+            median, upper = (first.quantile("run_out", p) for p in (0.5, 0.95))
+            found.append(Convergence(first.n, first.moving, median, upper))
+            turn *= 2
+        return found
 
     @property
     def scene(self) -> Scene:
@@ -171,15 +161,9 @@ class Study(Pictured):
         return True
 
     def __getitem__(self, index: int) -> Motion:
-        """The motion of one sample, solved again; a ValueError says why where it is no scene."""
-        si = {n: u.to_si(self._kept[u.key][[index]]) for n, u in self.design.inputs.items()}
+        """Return the motion of one sample, solved again; a ValueError says why it is no scene."""
+        si = {name: number.to_si(self.inputs[number.key][[index]]) for name, number in self.design.inputs.items()}
         return motions(self.scene, si, self.design.accuracy)[0]
-
-    @property
-    def _kept(self) -> Mapping[str, NDArray[Any]]:
-        if not self.samples:
-            raise ValueError("Study: its samples were only counted; draw at most 2**20 of them, or ask for keep=True")
-        return self.samples
 
     def to_dict(self) -> dict[str, Any]:
         """Statistics, curves and indices for JSON, in SI units except for inputs. None if undefined, "beyond" for a
@@ -188,19 +172,12 @@ class Study(Pictured):
         return export.record(self)
 
     def to_pandas(self) -> Any:
-        """The samples as a pandas.DataFrame: inputs by key, outcomes in SI units, the name of the status, the reason.
-
-        Raises
-        ------
-        ValueError
-            If they were not kept.
-        """
-        statuses = [Status(s) for s in self._kept["status"].tolist()]
+        """The samples as a pandas.DataFrame: inputs by key, results in SI units, the name of the status, the reason."""
+        statuses = [Status(s) for s in self.samples["status"].tolist()]
         named = {"status": [s.name for s in statuses], "reason": [s.reason for s in statuses]}
         frame = optional("pandas", "to_pandas").DataFrame({**self.samples, **named})
-        units = {name: quantity.unit for name, quantity in OUTCOMES.items()}
-        units |= {number.key: number.unit for number in self.design.inputs.values()}
-        frame.attrs["units"] = units
+        units = {number.key: number.unit for number in self.design.inputs.values()}
+        frame.attrs["units"] = {**units, **RESULTS}
         return frame
 
     def to_xarray(self) -> Any:
@@ -212,20 +189,47 @@ class Study(Pictured):
 
     # -- counts and probabilities -------------------------------------------------------------------------------------
 
-    @property
+    @cached_property
+    def _replicate(self) -> NDArray[np.int8]:
+        """The replicate of each sample."""
+        design = self.design
+        lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
+        replicates = np.arange(design.sample_blocks) % design.replicates
+        return np.repeat(replicates.astype(np.int8), lengths)
+
+    def _by_replicate(self, selected: NDArray[np.bool_]) -> NDArray[np.int64]:
+        """Return how many samples of each replicate are selected."""
+        return np.bincount(self._replicate[selected], minlength=self.design.replicates)
+
+    def _in_order(self, name: str, values: Floats) -> Ordered:
+        """Return known values of valid samples in increasing order."""
+        if name not in self._ordered:
+            known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
+            replicates = [known]
+            if self.design.replicates > 1:
+                replicates = [known & (self._replicate == k) for k in range(self.design.replicates)]
+            self._ordered[name] = Ordered([values[k] for k in replicates])
+        return self._ordered[name]
+
+    @cached_property
     def counts(self) -> NDArray[np.int64]:
         """Samples of each `Status`."""
-        return self._counts.sum(axis=0)
+        return np.bincount(self.values["status"], minlength=len(Status))
 
     @property
     def n(self) -> int:
         """Number of valid samples, to which all statistics refer."""
         return int(self._valid.sum())
 
-    @property
+    @cached_property
     def _valid(self) -> NDArray[np.int64]:
         """The same of each replicate."""
-        return self._counts[:, : Status.INVALID].sum(axis=1)
+        return self._by_replicate(self.values["status"] < Status.INVALID)
+
+    @property
+    def outside_range(self) -> int:
+        """Number of samples that leave the range of validity, `Motion.outside_range`; statistics include them."""
+        return int(np.count_nonzero(self.values["outside_range"]))
 
     @property
     def without_result(self) -> int:
@@ -235,8 +239,17 @@ class Study(Pictured):
     @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        moving = self._valid - self._counts[:, Status.STAYS]
-        return self._single_probability(moving)
+        status = self.values["status"]
+        return self._single_probability((status < Status.INVALID) & (status != Status.STAYS))
+
+    @cached_property
+    def _factors(self) -> dict[str, Floats]:
+        """Factors of safety at the start of each sample by method, computed by threads where they are not stored."""
+        if self.design.with_factors:
+            return {n.removeprefix(FACTOR): values for n, values in self.values.items() if n.startswith(FACTOR)}
+        with engine() as workers:
+            blocks = [*workers.map(self.design.at_start, range(self.design.sample_blocks))]
+        return {method: np.concatenate([block[method] for block in blocks]) for method in blocks[0]}
 
     @property
     def failure(self) -> Mapping[str, Estimate]:
@@ -245,55 +258,40 @@ class Study(Pictured):
         If some samples have no such factor the value is NaN, and the interval covers all possibilities.
         """
         found = {}
-        for method, counts in self._factors.counts.items():
-            failing, unknown = counts.T
+        valid = self.values["status"] < Status.INVALID
+        for method, factor in self._factors.items():
+            failing, unknown = valid & (factor < 1.0), valid & np.isnan(factor)
             estimate = self._single_probability(failing)
             if unknown.any():
-                at_most = self._single_probability(failing + unknown)
+                at_most = self._single_probability(failing | unknown)
                 estimate = Estimate(math.nan, estimate.low, at_most.high)
             found[method] = estimate
         return found
 
     def factor_quantile(self, method: str, p: float) -> Estimate:
-        """A quantile of the factor of safety at the start, by method as in `failure`, within `BIN_ERROR` of it.
+        """Return a quantile of the factor of safety at the start, by method as in `failure`.
 
-        Of the samples that have such a factor.
+        Samples without such a factor are left out.
         """
-        tally = self._factors.tallies[method]
-        if not tally.histograms.any():
-            return NOT_GIVEN
-        shares = (p, *tally.share_interval(p, self.confidence))
-        return Estimate(*(tally.quantile(share) if 0.0 <= share <= 1.0 else math.nan for share in shares))
+        return self._in_order(f"{FACTOR}{method}", self._factors[method]).quantile(p, self.confidence)
 
-    def _single_probability(self, hits: NDArray[np.int64]) -> Estimate:
+    def _single_probability(self, selected: NDArray[np.bool_]) -> Estimate:
+        """Return the probability of the selected samples."""
+        hits = self._by_replicate(selected)
         return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
 
     # -- statistics of outputs ----------------------------------------------------------------------------------------
 
+    def _of_output(self, output: str) -> Ordered:
+        """Return the magnitudes of an output in increasing order."""
+        return self._in_order(output, _magnitudes(self.values, output))
+
     def quantile(self, output: str, p: float) -> Estimate:
-        """A quantile of an output; the value of a sample if they were kept, otherwise within `BIN_ERROR` of it.
+        """Return a quantile of an output, the value of a sample.
 
-        Infinite if it lies among the samples that move without a result.
+        It is infinite if it lies among the samples that move without a result.
         """
-        if not self.n:
-            return NOT_GIVEN
-        shares = (p, *self._tallies[output].share_interval(p, self.confidence))
-        return Estimate(*(self._at_share(output, share) for share in shares))
-
-    def _at_share(self, output: str, share: float) -> float:
-        """The value that such a share of the samples does not exceed; NaN beyond all of them."""
-        if not 0.0 <= share <= 1.0:
-            return math.nan
-        if output not in self.samples:
-            return self._tallies[output].quantile(share)
-        rank = max(0, math.ceil(share * self.n) - 1)
-        in_order = self._in_order(output)
-        return float(in_order[rank]) if rank < len(in_order) else math.inf
-
-    def _in_order(self, output: str) -> Floats:
-        """The kept samples that have a result, in order."""
-        status = self.samples["status"]
-        return np.sort(self.samples[output][np.isin(status, ANSWERED)])
+        return self._of_output(output).quantile(p, self.confidence)
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; samples that do not move count as 0. None if some samples move without a result."""
@@ -311,7 +309,7 @@ class Study(Pictured):
     def _sampled(self, output: str) -> Spread:
         if self.without_result:
             return Spread(math.nan, math.nan, math.nan, math.nan)
-        return self._tallies[output].spread()
+        return self._of_output(output).spread()
 
     @property
     def linear(self) -> Mapping[str, Linear]:
@@ -333,15 +331,13 @@ class Study(Pictured):
             return {}, str(error)
 
     def exceedance(self, output: str, points: int = 101) -> Exceedance:
-        """Exceedance probability of an output at the edges of bins, where there is no bin error."""
+        """Return the probability that an output is at least as large as values up to the greatest one."""
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
-        at, counts = self._tallies[output].exceeding(points)
-        return Exceedance(at, *probability(counts, self._valid, self.confidence))
-
-    def bins(self, output: str) -> Floats:
-        """Histogram of an output: rows of from, to and count, for bins that are not empty; the last may be infinite."""
-        return self._tallies[output].table()
+        in_order = self._of_output(output)
+        at = np.unique(np.linspace(0.0, float(in_order.finite[-1:].sum()), points))[1:]
+        hits = np.array([x.size - np.searchsorted(x, at) for x in in_order.replicates])
+        return Exceedance(at, *probability(hits, self._valid[self._valid > 0], self.confidence))
 
     # -- what to know -------------------------------------------------------------------------------------------------
 
@@ -364,11 +360,13 @@ class Study(Pictured):
             found.append("means, standard deviations and indices of outputs are not given: samples without a result")
         if self.outside_range:
             found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
-        if self._invalid_points:
-            found.append(f"{self._invalid_points} of {self.design.base} base points are invalid and not in the indices")
+        if invalid := self.design.base - int(sum(moves[0] for moves, *_ in self._batches)):
+            found.append(f"{invalid} of {self.design.base} base points are invalid and not in the indices")
         for name, linear in self.linear.items():
             if difference := disagreement(name, linear, self._sampled(name), self.design.accuracy):
                 found.append(difference)
+        if self.damaged:
+            found.append(f"{self.damaged} blocks of the folder were damaged, and are computed again")
         return found
 
     def _circle_warnings(self) -> list[str]:
@@ -381,3 +379,8 @@ class Study(Pictured):
             f"{least_of(stability.method)}; it is searched once, and kept"
         ]
         return found + ([effect_of_searching(self, stability.method)] if self.design.search_each else [])
+
+
+def _magnitudes(values: Mapping[str, NDArray[Any]], output: str) -> Floats:
+    """Return magnitudes of an output, infinite of what slides without a result; NaN of invalid scenes."""
+    return np.where(np.isin(values["status"], NO_RESULT), np.inf, np.abs(values[output]))

@@ -1,7 +1,7 @@
 """Results of studies over records: a scene shaken by each record of a suite, in both polarities, at several scales."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -17,11 +17,10 @@ from slipcircle.core import Motion, Scene, Status, solve
 from slipcircle.tables import Pulse
 from slipcircle.words import OUTSIDE
 from slipcircle.workbench.common.quantities import plain
-from slipcircle.workbench.studies.design import NO_RESULT, Result
+from slipcircle.workbench.studies.design import NO_RESULT, RESULTS, Design
 from slipcircle.workbench.studies.fragility import FragilityCurve, fragility_curve
 from slipcircle.workbench.studies.motions import motions
-from slipcircle.workbench.studies.suitedesign import LANE_RESULTS, SuiteDesign
-from slipcircle.workbench.studies.suitestatistics import distribution, exceedance, exceedance_shares
+from slipcircle.workbench.studies.statistics import distribution, exceedance, exceedance_shares
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, comparisons
 
@@ -33,7 +32,7 @@ class SuiteStudy(Pictured):
 
     Attributes
     ----------
-    design : SuiteDesign
+    design : Design
     suite : Suite
     polarities, scales : ndarray
         1 as recorded and -1 reversed; factors, or peak accelerations over gravity (`design.to_pga`).
@@ -45,24 +44,17 @@ class SuiteStudy(Pictured):
         Values of the uncertain numbers by key, in its unit; the same for every record.
     """
 
-    def __init__(self, design: SuiteDesign, results: Iterable[Result]) -> None:
-        self.design, self.suite = design, design.suite
-        self.polarities, self.scales = np.array(design.polarities), design.scales
-        of_samples = design.sampling.sample_blocks
-        rows: list[dict[str, NDArray[Any]]] = []
-        blocks: list[Result] = []
-        for result in results:
-            blocks.append(result)
-            if len(blocks) == of_samples:
-                rows.append({name: np.concatenate([block[name] for block in blocks], axis=-1) for name in result})
-                blocks = []
-        self.values = {name: np.concatenate([row[name] for row in rows]) for name in (*LANE_RESULTS, "status")}
-        self.samples = {number.key: rows[0][f"sample.{number.key}"] for number in design.sampling.inputs.values()}
+    def __init__(self, design: Design, values: Mapping[str, NDArray[Any]], damaged: int = 0) -> None:
+        assert design.records is not None
+        self.design, self.records, self.suite = design, design.records, design.records.suite
+        self.polarities, self.scales = np.array(self.records.polarities), self.records.scales
+        self.values, self.damaged = values, damaged
+        self.samples = design.samples()
 
     @property
     def scene(self) -> Scene:
         """The scene without shaking."""
-        return self.design.sampling.scene
+        return self.design.scene
 
     @property
     def displacement(self) -> Floats:
@@ -74,7 +66,7 @@ class SuiteStudy(Pictured):
     @property
     def factors(self) -> Floats:
         """What each record is multiplied by, (record, scale)."""
-        return np.stack([self.design.factors(entry) for entry in self.suite])
+        return np.stack([self.records.factors(entry) for entry in self.suite])
 
     @property
     def pga(self) -> Floats:
@@ -84,7 +76,7 @@ class SuiteStudy(Pictured):
     @cached_property
     def yield_coefficient(self) -> float:
         """Return k_y of the shaken scene at the medians of its uncertain numbers."""
-        return float(solve(self.design.shaken(Pulse("rectangular", 0.0, 0.0, 1.0))).yield_coefficient)
+        return float(solve(self.records.shaken(self.scene, Pulse("rectangular", 0.0, 0.0, 1.0))).yield_coefficient)
 
     @cached_property
     def block_factor(self) -> float:
@@ -133,7 +125,7 @@ class SuiteStudy(Pictured):
 
     def fragility(self) -> list[FragilityCurve]:
         """Lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""
-        thresholds = self.design.thresholds.tolist()
+        thresholds = self.records.thresholds.tolist()
         displacement, pga = self.displacement, self.pga
         return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
 
@@ -155,7 +147,7 @@ class SuiteStudy(Pictured):
         ]
         levels = np.median(self.pga, axis=0)
         curves = self.fragility()
-        shares = np.array(exceedance(self.displacement, self.design.thresholds))
+        shares = np.array(exceedance(self.displacement, self.records.thresholds))
         blocks = []
         for k, curve in enumerate(curves):
             threshold = np.full(levels.size, curve.threshold)
@@ -178,8 +170,8 @@ class SuiteStudy(Pictured):
         unscaled = self.suite.entries[record].record()
         motions = []
         for factor in (self.factors[record, scale] * self.polarities).tolist():
-            shaken = self.design.shaken(unscaled.scaled(factor))
-            motions.append(solve(shaken, self.design.sampling.accuracy))
+            shaken = self.records.shaken(self.scene, unscaled.scaled(factor))
+            motions.append(solve(shaken, self.design.accuracy))
         return motions
 
     @property
@@ -190,14 +182,14 @@ class SuiteStudy(Pictured):
     def scale_text(self, scale: int) -> str:
         """A scale, by its place, in words."""
         value = shown(float(self.scales[scale]))
-        return f"a peak of {value} g" if self.design.to_pga else f"scale {value}"
+        return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
     @property
     def warnings(self) -> list[str]:
         """Warnings about files and results."""
-        found = [f"the records replace the scene's own {name} shaking" for name in self.design.replaces]
+        found = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
         found += self.suite.warnings
-        if bool(np.any(motions(self.scene, {}, self.design.sampling.accuracy).moves)):
+        if bool(np.any(motions(self.scene, {}, self.design.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
         statuses = self.values["status"].ravel()
         for status, count in zip(Status, np.bincount(statuses, minlength=len(Status)), strict=True):
@@ -226,11 +218,11 @@ class SuiteStudy(Pictured):
             "record": [entry.name for entry in self.suite],
             "pga_g": self.pga[:, scale].tolist(),
         }
-        medians = {n: np.median(np.abs(self.values[n][:, :, scale]), axis=-1) for n in LANE_RESULTS}
+        medians = {n: np.median(np.abs(self.values[n][:, :, scale]), axis=-1) for n in RESULTS}
         both = medians["end_displacement"]
-        for place, polarity in enumerate(self.design.polarities):
+        for place, polarity in enumerate(self.records.polarities):
             columns["displacement_m" if polarity > 0.0 else "reversed_m"] = both[:, place].tolist()
-        if len(self.design.polarities) > 1:
+        if len(self.records.polarities) > 1:
             columns["mean_m"] = both.mean(axis=1).tolist()
         for name, head in (("peak_velocity", "peak_velocity_m_s"), ("slips", "slips"), ("rotation", "rotation_rad")):
             columns[head] = medians[name].max(axis=1).tolist()
@@ -251,7 +243,7 @@ class SuiteStudy(Pictured):
             "pga_g": self.pga[record, scale],
         }
         columns |= {key: values[sample] for key, values in self.samples.items()}
-        columns |= {name: self.values[name].ravel() for name in LANE_RESULTS}
+        columns |= {name: self.values[name].ravel() for name in RESULTS}
         return columns | {"status": words[statuses.ravel()]}
 
     def to_pandas(self) -> Any:
@@ -260,7 +252,7 @@ class SuiteStudy(Pictured):
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset over record, polarity, scale and sample, with units."""
-        along = {name: (DIMENSIONS, self.values[name], {"units": unit}) for name, unit in LANE_RESULTS.items()}
+        along = {name: (DIMENSIONS, self.values[name], {"units": unit}) for name, unit in RESULTS.items()}
         status = {"status": (DIMENSIONS, self.values["status"])}
         coordinates: dict[str, Any] = {
             "record": [entry.name for entry in self.suite],
@@ -277,16 +269,16 @@ class SuiteStudy(Pictured):
         named = {f"sample_{key}": values for key, values in self.samples.items()}
         names = np.array([entry.name for entry in self.suite])
         axes = {"record": names, "polarity": self.polarities, "scale": self.scales}
-        return axes | {"factor": self.factors, "pga_g": self.pga} | self.values | named
+        return axes | {"factor": self.factors, "pga_g": self.pga, **self.values, **named}
 
     def to_dict(self) -> dict[str, Any]:
         """The study for JSON: its records, axes and results, (record, polarity, scale, sample), in SI units."""
-        sampling = self.design.sampling
+        sampling = self.design
         described = {
             "scene": self.scene.name,
             **self.suite.to_dict(),
-            "polarities": self.design.polarities,
-            "scale_is": "pga_g" if self.design.to_pga else "factor",
+            "polarities": self.records.polarities,
+            "scale_is": "pga_g" if self.records.to_pga else "factor",
             "yield_coefficient": self.yield_coefficient,
             "block_factor": self.block_factor,
             "seed": sampling.seed,

@@ -97,7 +97,7 @@ function start(figure, addressed) {
     if (swingsBack) facts.push(['displacement at the end', text(found.end_displacement, 'm') + verdict('end_displacement', found.end_displacement)]);
     const left = found.moves ? departure(found) : { cut: null };
     if (left.words) facts.push(['outside the range of the method', left.words]);
-    facts.push(['factor of safety by the paper\u2019s method', String(Number(found.factor.toPrecision(4)))]);
+    facts.push(['factor of safety at the start', String(Number(found.factor.toPrecision(4)))]);
     if (found.moves) facts.push(['estimated error', found.error.toExponential(1)]);
     if (data.input_error > 1e-14) facts.push(['inputs interpolated within', data.input_error.toExponential(0)]);
     const warnings = found.moves && Number.isFinite(found.lift) ? [`contact lost from ${text(found.lift, 's')} (lift-off)`] : [];

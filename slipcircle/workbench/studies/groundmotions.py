@@ -1,0 +1,157 @@
+"""Records that shake every sample of a study: at which scales and in which polarities.
+
+Samples of records are read where they are solved, so that the memory of a study does not grow with them.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slipcircle.base.checks import raise_all
+from slipcircle.base.kinds import Floats
+from slipcircle.core import Scene
+from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series
+from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.records.suite import Entry, Suite
+from slipcircle.workbench.studies.statistics import THRESHOLDS
+
+_LANES = 256  # motions of a block, where a record alone has less
+
+
+@dataclass(frozen=True)
+class GroundMotions:
+    """Records in polarities and at scales, as plain data."""
+
+    suite: Suite
+    polarities: tuple[float, ...]  # 1 as recorded, -1 reversed
+    scales: Floats  # factors, or peak accelerations over gravity
+    to_pga: bool  # whether scales are peak accelerations
+    shaking: Mapping[str, Any]  # settings of the scene's shaking beside the record
+    replaces: tuple[str, ...]  # the scene's functions of time, in place of which the records come
+    thresholds: Floats  # of the displacement, m, of exceedance and fragility
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Numbers of polarities and scales."""
+        return len(self.polarities), self.scales.size
+
+    def together(self, samples: int) -> int:
+        """Return how many records are solved at once with so many samples."""
+        motions = len(self.polarities) * self.scales.size * samples
+        return max(1, _LANES // motions)
+
+    def part(self, first: int, end: int) -> "GroundMotions":
+        """Return some of the records."""
+        return replace(self, suite=Suite(self.suite.entries[first:end]))
+
+    def factors(self, entry: Entry) -> Floats:
+        """Return the factors on a record, by scale."""
+        return self.scales / entry.peak if self.to_pga else self.scales
+
+    def shaken(self, scene: Scene, record: Series | LaneSeries | Pulse) -> Scene:
+        """Return the scene that a record shakes, or one record of each lane."""
+        assert isinstance(scene.effects, dict)
+        return replace(scene, effects=scene.effects | {"shaking": {**self.shaking, "horizontal": record}})
+
+    def lanes(
+        self, scene: Scene, si: Mapping[str, Floats], samples: int
+    ) -> tuple[Scene, dict[str, Floats], tuple[int, ...]]:
+        """Return the shaken scene, its numbers by lane and the shape (record, polarity, scale, sample) of the lanes."""
+        factors = np.stack([np.multiply.outer(self.polarities, self.factors(entry)) for entry in self.suite])
+        shape = (*factors.shape, samples)
+        record, *_ = np.indices(shape).reshape(len(shape), -1)
+        series = LaneSeries(tuple(entry.record() for entry in self.suite), record)
+        numbers = {"shaking.scale": factors[..., None], **si}
+        flat = {name: np.broadcast_to(values, shape).ravel() for name, values in numbers.items()}
+        return self.shaken(scene, series), flat, shape
+
+
+class OfRecords(NamedTuple):
+    """How records shake a scene.
+
+    Attributes
+    ----------
+    polarities : bool
+        Whether each record also shakes the scene reversed.
+    scales, scale_to_pga : float or array_like
+        Factors on the records; or peak accelerations over gravity to which each is scaled.
+    thresholds : array_like
+        Displacements, m, whose exceedance and fragility are given.
+    strict : bool
+        Whether a file that is no record is an error; otherwise it is a warning of the study.
+    """
+
+    polarities: bool = False
+    scales: Any = None
+    scale_to_pga: Any = None
+    thresholds: Any = None
+    strict: bool = False
+
+
+def ground_motions(
+    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: OfRecords
+) -> tuple[Scene, GroundMotions]:
+    """Return the scene without its shaking, and the records that shake it.
+
+    Raises
+    ------
+    ValueError
+        Lists what is wrong with the scene, the scales and the records.
+    """
+    scales, to_pga = _scales(settings)
+    gravity = float(np.ravel(scene.arc.gravity)[0])
+    suite = Suite.of(records, strict=settings.strict, gravity=gravity)
+    assert isinstance(scene.effects, dict)
+    shaking = scene.effects.get("shaking", {})
+    still = {effect: given for effect, given in scene.effects.items() if effect != "shaking"}
+    two_way = {key: given for key, given in shaking.items() if key == "two_way"}
+    replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
+    polarities = (1.0, -1.0) if settings.polarities else (1.0,)
+    thresholds = THRESHOLDS if settings.thresholds is None else _positive("thresholds", settings.thresholds)
+    motions = GroundMotions(suite, polarities, scales, to_pga, two_way, replaces, thresholds)
+    raise_all("ensemble", [*_input_mistakes(inputs), *_record_mistakes(motions)])
+    return replace(scene, effects=still, uncertain={}), motions
+
+
+def _scales(settings: OfRecords) -> tuple[Floats, bool]:
+    """The scales, and whether they are peak accelerations."""
+    factors = settings.scales
+    if settings.scale_to_pga is None:
+        return _positive("scales", 1.0 if factors is None else factors), False
+    if factors is not None:
+        raise ValueError("ensemble: scales and scale_to_pga exclude each other; leave one out")
+    return _positive("scale_to_pga", settings.scale_to_pga), True
+
+
+def _positive(name: str, values: Any) -> Floats:
+    """One or more positive numbers."""
+    numbers = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    is_list = numbers.ndim == 1 and numbers.size > 0
+    if not is_list or not np.all((numbers > 0.0) & (numbers < np.inf)):
+        raise ValueError(f"ensemble: {name} = {numbers.tolist()!r}: must be one or more positive numbers")
+    return numbers
+
+
+def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
+    """Numbers that cannot be uncertain where there are records."""
+    for name, number in inputs.items():
+        if name.startswith("shaking."):
+            yield f"{number.key}: belongs to the scene's shaking, which the records replace; leave it out"
+        elif name == "gravity":
+            yield f"{number.key}: must be one number with records, which are read over gravity"
+
+
+def _record_mistakes(motions: GroundMotions) -> Iterator[str]:
+    """Records that cannot be scaled as they are to be."""
+    for entry in motions.suite:
+        if motions.to_pga and entry.peak == 0.0:
+            yield f"{entry.name}: is zero at all times, so that it has no peak to scale; leave it out"
+            continue
+        greatest = float(np.max(motions.factors(entry))) * entry.peak
+        if greatest > STRONGEST:
+            yield (
+                f"{entry.name}: would reach {greatest:.4g} g, and no ground has shaken with more than "
+                f"{STRONGEST:g} g; give smaller scales"
+            )
