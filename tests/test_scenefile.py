@@ -410,7 +410,7 @@ def test_several_mistakes_are_lines_of_their_own(tmp_path: Path, refused: Any) -
     assert refused("run", path).splitlines() == [
         f"slipcircle: {path}: friction.phi_deg = 27: is unknown; did you mean angle_deg?",
         f"slipcircle: {path}: cohesion.c_kPa = 10: is unknown; did you mean cohesion_kPa?",
-        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are law, cohesion_kPa",
+        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are law, cohesion_kPa, cohesion_per_m_kPa, datum_m",
     ]
     path.write_text("[arc]\nradius_m = 60\ntheta_1_deg = 280\ntheta_2_deg = 215\nunit_weight_kN_m3 = 19\n[friction]\n"
                     "angle_deg = 12\n[rotation]\n[drag]\nxi_m_s2 = -1\n", "utf-8")  # fmt: skip

@@ -241,7 +241,7 @@ top_file_unit = "ft"
 """
     arc: Any = scene_of(tmp_path, text).arc
     np.testing.assert_allclose(arc.ground, 0.3048 * np.array([[0, 60], [60, 60], [140, 20], [180, 20]]))
-    np.testing.assert_allclose(arc.level, [[0, 3], [54.864, 3]])
+    np.testing.assert_allclose(arc.level, np.array([[0, 3], [54.864, 3]]))
     np.testing.assert_allclose(arc.layers[1][1], 0.3048 * np.array([[0, 3], [54.864, 3]]))
     for old, new, said in (
         ('"ground.csv"', '"rock.csv"', "ground.points_file = 'rock.csv': there is no such file"),

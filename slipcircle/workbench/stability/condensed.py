@@ -32,8 +32,10 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     """Return the best circles, the best first, after descents from the valleys of a coarse family."""
     arrays = search.arrays
     many_soils = len(arrays.tops) >= MANY_SOILS
-    vertices = [line.shape[1] for line in (*arrays.lines, *arrays.datums.values())]
-    if max(vertices) <= MANY_VERTICES + 2 and not many_soils:  # with both ends of the continued line
+    lines = [*arrays.lines, *arrays.datums.values()]
+    vertices = [line.shape[1] for line in lines]
+    few_vertices = max(vertices) <= MANY_VERTICES + 2  # with both ends of continued lines
+    if few_vertices and not many_soils:
         best, step = search.valleys(*search.coarse_family(), tell)
         for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
             best, step = search.refined(best, share * step)
@@ -41,17 +43,24 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
     family = _screened(rough) if many_soils else rough.coarse_family()
     best, step = rough.valleys(*family, tell)
-    best, step = rough.refined(best[:_FOLLOWED], step[:_FOLLOWED], _ROUGHLY, COARSE_NODES)
+    followed = slice(_FOLLOWED)
+    best, step = rough.refined(best[followed], step[followed], _ROUGHLY, COARSE_NODES)
     best = _on_whole_lines(search, rough, kept, best)
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
-    best[:, :2] = np.interp(best[:, :2], search.along[kept], fine.along)
+    along = search.along[kept]
+    ends = best[:, :2]
+    best[:, :2] = np.interp(ends, along, fine.along)
     nodes = COARSE_NODES if many_soils else FINE_NODES
     for share, count in _STEPS:
-        best, step = fine.refined(best[:count], share * step[:count], FINEST, nodes)
+        first = best[:count]
+        first_step = share * step[:count]
+        best, step = fine.refined(first, first_step, FINEST, nodes)
     best = _on_whole_lines(search, fine, kept, best)
     values = search.evaluate(best)
-    if np.any(np.isfinite(values)):
-        return best[in_order(values)]
+    finite = np.isfinite(values)
+    if np.any(finite):
+        order = in_order(values)
+        return best[order]
     best, _ = search.refined(best, step)
     return best
 
@@ -61,18 +70,22 @@ def _screened(search: Search) -> tuple[Floats, Floats]:
     arrays = search.arrays
     soils, firsts = merged(arrays.soils, _MERGED)
     tops = tuple(arrays.tops[k - 1] for k in firsts[1:])
-    groups = np.searchsorted(firsts, [*arrays.datums], side="right") - 1
+    layers = [*arrays.datums]
+    groups = np.searchsorted(firsts, layers, side="right") - 1
     datums = dict(zip(groups.tolist(), arrays.datums.values(), strict=True))
     few = search.on_lines(replace(arrays, soils=soils, tops=tops, datums=datums))
     q, steps = few.coarse_family(touching=False)
     values = few.evaluate(q, _ROUGH_NODES)
     best = in_order(values)[:_SCREENED]
-    edges = np.arange(len(search.boundary_edges))
-    repeated = np.repeat(best[:_TOUCHING], len(edges))
+    ends = best[:_TOUCHING]
+    count = len(search.boundary_edges)
+    edges = np.arange(count)
+    repeated = np.repeat(ends, count)
     touching = q[repeated]
     touching[:, 3] = np.resize(edges, len(repeated))
     chosen = np.append(best, repeated)
-    return np.concatenate([q[best], touching]), steps[chosen]
+    family = np.concatenate([q[best], touching])
+    return family, steps[chosen]
 
 
 def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:
@@ -83,14 +96,20 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
     ground = search.ground
     arrays = search.arrays
     x = ground[:, 0]
-    upright = x[1:][np.diff(x) == 0.0]
+    after = x[1:]
+    upright = after[after == x[:-1]]
     exact = np.isin(x, upright)
     exact[[0, -1]] = True
-    for number in np.searchsorted(search.along, ends.ravel()):
-        exact[max(number - _BESIDE, 0) : number + _BESIDE] = True
+    numbers = np.searchsorted(search.along, ends.ravel())
+    for number in numbers:
+        first = max(number - _BESIDE, 0)
+        last = number + _BESIDE
+        exact[first:last] = True
     kept = np.arange(len(ground))
     if len(ground) > MANY_VERTICES:
-        kept = np.union1d(salient(ground, most, deviation), np.flatnonzero(exact))
+        chosen = salient(ground, most, deviation)
+        fixed = np.flatnonzero(exact)
+        kept = np.union1d(chosen, fixed)
         ground = condensed(ground, kept, exact)
     level = None if arrays.level is None else _few(arrays.level, most)
     tops = tuple(_few(top, most) for top in arrays.tops)
@@ -103,7 +122,9 @@ def _few(line: Floats, most: int) -> Floats:
     """Return a line (1, V, 2) by few of its vertices."""
     if line.shape[1] <= MANY_VERTICES:
         return line
-    return line[:, salient(line[0], most, _NEGLIGIBLE)]
+    (points,) = line
+    kept = salient(points, most, _NEGLIGIBLE)
+    return line[:, kept]
 
 
 def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats) -> Floats:
@@ -112,9 +133,12 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
     if len(condensed.boundary_edges) != len(search.boundary_edges):  # which have other numbers
         left = condensed.points(q[:, 0])
         right = condensed.points(q[:, 1])
-        found[:, 2] = condensed.half_angles(q) / condensed.greatest_half_angle(left, right)
+        greatest = condensed.greatest_half_angle(left, right)
+        found[:, 2] = condensed.half_angles(q) / greatest
         found[:, 3] = NONE
-    found[:, :2] = np.interp(q[:, :2], condensed.along, search.along[kept])
+    ends = q[:, :2]
+    along = search.along[kept]
+    found[:, :2] = np.interp(ends, condensed.along, along)
     return found
 
 
@@ -124,26 +148,32 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
     Vertices farthest from the line through those chosen before are chosen first (Ramer 1972, Douglas and Peucker 1973),
     until none is farther than ``deviation`` times the size of the line.
     """
-    near = deviation * np.ptp(line, axis=0).max()
+    size = np.ptp(line, axis=0)
+    near = deviation * size.max()
     every = np.arange(len(line))
     kept = every[[0, -1]]
     while len(kept) < most:
         edge = _edges(kept, len(line))
-        start = line[kept[edge]]
-        along = line[kept[edge + 1]] - start
+        knots = line[kept]
+        start = knots[edge]
+        along = knots[edge + 1] - start
         from_start = line - start
-        across = along[:, 0] * from_start[:, 1] - along[:, 1] * from_start[:, 0]
-        distance = np.abs(across) / np.hypot(*along.T)
+        run, rise = along.T
+        x, y = from_start.T
+        across = run * y - rise * x
+        distance = np.abs(across) / np.hypot(run, rise)
         farthest = int(distance.argmax())
         if distance[farthest] <= near:
             break
-        kept = np.sort(np.append(kept, farthest))
+        more = np.append(kept, farthest)
+        kept = np.sort(more)
     return kept
 
 
 def _edges(kept: Integers, count: int) -> Any:
     """Return the number of the edge between kept vertices at each of so many vertices."""
-    edge = np.searchsorted(kept, np.arange(count), side="right") - 1
+    every = np.arange(count)
+    edge = np.searchsorted(kept, every, side="right") - 1
     return np.minimum(edge, len(kept) - 2)
 
 
@@ -154,9 +184,11 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     """
     x, y = line.T
     edge = _edges(kept, len(line))
-    start = x[kept[edge]]
-    run = x[kept[edge + 1]] - start
-    share = (x - start) / np.where(run > 0.0, run, 1.0)
+    knots = x[kept]
+    start = knots[edge]
+    run = knots[edge + 1] - start
+    divisor = np.where(run > 0.0, run, 1.0)
+    share = (x - start) / divisor
     share[kept[-1]] = 1.0
     weights = np.zeros((len(line), len(kept)))
     every = np.arange(len(line))
@@ -167,26 +199,33 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     known = np.where(fitted, 0.0, height)
     missing = y - weights @ known
     breadth = np.gradient(x)
-    root = np.sqrt(np.maximum(breadth, 0.0))
+    root = np.sqrt(breadth)
     matrix = weights[:, fitted] * root[:, None]
-    height[fitted], *_ = np.linalg.lstsq(matrix, missing * root)
-    return np.stack([x[kept], height], axis=1)
+    right = missing * root
+    height[fitted], *_ = np.linalg.lstsq(matrix, right)
+    return np.stack([knots, height], axis=1)
 
 
 def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
     """Return so many soils, means of neighbours that differ least, and the number of the first layer of each."""
-    rows = np.stack([soils.unit_weight, soils.cohesion, soils.friction, soils.pore_ratio, soils.cohesion_gradient])
-    size = np.abs(rows).max(axis=1, keepdims=True)
-    relative = rows / np.where(size > 0.0, size, 1.0)
-    steps = np.abs(np.diff(relative, axis=1))
-    contrast = steps.sum(axis=0).max(axis=-1)
-    greatest = np.argsort(-contrast, kind="stable")
-    kept = np.sort(greatest[: most - 1])
+    rows = np.stack(soils)
+    size = rows.max(axis=1, keepdims=True)
+    divisor = np.where(size > 0.0, size, 1.0)
+    relative = rows / divisor
+    steps = np.diff(relative, axis=1)
+    by_number = np.abs(steps)
+    by_lane = by_number.sum(axis=0)
+    contrast = by_lane.max(axis=-1)
+    order = np.argsort(-contrast, kind="stable")
+    greatest = order[: most - 1]
+    kept = np.sort(greatest)
     firsts = np.append(0, kept + 1)
     ends = np.append(firsts, rows.shape[1])
     layers = np.diff(ends)[:, None]
 
     def mean(values: Floats) -> Floats:
-        return np.add.reduceat(values, firsts) / layers
+        sums: Floats = np.add.reduceat(values, firsts)
+        return sums / layers
 
-    return SoilArrays(*map(mean, soils)), firsts
+    means = map(mean, soils)
+    return SoilArrays(*means), firsts

@@ -134,9 +134,11 @@ class Search:
         half_chord = _length(right - left) / 2
         half_angle = self.half_angles(q)
         valid = np.isfinite(half_angle)
-        radius = half_chord / np.sin(np.where(valid, half_angle, 1.0))
+        some_angle = np.where(valid, half_angle, 1.0)
+        radius = half_chord / np.sin(some_angle)
         centre, radius = circle_through(left, right, radius=radius)
-        return centre, np.where(valid, radius, np.nan), left, right
+        radius = np.where(valid, radius, np.nan)
+        return centre, radius, left, right
 
     def half_angles(self, q: Floats) -> Floats:
         """Half the openings of arcs, NaN where an edge is not touched or the arc is steeper than upright."""
