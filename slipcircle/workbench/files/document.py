@@ -92,8 +92,7 @@ class Document:
             elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
-                title = self._tables[full].title
-                self._report(full, f"{full} = {shown(value)}: must be {self._heading(full)}: {title}")
+                self._report(full, f"{full} = {shown(value)}: must be {self._described(full)}")
             elif known in table.keys:
                 key = table.keys[known]
                 self.typed[joined(path, key.name)] = joined(path, known)
@@ -119,6 +118,10 @@ class Document:
             if len(typed) > 1:
                 words = " and ".join(f"{key} in {unit}" for unit, key in typed.items())
                 self._report(path, f"{words}: are mixed units in one table; give both in one unit")
+
+    def _described(self, path: str) -> str:
+        """Return the heading of a table with its title."""
+        return f"{self._heading(path)}: {self._tables[path].title}"
 
     def _heading(self, path: str) -> str:
         """Heading of a table of a file, or of each table in a list."""
