@@ -1,4 +1,4 @@
-"""From a definition to source text: SymPy derives, simplifies, stabilises and writes the package `generated`.
+"""From a definition to source text: SymPy derives, simplifies, approximates and writes the package `generated`.
 
 Nothing here is imported at run time. A claim that does not hold raises a `ProofError` with the claim, the computed and
 the required value, and stops the run; docstrings do not repeat this. The folders, each of which imports only those
@@ -6,9 +6,10 @@ above it:
 
 ===============  ======================================================================================================
 ``progress``     how much of a long task is done
+``stages``       records of stages: what is unchanged does not run again
 ``check``        the error bound of each kernel, proved from its certificate alone
 ``declare``      the quantities to derive and the effects that a scene may contain, as data
-``algebra``      definition -> closed form -> form without cancellation; balance laws -> motion; each step proved
+``algebra``      definition -> closed form; balance laws -> motion; each step proved
 ``code``         SymPy expression -> straight-line `Program` -> its text, and its value as every machine rounds it
 ``approximate``  closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
 ``flow``         effects, laws and the balance -> operations on Taylor series; the integrator's text -> C and NumPy

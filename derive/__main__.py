@@ -1,73 +1,81 @@
-"""Command line: `python -m derive [--check]`, `python -m derive verify | hard | prove | theorem`."""
+"""The compiler `python -m derive [--check | --again | flow]`, and `python -m derive verify | hard | prove | theorem`.
+
+=======  =======================================================  =====================================================
+stage    input                                                    output
+=======  =======================================================  =====================================================
+declare  `derive.declare`: moments, laws, effects                 the same without a fault, or one line about the first
+lower    a moment; effects and laws                               closed form and approximants; fragments of programs
+link     fragments                                                programs of scenes (`derive.flow`)
+write    approximants, fragments, linker, templates               the files of `generated`, compiled
+prove    each result above                                        claims, certificates, or `ProofError`
+=======  =======================================================  =====================================================
+
+A stage runs when its inputs have changed since they were recorded (`derive.stages`), or with ``--again``.
+"""
 
 import argparse
 import sys
 import time
 import traceback
-from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import NamedTuple
 
 from derive.check.proof import ProofError
 from derive.progress import say
-
-T = TypeVar("T")
-
-
-def timed(what: str, stage: str, outcome: str, work: Callable[..., T], *args: object) -> T:
-    """Run one stage, and print its time and outcome, in which ``{0}`` is the result."""
-    start = time.perf_counter()
-    result = work(*args)
-    shown = len(result) if isinstance(result, list) else result
-    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {outcome.format(shown)}")
-    return result
+from derive.stages import Stages
 
 
-def derive_all() -> dict[str, str]:
-    """Derive and prove everything: the text of `generated` by file; progress goes to stderr."""
-    from derive.algebra import dynamics, integrate, rules, slopes
-    from derive.approximate import certificates, search, shapes
-    from derive.approximate.programs import variants
-    from derive.check.records import read
-    from derive.declare.quantities import MOMENTS
-    from derive.flow import linked, recurrences
-    from derive.generate import write
-
-    for moment in MOMENTS:
-        outcome = "operations {0.operations[0]} -> {0.operations[1]}"
-        derivation = timed(moment.name, "integrate", outcome, integrate.derive, moment)
-        timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
-    for kernel in shapes.kernels():
-        timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-    timed("kernels", "search", "new shapes: {0}", search.complete)
-    for name, closed in integrate.closed_forms().items():
-        form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
-        for step in form.steps:
-            counts = " -> ".join(map(str, step.operations))
-            say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
-    timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
-    timed("equation of motion", "solve", "(3.20), (4.3) solve (3.16)", dynamics.solution)
-    timed("flow", "balance", "{0} claims proved", linked.prove)
-    timed("flow", "series", "{0} operations proved", recurrences.prove)
-    timed("slopes", "balance", "{0} claims proved", slopes.prove)
-    # A recorded certificate is valid as long as operations and seal are unchanged (`prove` proves it again).
-    proved = timed("kernels", "certify", "", certificates.records, variants(), read())
-    proved += timed("both ends", "certify", "{0} functions", certificates.of_ends, proved)
-    return timed("generated", "emit", "", write.files, proved)
-
-
-def _declarations() -> list[Any]:
-    """Read the declarations and look for faults; one that Python finds is a `ProofError` with its place."""
+def declare(stages: Stages) -> None:
+    """Look for faults of the declarations; one that Python finds is a `ProofError` with its place."""
     try:
-        from derive import guards
+        stages.run("declarations", "declare", "derive.guards:check", shown="{} laws, effects and moments")
+    except (ProofError, KeyboardInterrupt):
+        raise
     except Exception as error:
         place = traceback.extract_tb(error.__traceback__)[-1]
         line = getattr(error, "lineno", place.lineno)
         file = Path(getattr(error, "filename", place.filename)).name
         found = f"{type(error).__name__}: {error}"
         raise ProofError(f"declarations, {file}, line {line}", found, "what Python can read") from None
-    return guards.check()
+
+
+def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
+    """Prove the balance and the operations on series, and return the files that depend on `derive.flow`."""
+    from derive.declare.effects import EFFECTS, LAWS
+    from derive.flow.fragments import CALLABLE
+    from derive.flow.linked import cases
+
+    def prove() -> int:
+        claims = []
+        for effects, laws in cases(EFFECTS, (*LAWS, CALLABLE)):
+            of_effects = " ".join(x.name for x in effects)
+            of_laws = " ".join(x.name for x in laws)
+            case = f"{of_effects}, {of_laws}"
+            claims += stages.run(case, "balance", "derive.flow.linked:prove_case", effects, laws, shown="")
+        return len(claims)
+
+    stages.line("flow", "balance", prove, "{} claims proved")
+    stages.run("flow", "series", "derive.flow.recurrences:prove", 6, shown="{}")
+    return stages.files("flow", "derive.generate.write:flow_files", present)
+
+
+def derive_all(stages: Stages | None = None) -> dict[str, str]:
+    """Derive and prove everything: the text of `generated` by file; progress goes to stderr."""
+    from derive.algebra.slopes import MEANS, SLOPES
+    from derive.declare.quantities import MOMENTS
+    from derive.generate.write import present
+
+    stages = stages or Stages(again=True)
+    shown = "operations {0[operations][0]} -> {0[operations][1]}, quadrature within {0[difference]}"
+    for moment in MOMENTS:
+        stages.run(moment.name, "integrate", "derive.algebra.integrate:recorded", moment, shown=shown)
+    stages.run("equation of motion", "balance", "derive.algebra.dynamics:prove", shown="{}")
+    of_slopes = [moment for moment in MOMENTS if moment.name in MEANS | SLOPES]
+    stages.run("slopes", "balance", "derive.algebra.slopes:prove", *of_slopes, shown="{}")
+    texts = present()
+    of_flow = flow(stages, texts)
+    return of_flow | stages.files("kernels", "derive.generate.write:kernel_files", texts)
 
 
 class Command(NamedTuple):
@@ -79,6 +87,7 @@ class Command(NamedTuple):
 
 _JSON = {"json": "a list of objects on stdout"}
 COMMANDS = {
+    "flow": Command("derive and prove only what depends on derive/flow", {}),
     "verify": Command(
         "judge the paper: a table of its wrong claims and misprints, or selected claims in full",
         _JSON | {"markdown": "a page for a colleague"},
@@ -115,6 +124,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
+    parser.add_argument("--again", action="store_true", help="prove everything again, whatever the records say")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, (words, forms) in COMMANDS.items():
         command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
@@ -183,30 +193,31 @@ def main(argv: list[str] | None = None) -> int:
 
         print(hard.report())
         return 0
-    return generate(options.check)
+    return generate(options.check, options.again, options.command)
 
 
-def generate(check: bool) -> int:
-    """Derive everything, and write `generated` and the records of shapes, or compare them with the files there."""
+def generate(check: bool, again: bool = False, part: str | None = None) -> int:
+    """Derive everything, or the flow, and write `generated` and the records, or compare them with the files there."""
     start = time.perf_counter()
+    stages = Stages(again)
     try:
-        timed("declarations", "check", "{0} of laws, effects and moments", _declarations)
-        from derive.approximate import shapes
+        declare(stages)
         from derive.build import build_all, has_binary_alone
         from derive.generate import write
 
-        texts = derive_all()
-        records = {shapes.RECORDS.name: shapes.text()}
+        present = write.present()
+        texts = present | flow(stages, present) if part else derive_all(stages)
         if check:
             expected = {name: text for name, text in texts.items() if not has_binary_alone(name, text)}
-            diff = write.difference(expected) + write.difference(records, shapes.RECORDS.parent)
+            diff = write.difference(expected)
             print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
             return 1 if diff else 0
-        changed = write.write(texts, tried=write.importable) + write.write(records, shapes.RECORDS.parent)
+        changed = write.write(texts, tried=write.importable)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    timed("kernels", "compile", "{0[1]}", build_all)
+    stages.save(keep=bool(part))
+    stages.line("kernels", "compile", build_all, "{0[1]}")
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0

@@ -34,7 +34,7 @@ TABLES = (
     "slip soils surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
-MODULES = "definitions effects flow generated kernels layout printed program series slopes stable tiers walk"
+MODULES = "definitions effects flow generated kernels layout printed program series slopes tiers walk"
 ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover strength_factor"
 # Arguments of laws without formula.
@@ -75,27 +75,29 @@ OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_M
 OF_GROWTH = _units({"mu effective_stress": ""})
 
 
-def check() -> list[Declaration]:
-    """All declarations, or a `ProofError` at the first fault."""
+def check() -> int:
+    """Check all declarations and return their number; the first fault is a `ProofError`."""
     laws = declared.LAWS
     effects = declared.ALL_EFFECTS
     moments = quantities.MOMENTS
     balance = fragments.fragments((), ())
+    of_project = " ".join((FUNCTIONS, MODULES, ARGUMENTS))
     imported = re.findall(r"\w+", " ".join(emit.IMPORTS))
-    words = {*FUNCTIONS.split(), *MODULES.split(), *ARGUMENTS.split(), *imported, *dir(builtins), *dir(np)}
+    words = {*of_project.split(), *imported, *dir(builtins), *dir(np)}
     for e in (*laws, *effects, *moments):
         _check_fields(e, e)
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
     _check_names(moments, words | {q.name for q in quantities.QUOTIENTS})
     own = {str(x) for x in (*SCALES, *BALANCE, *OF_GROWTH, VALUE) if x not in (declared.K_H, declared.K_V)}
-    _check_cells(effects, own.union(re.findall(r"\w+", repr(balance))))
+    of_balance = re.findall(r"\w+", repr(balance))
+    _check_cells(effects, own.union(of_balance))
     for law in laws:
         _check_law(law)
     for effect in effects:
         _check_effect(effect)
     for moment in moments:
         _ = moment.definition
-    return [*laws, *effects, *moments]
+    return len((*laws, *effects, *moments))
 
 
 def _claim(e: Declaration, what: str) -> str:
@@ -109,8 +111,9 @@ def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") 
         blank = isinstance(value, str) and not value.strip() and (value or f.name in ("help", "symbol"))
         if blank or not _fits(value, f.type):
             kind = f.type.__name__ if isinstance(f.type, type) else str(f.type)
-            of_sympy = re.sub(r"[a-z.]+\.(?=[A-Z])", "", kind)
-            wanted = "words on what it is" if blank else of_sympy
+            wanted = re.sub(r"[a-z.]+\.(?=[A-Z])", "", kind)
+            if blank:
+                wanted = "words on what it is"
             raise ProofError(_claim(e, where + f.name), f"{value!r:.60}", wanted)
     for p in getattr(of, "parameters", ()):
         _check_fields(e, p, f"parameter {p.name!r}, ")
@@ -124,8 +127,9 @@ def _fits(value: object, kind: Any) -> bool:
         return kind is sp.Expr or isinstance(value, int | float if kind is float else kind)
     if not isinstance(value, tuple):
         return False
-    first, *others = get_args(kind)
-    kinds = [first] * len(value) if others == [...] else [first, *others]
+    kinds = [*get_args(kind)]
+    if kinds[1:] == [...]:
+        kinds = kinds[:1] * len(value)
     return len(value) == len(kinds) and all(map(_fits, value, kinds))
 
 
@@ -211,7 +215,8 @@ def _check_law(law: Law) -> None:
     claim = _claim(law, "coefficient")
     if law.coefficient is None:
         listed = [(p.name, p.unit, p.kind) for p in law.parameters]
-        if listed not in ([x, ("coefficient", "", "list")] for x in TABLES_OF):
+        allowed = [[x, ("coefficient", "", "list")] for x in TABLES_OF]
+        if listed not in allowed:
             raise ProofError(claim, "none", "a formula, or two lists: slip, speed or time, and coefficient")
         if not 0 <= law.degree <= declared.DEGREE:
             raise ProofError(_claim(law, "degree"), law.degree, f"0 to {declared.DEGREE}")
@@ -221,7 +226,8 @@ def _check_law(law: Law) -> None:
     by_symbol = _by_symbol(law)
     units = _units({p.name: p.unit for p in law.parameters})
     used = _check_formula(claim, law.coefficient, MOTION | units)
-    _check_used(law, [p.name for x, p in by_symbol.items() if x not in used])
+    unused = [p.name for x, p in by_symbol.items() if x not in used]
+    _check_used(law, unused)
     if MOTION.keys() <= used:
         raise ProofError(claim, "slip and speed", "one: in a scene a law of speed multiplies one of slip")
     _check_functions(claim, law.coefficient)
@@ -243,10 +249,11 @@ def _check_law(law: Law) -> None:
 def _check_functions(claim: str, formula: sp.Expr) -> None:
     """Those that series have, and minima and maxima of two."""
     for function in sorted(formula.atoms(sp.Function, sp.Min, sp.Max), key=str):
-        branches = isinstance(function, sp.Min | sp.Max)
-        if branches and [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
-            raise ProofError(claim, function, "min and max of two polynomials of the slip")
-        if not branches and type(function) not in OF_SERIES:
+        if isinstance(function, sp.Min | sp.Max):
+            are_polynomials = [x.is_polynomial(SLIP) for x in function.args]
+            if are_polynomials != [True, True]:
+                raise ProofError(claim, function, "min and max of two polynomials of the slip")
+        elif type(function) not in OF_SERIES:
             raise ProofError(claim, function, KNOWN)
 
 
@@ -268,8 +275,11 @@ def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
 
 def _range(p: Parameter) -> tuple[float, float]:
     """Numbers to be expected of a parameter."""
-    least = 0.01 if p.lower == 0.0 else max(p.lower, -STEEPEST) + 1e-300  # above an open bound; 0 may be included
-    return least, max(least, min(p.upper, STEEPEST))
+    least = max(p.lower, -STEEPEST) + 1e-300  # above an open bound; 0 may be included
+    if p.lower == 0.0:
+        least = 0.01
+    most = min(p.upper, STEEPEST)
+    return least, max(least, most)
 
 
 def _check_effect(effect: Effect) -> None:
@@ -281,7 +291,8 @@ def _check_effect(effect: Effect) -> None:
     used = set[sp.Symbol]()
     for p in effect.symbols.values():
         claim = _claim(effect, f"parameter {p.name!r}, dimensionless")
-        found = _check_formula(claim, p.dimensionless, values | SCALES | {VALUE: of_unit(p.unit)})
+        units = values | SCALES | {VALUE: of_unit(p.unit)}
+        found = _check_formula(claim, p.dimensionless, units)
         if VALUE not in found:
             raise ProofError(claim, p.dimensionless, "a formula of the value")
         used |= found
@@ -324,11 +335,13 @@ def _check_values(effect: Effect) -> None:
     box |= dict.fromkeys((*MOTION, declared.OMEGA, declared.OMEGA_2, *effect.states), (0.0, STEEPEST))
     formulas = dict(effect.terms)
     for x, p in effect.symbols.items():
-        box[x] = box[sp.Symbol(p.name, real=True)]
-        formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, sp.Symbol(p.name, real=True))
+        value = sp.Symbol(p.name, real=True)
+        box[x] = box[value]
+        formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
     for what, e in formulas.items():
         of_sign = e if what == "resistance" else e**2 + 1
-        place, _ = domain.fault(of_sign, {x: box[x] for x in sorted(e.free_symbols, key=str)})
+        symbols = sorted(e.free_symbols, key=str)
+        place, _ = domain.fault(of_sign, {x: box[x] for x in symbols})
         if place:
             raise ProofError(_claim(effect, what), place, "finite numbers, of a resistance none below 0")
 

@@ -20,7 +20,9 @@ import pytest
 from derive import build
 from derive.approximate.programs import variants, variants_of_ends
 from derive.generate import emit_c, write
+from derive.stages import digest_of
 from generated import _compiled
+from slipcircle.workbench.outputs import info
 from tests.campaigns import matrix
 from tests.support.golden import SHIPPED
 from tests.support.kernels import COMPILED, LEVELS, needs_binary
@@ -75,7 +77,7 @@ def small(folder: Path, change: Callable[[str], str] = str) -> Path:
         shutil.copytree(ROOT / "generated", folder, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.c"))
     text = change(emit_c.source([v for v in variants() if v.kernel == "resistance_factor"]))
     (folder / "_kernels.c").write_text(write.header("_kernels.c", text) + text, "utf-8")
-    known = re.sub('DIGEST = ".*"', f'DIGEST = "{write.digest_of(text)}"', (folder / "tiers.py").read_text("utf-8"))
+    known = re.sub('DIGEST = ".*"', f'DIGEST = "{digest_of(text)}"', (folder / "tiers.py").read_text("utf-8"))
     (folder / "tiers.py").write_text(known, "utf-8")
     return folder
 
@@ -158,6 +160,15 @@ def test_free_threaded_python_without_a_binary_says_so_once(monkeypatch: pytest.
     monkeypatch.setenv("SLIPCIRCLE_COMPILED", "0")
     _compiled._report_free_threads.cache_clear()
     assert _compiled.binary("_none", "") is None  # silent: NumPy is asked for
+
+
+@pytest.mark.parametrize(("free", "remedy"), [(False, "`python -m derive.build`"), (True, "pip install --no-binary")])
+def test_info_names_the_remedy_where_nothing_is_compiled(free: bool, remedy: str, monkeypatch: Any) -> None:
+    monkeypatch.setattr(info, "LEVEL", "numpy")
+    monkeypatch.setattr(info, "is_free_threaded", lambda: free)
+    kernels = info.facts()["kernels"]
+    assert kernels.startswith("NumPy, not compiled: ")
+    assert remedy in kernels
 
 
 UNSAFE = {

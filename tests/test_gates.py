@@ -88,7 +88,7 @@ def test_the_run_stops_and_writes_nothing(
     """Exit status 1 and one line."""
     (polar, *others), form = MOMENTS, RESISTANCE.form
     if changed == "weight":
-        for module in (quantities, integrate, shapes):
+        for module in (quantities, integrate, shapes, write):
             monkeypatch.setattr(module, "MOMENTS", (replace(polar, weight=r**7), *others), raising=False)
     elif changed == "lambda":
         for module in (quantities, integrate, shapes):
@@ -102,7 +102,7 @@ def test_the_run_stops_and_writes_nothing(
         pytest.fail("something was written")
 
     monkeypatch.setattr(write, "write", no)
-    assert command.main([]) == 1
+    assert command.main(["--again"]) == 1
     last = capsys.readouterr().err.splitlines()[-1]
     assert re.fullmatch(r"\w+: .*: found .*, wanted .*; nothing is written", last), last
 

@@ -137,12 +137,24 @@ ROOMS = ("given", "history", "tables", "ground", "layers", "stiff", "derivatives
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
 LAYERS = {
     "derive": (
-        *("__init__", "progress", "check", "theorem", "declare", "algebra", "code", "approximate", "flow", "generate"),
+        *(
+            "__init__",
+            "progress",
+            "stages",
+            "check",
+            "theorem",
+            "declare",
+            "algebra",
+            "code",
+            "approximate",
+            "flow",
+            "generate",
+        ),
         *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
         *("definitions", "effects", "flow", "layout", "program", "series", "walk", "tiers", "_evaluate", "_compiled"),
-        *("kernels", "printed", "slopes", "stable", "__init__"),
+        *("kernels", "printed", "slopes", "__init__"),
     ),
     "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
 }

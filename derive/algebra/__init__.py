@@ -1,1 +1,1 @@
-"""Symbolic derivation: from definitions to closed and stable forms, each step proved."""
+"""Symbolic derivation: from definitions to closed forms, each step proved."""

@@ -6,6 +6,7 @@ compared with quadrature of the original double integrand in r and theta over th
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import mpmath
 import sympy as sp
@@ -116,8 +117,38 @@ class Derivation:
         return self.amplitude * self.direction
 
 
-@cache
+_DERIVED: dict[Moment, Derivation] = {}
+
+
 def derive(moment: Moment) -> Derivation:
+    """Return the derivation of a moment, which is made once."""
+    if moment not in _DERIVED:
+        _DERIVED[moment] = derivation(moment)
+    return _DERIVED[moment]
+
+
+def recorded(moment: Moment) -> dict[str, Any]:
+    """Return the derivation of a moment as plain data, and the result of its comparison with quadrature."""
+    derived = derive(moment)
+    forms = {"amplitude": sp.srepr(derived.amplitude), "direction": sp.srepr(derived.direction)}
+    return forms | {"operations": derived.operations, "difference": compare(derived, 30)}
+
+
+def restore(moment: Moment, record: dict[str, Any]) -> None:
+    """Use a recorded derivation instead of a new one."""
+
+    def product(*factors: Expr) -> Expr:
+        number, *others = factors
+        of_a_sum = number.is_Rational and [x.is_Add for x in others] == [True]
+        return sp.Mul(*factors, evaluate=not of_a_sum)
+
+    amplitude, direction = (sp.sympify(record[x], {"Mul": product}) for x in ("amplitude", "direction"))
+    first, last = record["operations"]
+    restored = Derivation(moment, amplitude, direction, (first, last))
+    _DERIVED.setdefault(moment, restored)
+
+
+def derivation(moment: Moment) -> Derivation:
     """Return the derivation of a moment, with each step proved."""
     name = moment.name
     inner = antiderivative(moment.weight, r)

@@ -17,6 +17,8 @@ rings
     greatest value.
 """
 
+from collections.abc import Sequence
+
 import sympy as sp
 from sympy import (
     Add,
@@ -45,8 +47,8 @@ from sympy import (
 
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Remainder, unfold
-from derive.declare.quantities import MOMENTS
+from derive.algebra.remainders import SineRest, unfold
+from derive.declare.quantities import Moment
 from derive.declare.symbols import alpha, r, theta
 
 REACH = Rational(1, 4)
@@ -261,13 +263,13 @@ def head() -> Expr:
     Each term is small where the angle or the height is small, so that neither thin masses nor steep lines cancel.
     """
     bent = 2 * sin(ANGLE / 2) ** 2
-    defect = -(ANGLE**3) * Remainder(sin, 3, ANGLE)
+    defect = -(ANGLE**3) * SineRest(ANGLE)
     return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 
-def prove() -> list[str]:
-    """Prove the basis of the forms above, and return the claims."""
-    claims = _of_edges() | _of_moments() | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
+def prove(*moments: Moment) -> list[str]:
+    """Prove the basis of the forms above, and the weights of moments with a name in it; return the claims."""
+    claims = _of_edges() | _of_moments(moments) | _of_one_chord() | _of_heads() | _of_layers() | _of_strips()
     for claim, zero in claims.items():
         prove_zero(zero, claim)
     return [*claims]
@@ -288,10 +290,10 @@ def _of_edges() -> dict[str, Expr]:
     }
 
 
-def _of_moments() -> dict[str, Expr]:
-    """Return claims that the declared moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
+def _of_moments(moments: Sequence[Moment]) -> dict[str, Expr]:
+    """Return claims that moments are among the weights, and turn as J cos(phi) - slope sin(phi)."""
     claims = {}
-    for moment in MOMENTS:
+    for moment in moments:
         weight = moment.weight
         if moment.name in MEANS:
             name, sign = MEANS[moment.name]

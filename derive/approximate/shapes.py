@@ -5,7 +5,8 @@ b = pi/2 - alpha, where artanh(sin(alpha)) = -ln(tan(b/2)): F is a function of b
 even, plus such a one times ln(b). A straight line that is computed without rounding is taken off it, and what is left
 is b**power (R(b**2) + b**(2 shift) Q(b**2) ln(b)). Of a form that is neither (lambda), one polynomial serves for all.
 
-Seams, baselines and degrees are found by `derive.approximate.search` and recorded in ``records`` by definition.
+Seams, baselines and degrees are found by `derive.approximate.search` and recorded in ``generated/shapes.json`` by
+definition.
 """
 
 import json
@@ -28,7 +29,7 @@ from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import alpha
 
 HALF_PI = truth.TOP
-RECORDS = Path(__file__).resolve().parent / "records" / "shapes.json"
+RECORDS = Path(__file__).resolve().parent.parent.parent / "generated" / "shapes.json"
 
 
 @dataclass(frozen=True)

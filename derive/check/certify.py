@@ -194,9 +194,10 @@ def prove(record: Record) -> float:
     try:
         _check_program(record)
         proved = max(_prove_claim(record, claim, parts) for claim, parts in by_claim(record).items())
-        underflow = below_underflow(record, record["bound"])
-        if not underflow <= record["bound_underflow"]:
-            raise rejected("underflow", record, f"{underflow:.4g}", f"at most {record['bound_underflow']}")
+        claimed = record["bound_underflow"]
+        underflow = 0.0 if claimed == math.inf else below_underflow(record, record["bound"])
+        if not underflow <= claimed:
+            raise rejected("underflow", record, f"{underflow:.4g}", f"at most {claimed}")
         check_goals(record)
         return proved
     except Unbounded as fault:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from sympy import Add, Basic, Expr, Function, Integer, Mul, N, Symbol, default_sort_key
 
-from derive.algebra.remainders import Exp, Horner, Primitive, Select
+from derive.algebra.remainders import Exp, Horner, Select, SineRest
 from derive.code.operations import OPERATIONS
 
 _NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
@@ -146,7 +146,7 @@ class _Lowering(Builder):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e.is_number and not e.has(Function):
             return self.const(e)
-        if isinstance(e, Primitive):
+        if isinstance(e, SineRest):
             return self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
@@ -242,7 +242,7 @@ class _Lowering(Builder):
 def program(name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr] | None = None) -> Program:
     """Return the program of SymPy expressions in the symbols named by ``inputs``, in the order of its arguments.
 
-    Stable primitives are lowered, and equal subexpressions are computed once. ``let`` contains intermediate values by
+    Equal subexpressions are computed once. ``let`` contains intermediate values by
     symbol, in order, which may replace an input of the same name.
     """
     low = _Lowering(inputs)

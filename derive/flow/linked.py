@@ -91,7 +91,8 @@ def cells_of(program: Program, known: Cells) -> list[Any]:
     for name, value in program.constants.items():
         cells[program.places[name]] = Rational(value)
     for kind, result, *operands in program.scalar:
-        cells[result] = on_numbers(kind, *(cells[k] for k in operands))
+        numbers = (cells[k] for k in operands)
+        cells[result] = on_numbers(kind, *numbers)
     return cells
 
 
@@ -104,7 +105,8 @@ def registers_of(program: Program, cells: Sequence[Any]) -> list[Expr]:
         if kind == "lin":
             result, constant, terms = places
             products = [cells[cell] * values[register] for cell, register in terms]
-            values[result] = Add(cells[constant] if constant >= 0 else ZERO, *products)
+            first = cells[constant] if constant >= 0 else ZERO
+            values[result] = Add(first, *products)
         elif kind == "ramp":
             result, table = places
             values[result] = since(program.tables[table].name)
@@ -137,7 +139,8 @@ def on_numbers(kind: str, *operands: Any) -> Any:
             return Select(*condition.args, x, y)
         case _:
             operation = CELLS[kind]
-            return (operation.symbol or operation.meaning)(*operands)
+            meaning = operation.symbol or operation.meaning
+            return meaning(*operands)
 
 
 def outcomes(e: Expr) -> Iterator[Expr]:
@@ -156,9 +159,11 @@ def outcomes(e: Expr) -> Iterator[Expr]:
 
 def piece(table: str, degree: int, argument: Expr) -> Expr:
     """Return the polynomial of a table's piece."""
-    powers = range(1, degree + 1)
-    terms = [positive(f"{table}.Q{k}") * argument**k for k in powers]
-    return Add(positive(f"{table}.VALUE"), *terms)
+    terms = [positive(f"{table}.VALUE")]
+    for k in range(1, degree + 1):
+        coefficient = positive(f"{table}.Q{k}")
+        terms.append(coefficient * argument**k)
+    return Add(*terms)
 
 
 def friction(law: Law, slip: Expr) -> Expr:
@@ -193,12 +198,15 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
 def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -> dict[Symbol, Expr]:
     """Return the values of all symbols in declared terms at a moment, except friction and normal stress."""
     turns = any(effect.turns for effect in effects)
-    phi = known["ROTATION"] + known["DIRECTION"] * now("x") if turns else ZERO
+    phi = ZERO
+    if turns:
+        phi = known["ROTATION"] + known["DIRECTION"] * now("x")
     values = parameters(effects, moving)
     at_start = {q: positive(str(q)) for q in BY_PSI}
     for q, slope in BY_PSI.items():
         turned = q * cos(phi) - slope * sin(phi)
-        values[q] = expand_trig(turned.xreplace(at_start))
+        here = turned.xreplace(at_start)
+        values[q] = expand_trig(here)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + now("x")}
@@ -214,7 +222,8 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
     polar = POLAR if len(others) < len(effects) else ZERO
 
     def total(quantity: str) -> Expr:
-        return Add(*(effect.terms[quantity] for effect in others)).xreplace(values)
+        terms = (effect.terms[quantity] for effect in others)
+        return Add(*terms).xreplace(values)
 
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
     mu = Mul(*(friction(law, values[SLIP]) for law in laws)) + total("mu")
@@ -227,11 +236,13 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         dynamics.omega_star: values[OMEGA],
     }
     normal = load + polar * values[OMEGA_2]
-    rates = {"x": values[OMEGA], "omega": dynamics.balance()["3.11"].xreplace(terms), "normal": normal}
+    balance = dynamics.balance()["3.11"]
+    rates = {"x": values[OMEGA], "omega": balance.xreplace(terms), "normal": normal}
     stress = normal / LAMBDA
     for effect in effects:
         growth = effect.growth.subs(MU * EFFECTIVE, mobilised * stress)
-        rates |= {str(x): growth.xreplace({**values, MU: mu, EFFECTIVE: stress}) * values[OMEGA] for x in effect.states}
+        by_rotation = growth.xreplace({**values, MU: mu, EFFECTIVE: stress})
+        rates |= {str(x): by_rotation * values[OMEGA] for x in effect.states}
     return rates
 
 
@@ -249,24 +260,27 @@ def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequ
 
 
 def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> list[str]:
-    """Prove that programs of effects and laws are (3.11), in both directions of travel and in phases of each kind.
+    """Prove that programs of effects and laws are (3.11); return the claims."""
+    return [claim for case in cases(effects, laws) for claim in prove_case(*case)]
+
+
+def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> list[str]:
+    """Prove that the program of these effects and laws is (3.11), in both directions of travel and in all phases.
 
     The drive at the start is computed from the limit friction (3.21), later from the terms of the balance. All
     parameters that may change along the motion do.
     """
-    parts = lookup(effects, laws)
     claims = []
-    for some, of_friction in cases(effects, laws):
-        declared = [p for effect in some for p in effect.parameters if p.symbol]
-        moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
-        names = tuple(effect.name for effect in some)
-        recipe = Recipe(names, tuple(law.name for law in of_friction), moving)
-        program = build(recipe, parts)
-        for direction, phase in product((1, -1), PHASES):
-            claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
-            known = {**PHASES[phase], "DIRECTION": Integer(direction)}
-            equation = motion(some, of_friction, recipe.moving, known)
-            for name, rate in rates(program, known).items():
-                for difference in outcomes(rate - equation[name]):
-                    prove_rational(unfold(difference), f"{claims[-1]}: d{name}/dt")
+    declared = [p for effect in effects for p in effect.parameters if p.symbol]
+    moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
+    recipe = Recipe(tuple(effect.name for effect in effects), tuple(law.name for law in laws), moving)
+    program = build(recipe, lookup(effects, laws))
+    for direction, phase in product((1, -1), PHASES):
+        claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
+        known = {**PHASES[phase], "DIRECTION": Integer(direction)}
+        equation = motion(effects, laws, recipe.moving, known)
+        for name, rate in rates(program, known).items():
+            claim = f"{claims[-1]}: d{name}/dt"
+            for difference in outcomes(rate - equation[name]):
+                prove_rational(unfold(difference), claim)
     return claims

@@ -1,7 +1,9 @@
-"""Text of `generated/flow.py`: fragments as data."""
+"""Texts of `generated/flow.py`, fragments as data, and of `generated/program.py`, their linker."""
 
+import ast
 import inspect
 from collections.abc import Sequence
+from types import ModuleType
 
 from sympy import Float, sstr
 
@@ -9,8 +11,11 @@ from derive.code.emit import filled
 from derive.declare.effects import ALL_EFFECTS, LAWS, Effect, Law
 from derive.flow import equation
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
+from derive.flow.link import definitions, linker, program
 from derive.flow.lowering import Fragment
 from derive.flow.recurrences import RESULTS
+
+LINKER = (definitions, linker, program)
 
 
 def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) -> str:
@@ -52,3 +57,15 @@ def _fragment(f: Fragment) -> str:
         else:
             lines.append(f"        {name}={value!r},\n")
     return f"Fragment(\n{''.join(lines)}    )"
+
+
+def linker_module() -> str:
+    """Return the module `generated.program`: the linker's modules, with the imports of the template."""
+    return filled("_program.py.in", {"LINKER": "\n\n\n".join(map(_without_imports, LINKER))})
+
+
+def _without_imports(part: ModuleType) -> str:
+    source = inspect.getsource(part)
+    *_, last = (x for x in ast.parse(source).body if isinstance(x, ast.ImportFrom))
+    body = source.splitlines()[last.end_lineno :]
+    return "\n".join(body).strip("\n")

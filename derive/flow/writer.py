@@ -59,7 +59,9 @@ class Writer:
     def as_kind(self, value: Value, kind: str) -> str:
         """Return the text of a value where a value of some kind is expected."""
         text = bare(value.text)
-        return self.say(f"broadcast.{kind}", text) if kind in "VIB" and value.kind in ("K", "N") else text
+        if kind in "VIB" and value.kind in ("K", "N"):
+            return self.say(f"broadcast.{kind}", text)
+        return text
 
     # Expressions.
 
@@ -69,7 +71,8 @@ class Writer:
             case ast.Constant(value=bool(x)):
                 return Value(self.forms[str(x)], "N")
             case ast.Constant(value=int(x) | float(x)):
-                return Value(repr(x), "N" if isinstance(x, int) else "K")
+                kind = "N" if isinstance(x, int) else "K"
+                return Value(repr(x), kind)
             case ast.Name(id=name):
                 return self._name(name, e)
             case ast.Attribute():
@@ -77,7 +80,8 @@ class Writer:
             case ast.Subscript():
                 return self._element(e)
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                return self._call(name, [self.value(x) for x in arguments], e)
+                values = [self.value(x) for x in arguments]
+                return self._call(name, values, e)
             case ast.IfExp(test=test, body=a, orelse=b):
                 chosen, *ends = map(self.value, (test, a, b))
                 if chosen.kind != "N":
@@ -115,12 +119,18 @@ class Writer:
     def _joined(self, sign: str, values: Sequence[Value]) -> str:
         """Return values joined by a sign. An integer beside numbers of lanes becomes a number."""
         vector = any(v.kind == "V" for v in values)
-        texts = (self.say("cast", v.text) if vector and v.kind == "N" else v.text for v in values)
-        return f"({f' {sign} '.join(texts)})"
+        texts = []
+        for v in values:
+            cast = vector and v.kind == "N"
+            texts.append(self.say("cast", v.text) if cast else v.text)
+        joint = f" {sign} ".join(texts)
+        return f"({joint})"
 
     def _name(self, name: str, e: ast.expr) -> Value:
         if kind := self.kinds.get(name):
-            return Value(self.say("of_lane", name) if self._here(kind) != kind else name, self._here(kind))
+            here = self._here(kind)
+            text = name if here == kind else self.say("of_lane", name)
+            return Value(text, here)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
         return Value(name, "K")
@@ -175,7 +185,11 @@ class Writer:
             kind = joined(values[1:], "VMFIBKN")
             if values[0].kind == "M":
                 return "M" if values[1].kind == "M" else "V"
-            return "B" if values[1].kind == "B" else kind if kind in ("F", "I") else "F" if kind == "K" else "I"
+            if values[1].kind == "B":
+                return "B"
+            if kind in ("F", "I"):
+                return kind
+            return "F" if kind == "K" else "I"
         elif name == "number":
             kind = "F" if values[0].kind == "I" else "K"
         else:
@@ -233,10 +247,12 @@ class Writer:
             case ast.AnnAssign(target=ast.Name(id=name), annotation=kind, value=ast.expr() as value):
                 yield from self._let(name, self.value(value), s, annotation(kind, self.function.path, s))
             case ast.Assign(targets=[ast.Attribute() | ast.Subscript() as target], value=value):
-                place, new = self.value(target), self.value(value)
+                place = self.value(target)
+                new = self.value(value)
                 masked = isinstance(target, ast.Attribute) and not self.lane and "here" in self.kinds
-                text = self.as_kind(new, place.kind)
-                stored = f"{self.forms['masked']}(here, {text}, {place.text})" if masked else text
+                stored = self.as_kind(new, place.kind)
+                if masked:
+                    stored = f"{self.forms['masked']}(here, {stored}, {place.text})"
                 yield f"{place.text} = {stored}{self.forms['end']}"
             case _:
                 self.refuse(s, "this assignment is not in the grammar of the integrator")
@@ -255,7 +271,8 @@ class Writer:
             self.refuse(s, "a loop counts between integers that all lanes share")
         name = ast.unparse(s.target)
         self.kinds[name] = "N"
-        yield from self.block(self.say(way, bare(first.text), of=name, to=bare(last.text)), s.body)
+        head = self.say(way, bare(first.text), of=name, to=bare(last.text))
+        yield from self.block(head, s.body)
 
     def _if(self, s: ast.If) -> Iterator[str]:
         if isinstance(s.test, ast.BoolOp) and isinstance(s.test.op, ast.And):
@@ -272,7 +289,8 @@ class Writer:
         if test.kind not in ("N", "M", "B"):
             self.refuse(s, "an `if` is on a truth value")
         if test.kind == "N":
-            yield from self.block(self.say("if", bare(test.text)), s.body)
+            head = self.say("if", bare(test.text))
+            yield from self.block(head, s.body)
             return
         yield from self._by_lane(test, s)
 
@@ -284,14 +302,15 @@ class Writer:
         if test.kind == "B":
             yield from self.while_of_lane(test, s)
             return
-        yield from self.block(self.say("while", bare(test.text)), s.body)
+        head = self.say("while", bare(test.text))
+        yield from self.block(head, s.body)
 
     def _by_lane(self, test: Value, s: ast.If) -> Iterator[str]:
         """Yield the lines of an ``if`` that lanes decide separately."""
         outside = set(self.kinds)
         assigned = {x.id for x in ast.walk(s) if isinstance(x, ast.Name) and isinstance(x.ctx, ast.Store)}
-        if outside & assigned:
-            names = ", ".join(sorted(outside & assigned))
+        if shared := outside & assigned:
+            names = ", ".join(sorted(shared))
             self.refuse(s, f"an `if` by lane changes {names}, which is known outside: use `where`")
         last = s.body[-1]
         leaves = isinstance(last, ast.Return)

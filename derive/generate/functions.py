@@ -1,13 +1,12 @@
 """Functions of `generated`, each with its program, its domain and the texts of its docstring."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
-from sympy import Expr, Min, Rational, atanh, cos, pi, sin
+from sympy import Expr, Rational, atanh, cos, sin
 
 from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.integrate import closed_forms, derive
-from derive.algebra.rules import stable
 from derive.approximate.programs import Variant, functions_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.records import Record, of_both_ends, unit
@@ -21,7 +20,6 @@ PAPER = "the paper"
 # The domain includes alpha up to pi/2 (1 + 4 eps), for half discs given in degrees. The kernels clip alpha to pi/2.
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
-_CLIP = {alpha: Min(alpha, pi / 2)}
 
 
 def kernels(proved: Sequence[Record]) -> list[Function]:
@@ -102,15 +100,6 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
         formula = known[kernel].formula.rstrip(".")
         texts[kernel, tier, form] = f"{formula}, {interval}, {tier}, {form}: proved within {bound}"
     return texts
-
-
-def stable_programs(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
-    """Return the forms without cancellation of the base quantities and of their quotients."""
-    reduced = {name: stable(form) for name, form in closed.items()}
-    forms = {name: form.form for name, form in reduced.items()}
-    for q in QUOTIENTS:
-        forms[q.name] = reduced[q.numerator].reduced / reduced[q.denominator].reduced
-    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms.items()]
 
 
 _ARC = (

@@ -1,7 +1,6 @@
 """Files of `generated`: their text, written atomically or compared with the present files."""
 
 import difflib
-import hashlib
 import os
 import re
 import subprocess
@@ -9,78 +8,95 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 from sympy import Expr, __version__
 
-from derive.algebra.integrate import closed_forms
-from derive.approximate import certificates
+from derive.algebra import integrate
+from derive.approximate import certificates, search, shapes
 from derive.approximate.programs import parts_of_ends, variants, variants_of_ends
 from derive.check.ends import LIMIT
 from derive.check.proof import ProofError
-from derive.check.records import Record, promised
+from derive.check.records import Record, promised, read
 from derive.code import emit
-from derive.declare.quantities import QUOTIENTS
-from derive.flow import layout, link, module, restricted, restricted_c, restricted_numpy, series, straight
+from derive.declare.quantities import MOMENTS, QUOTIENTS
+from derive.flow import layout, module, restricted, restricted_c, restricted_numpy, series, straight
 from derive.generate import browser, effects, emit_c, functions, slopes
+from derive.stages import RECORDS, Stages, digest_of, report
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
 MEND = "python -m derive"
 
 
-def files(proved: list[Record]) -> dict[str, str]:
-    """Return the text of every file of `generated` by name, each with a header that contains the digest of its text."""
-    kernels = functions.kernels(proved)
-    closed = closed_forms()
-    c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
+def flow_files(_: Stages) -> dict[str, str]:
+    """Return the files that depend on `derive.flow`, by name."""
     integrator = restricted.integrator()
     walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
     c_flow = emit.filled("_flow.c", layout.c() | series.c() | straight.c() | walk)
     texts = {
-        "_compiled.py": emit.filled("_compiled.py"),
         "layout.py": layout.python(),
-        "definitions.py": definitions_module(closed),
-        "_evaluate.py": emit.filled("_evaluate.py"),
         "effects.py": effects.module(),
         "flow.py": module.module(),
+        "_flow.c": c_flow,
+        "series.py": series.numpy_text(digest_of(c_flow)),
+        "walk.py": emit.filled("_walk.py.in", {"WALK": restricted_numpy.functions(integrator)}),
+        "program.py": module.linker_module(),
+    }
+    written = _written(texts)
+    return written | {browser.NAME: browser.text(written["_flow.c"], FOLDER / browser.NAME)}
+
+
+def kernel_files(stages: Stages) -> dict[str, str]:
+    """Return all other files by name: the kernels are approximated and certified as far as no record serves."""
+    for moment in MOMENTS:
+        record = stages.records.get(f"{moment.name}, integrate")
+        if record:
+            integrate.restore(moment, record["outcome"])
+    compared = [shapes.agree(kernel) for kernel in shapes.kernels()]
+    report("kernels", "definition", "", f"{sum(compared)} comparisons with the checker's")
+    stages.line("kernels", "search", search.complete, "new shapes: {}")
+    proved = stages.line("kernels", "certify", lambda: certificates.records(variants(), read()), "")
+
+    def certified(*arguments: Any) -> Record:
+        kernel, _, tier, form, _ = arguments
+        title = f"{kernel} {tier} {form}"
+        record: Record = stages.run(title, "certify", "derive.check.losses:certificate", *arguments, shown="")
+        return record
+
+    proved += stages.line("both ends", "certify", lambda: certificates.of_ends(proved, certified), "")
+    return stages.line("kernels", "emit", lambda: _kernel_texts(proved), "")
+
+
+def _kernel_texts(proved: list[Record]) -> dict[str, str]:
+    kernels = functions.kernels(proved)
+    closed = integrate.closed_forms()
+    c_kernels = emit_c.source((*variants(), *variants_of_ends()), functions.comments(kernels, proved))
+    texts = {
+        "_compiled.py": emit.filled("_compiled.py"),
+        "definitions.py": definitions_module(closed),
+        "_evaluate.py": emit.filled("_evaluate.py"),
         "kernels.pyi": emit.stub(kernels),
         "kernels.py": emit.module(
             "Moments, weights and quotients of the arc, from their definitions.", kernels, parts_of_ends()
         ),
-        "_flow.c": c_flow,
         "_kernels.c": c_kernels,
-        "series.py": series.numpy_text(digest_of(c_flow)),
         "slopes.py": slopes.module(),
-        "walk.py": emit.filled("_walk.py.in", {"WALK": restricted_numpy.functions(integrator)}),
         "tiers.py": tiers_module(proved, digest_of(c_kernels)),
         "__init__.py": _package([f.program.name for f in kernels]),
-        "program.py": link.text(),
         "py.typed": "",
+        "shapes.json": shapes.text(),
     }
-    texts |= _formulas(closed) | certificates.files(proved)
-    for name, text in texts.items():
-        if name.endswith(".py"):
-            texts[name] = emit.wrapped(text)
-    written = {name: header(name, text) + text for name, text in texts.items()}
-    written[browser.NAME] = browser.text(written["_flow.c"], FOLDER / browser.NAME)
-    return dict(sorted(written.items()))
-
-
-def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
-    """Return the modules whose functions are programs with a docstring."""
     printed = [(p, f"{source}, as printed") for p, source in functions.printed()]
-    return {
-        "printed.py": emit.raw_module(
-            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
-            printed,
-            "generated.printed",
-        ),
-        "stable.py": emit.raw_module(
-            "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
-            functions.stable_programs(closed),
-            "generated.stable",
-        ),
-    }
+    comparison = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
+    texts["printed.py"] = emit.raw_module(comparison, printed, "generated.printed")
+    return _written(texts | certificates.files(proved))
+
+
+def _written(texts: Mapping[str, str]) -> dict[str, str]:
+    """Return texts with wrapped lines and headers."""
+    wrapped = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
+    return {name: header(name, text) + text for name, text in wrapped.items()}
 
 
 def header(name: str, text: str) -> str:
@@ -91,11 +107,6 @@ def header(name: str, text: str) -> str:
     if name.endswith((".py", ".pyi")):
         return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n"
     return ""
-
-
-def digest_of(text: str) -> str:
-    """Return the sha256 of a text."""
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:
@@ -145,11 +156,14 @@ def _package(names: list[str]) -> str:
 
 
 def present(folder: Path = FOLDER) -> dict[str, str]:
-    """Return the text of the present files, without caches, binaries and remains of an interrupted build."""
+    """Return the text of each file; caches, binaries, records of stages and files of a killed build are left out."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".so", ".pyd", ".dylib", ".o")
+        if path.is_file()
+        and "__pycache__" not in path.parts
+        and path.suffix not in (".so", ".pyd", ".dylib", ".o")
+        and path.name != RECORDS.name
     }
 
 

@@ -110,28 +110,30 @@ def _sheet(text: str) -> tuple[Points, str]:
     sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
     lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
     rows = [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")]
-    numbers = [cell for _, row in rows for cell in row if _NUMBER.fullmatch(cell)]
-    decimal = "," if separator != "," and any("," in cell for cell in numbers) else "."
     either = "|".join(_COLUMNS.values())
     head = next((k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row)), -1)
+    columns, unit = (0, 1), ""
     if head >= 0:
         columns, unit = _columns(rows[head][1])
     else:
-        columns, unit = (0, 1), ""
         width = max((k for _, row in rows for k, cell in enumerate(row, 1) if cell), default=0)
         if width != 2:
             raise ValueError(f"has {width} columns and no header; name the columns x and y, or leave two")
-    points = []
-    for line, row in rows[head + 1 :]:
-        cells = [row[k] if k < len(row) else "" for k in columns]
-        for cell in cells:
-            marks = set(cell) & {".", ","}
-            if not _NUMBER.fullmatch(cell) or not marks <= {decimal}:
-                words = f"must be a number with decimal {'commas' if decimal == ',' else 'points'}"
-                raise ValueError(f"line {line}, {cell!r}: {words} and no thousands separators")
-        x, y = (float(cell.replace(",", ".")) for cell in cells)
-        points.append((x, y))
-    return points, unit
+    numbers = [cell for _, row in rows for cell in row if _NUMBER.fullmatch(cell)]
+    decimal = "," if separator != "," and any("," in cell for cell in numbers) else "."
+    return [_point(line, row, columns, decimal) for line, row in rows[head + 1 :]], unit
+
+
+def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> tuple[float, float]:
+    """Return the numbers of a row in two columns."""
+    cells = [row[k] if k < len(row) else "" for k in columns]
+    for cell in cells:
+        marks = set(cell) & {".", ","}
+        if not _NUMBER.fullmatch(cell) or not marks <= {decimal}:
+            words = f"must be a number with decimal {'commas' if decimal == ',' else 'points'}"
+            raise ValueError(f"line {line}, {cell!r}: {words} and no thousands separators")
+    x, y = (float(cell.replace(",", ".")) for cell in cells)
+    return x, y
 
 
 def _column(cell: str, names: str) -> list[str]:

@@ -1,0 +1,107 @@
+"""Records of the compiler's stages: a changed input misses its record, and nothing else does."""
+
+import shutil
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from derive import stages
+from derive.algebra import integrate
+from derive.declare.effects import EFFECTS, LAWS
+from derive.declare.quantities import MOMENTS
+
+CASE = (EFFECTS[:1], LAWS[:1])
+STAGES: dict[str, tuple[str, str, tuple[Any, ...]]] = {
+    "declare": ("derive.guards", "check", ()),
+    "integrate": ("derive.algebra.integrate", "recorded", MOMENTS[:1]),
+    "balance": ("derive.flow.linked", "prove_case", CASE),
+    "series": ("derive.flow.recurrences", "prove", (6,)),
+    "flow files": ("derive.generate.write", "flow_files", ()),
+    "both ends": ("derive.check.losses", "certificate", ("J_r", {"bound": 1.0})),
+}
+LAW = '    Law("another", "peak", _SOFTENING[:1], coefficient=_P),\n)  # fmt: skip'
+MOMENT = '    Moment("area", "S*", r, "area"),\n)  # fmt: skip'
+# Place of a change: text that is replaced, and the stages that run again.
+CHANGES = {
+    "derive/code/templates/_flow.c": ("return", " return", {"declare", "flow files"}),
+    "derive/declare/effects.py": (")  # fmt: skip", LAW, {"declare", "flow files"}),
+    "derive/declare/quantities.py": (")  # fmt: skip", MOMENT, {"declare", "flow files"}),
+    "derive/flow/link/linker.py": ("def ", "def  ", {"balance", "flow files"}),
+    "derive/flow/walk/step.py": ("if ", "if  ", {"flow files"}),
+    "derive/algebra/prove.py": ("def ", "def  ", {*STAGES} - {"both ends"}),
+    "derive/check/losses.py": ("def ", "def  ", {"both ends", "flow files"}),
+    "derive/judge/verify.py": ("def ", "def  ", set[str]()),
+}
+
+
+def forget() -> None:
+    for cached in (stages._parsed, stages._needs, stages.sources, stages._text, stages._own):
+        cached.cache_clear()
+
+
+@pytest.fixture
+def copy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The compiler elsewhere."""
+    ignored = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(stages.ROOT / "derive", tmp_path / "derive", ignore=ignored)
+    monkeypatch.setattr(stages, "ROOT", tmp_path)
+    forget()
+    yield tmp_path
+    forget()
+
+
+def digests() -> dict[str, str]:
+    forget()
+    return {name: stages.inputs(*stage) for name, stage in STAGES.items()}
+
+
+def test_each_change_runs_the_stages_that_depend_on_it(copy: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = digests()
+    for place, (old, new, changed) in CHANGES.items():
+        path = copy / place
+        text = path.read_text("utf-8")
+        path.write_text(text.replace(old, new, 1), "utf-8")
+        after = digests()
+        assert {name for name in STAGES if after[name] != before[name]} == changed, place
+        path.write_text(text, "utf-8")
+    assert digests() == before
+    module, name, (moment,) = STAGES["integrate"]
+    assert stages.inputs(module, name, (replace(moment, weight=2 * moment.weight),)) != before["integrate"]
+    monkeypatch.setattr(stages, "version", lambda _: "1.13.3")
+    assert not {*digests().values()} & {*before.values()}
+
+
+@pytest.mark.parametrize("fault", ["a file was edited", "a file is missing", "a source was edited", "none"])
+def test_only_files_that_match_their_record_are_kept(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    run = stages.Stages(again=True)
+    texts = {"a.py": "1", "b.py": "2"}
+    monkeypatch.setattr(integrate, "written", lambda _: texts, raising=False)
+    work = "derive.algebra.integrate:written"
+    assert run.files("all", work, {}) == texts
+    run.known = dict(run.records)
+    present = dict(texts)
+    if fault == "a file was edited":
+        present["b.py"] = "3"
+    elif fault == "a file is missing":
+        del present["b.py"]
+    elif fault == "a source was edited":
+        monkeypatch.setattr(stages, "inputs", lambda *_: "another digest")
+    again = {"a.py": "derived again"}
+    monkeypatch.setattr(integrate, "written", lambda _: again)
+    assert run.files("all", work, present) == (texts if fault == "none" else again)
+
+
+def test_a_recorded_derivation_is_the_derivation() -> None:
+    for moment in MOMENTS:
+        right = integrate.derive(moment)
+        record = integrate.recorded(moment)
+        integrate._DERIVED.clear()
+        integrate.restore(moment, record)
+        restored = integrate.derive(moment)
+        assert restored == right
+        assert [*map(hash, sp.preorder_traversal(restored.closed))] == [*map(hash, sp.preorder_traversal(right.closed))]
+        assert integrate._DERIVED.pop(moment) is not right
