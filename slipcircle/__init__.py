@@ -60,8 +60,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
-    from slipcircle.workbench.studies.study import Study
-    from slipcircle.workbench.studies.suitestudy import SuiteStudy
+    from slipcircle.workbench.studies.study import Study, SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
 
 __version__ = VERSION
@@ -83,8 +82,7 @@ _PLACES = {
     "workbench.stability.stability": "Slope",
     "workbench.studies.backanalysis": "BackAnalysis Unattainable backanalyse",
     "workbench.studies.ensemble": "ensemble grid",
-    "workbench.studies.study": "Study",
-    "workbench.studies.suitestudy": "SuiteStudy",
+    "workbench.studies.study": "Study SuiteStudy",
     "workbench.suites.synthetic": "synthetic_records",
 }
 _MODULES = {name: f"slipcircle.{place}" for place, names in _PLACES.items() for name in names.split()}
