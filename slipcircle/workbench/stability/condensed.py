@@ -56,6 +56,7 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
         first_step = share * step[:count]
         best, step = fine.refined(first, first_step, FINEST, nodes)
     best = _on_whole_lines(search, fine, kept, best)
+
     values = search.evaluate(best)
     finite = np.isfinite(values)
     if np.any(finite):
@@ -82,7 +83,8 @@ def _screened(search: Search) -> tuple[Floats, Floats]:
     edges = np.arange(count)
     repeated = np.repeat(ends, count)
     touching = q[repeated]
-    touching[:, 3] = np.resize(edges, len(repeated))
+    every_edge = np.resize(edges, len(repeated))
+    touching[:, 3] = every_edge
     chosen = np.append(best, repeated)
     family = np.concatenate([q[best], touching])
     return family, steps[chosen]
