@@ -46,11 +46,15 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     followed = slice(_FOLLOWED)
     best, step = rough.refined(best[followed], step[followed], _ROUGHLY, COARSE_NODES)
     best = _on_whole_lines(search, rough, kept, best)
+    return _on_fine_lines(search, best, step, COARSE_NODES if many_soils else FINE_NODES)
+
+
+def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Floats:
+    """Return the best of some circles, the best first, after descents on lines with all vertices near their ends."""
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
     along = search.along[kept]
     ends = best[:, :2]
     best[:, :2] = np.interp(ends, along, fine.along)
-    nodes = COARSE_NODES if many_soils else FINE_NODES
     for share, count in _STEPS:
         first = best[:count]
         first_step = share * step[:count]
