@@ -95,7 +95,7 @@ class Key(NamedTuple):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
         right = dict.fromkeys(("number", "fixed", "series", "line"), self._number(value)) | {
             "load": self._number(value) or self._pair(value),
-            "seen": self._number(value) or (self._pair(value) and value[0] < value[1]),
+            "seen": self._number(value) or self._limit(value) or (self._pair(value) and value[0] < value[1]),
             "text": isinstance(value, str),
             "name": type(value) in (str, int),
             "flag": isinstance(value, bool),
@@ -121,6 +121,8 @@ class Key(NamedTuple):
 
     def convert(self, value: Any) -> Any:
         """A valid value as an argument, in SI units."""
+        if self.kind == "seen" and isinstance(value, str):
+            value = Interval.of_limit(value)
         if self.kind not in (*VARYING, "fixed", "list", "pair", "points", "seen"):
             return value.lower() if "|" in self.kind else value
         values = self.number.to_si(np.array(value, dtype=np.float64))
@@ -133,6 +135,9 @@ class Key(NamedTuple):
 
     def _number(self, value: Any) -> bool:
         return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))
+
+    def _limit(self, value: Any) -> bool:
+        return isinstance(value, str) and self._number(Interval.of_limit(value).limit)
 
     def _pair(self, value: Any) -> bool:
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
@@ -265,7 +270,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
         "series": f"{one}, or {many}",
         "line": "a height (m), or a list of two points or more, [[x, y], [x, y], ...] (m)",
         "load": f"{one}, or two of them, [left, right]",
-        "seen": one.replace("a number", "a number, or an interval [low, high], low first,"),
+        "seen": one.replace("a number", 'a number, or an interval [low, high], low first, or a limit "<60",'),
     }
     return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
 
@@ -352,7 +357,7 @@ ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={
 _SEEN = []
 for _q in OBSERVABLE.values():
     _most = LIMITS[_q.unit][1]
-    _least = -5e-324 if _q.unit == "s" else -_most
+    _least = -5e-324 if _q.unit in ("s", "") else -_most
     _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
 OBSERVED = table_of("what was observed of the motion, for `slipcircle backanalyse`", _SEEN)
 REPORT = Table(

@@ -81,8 +81,7 @@ class Slope:
     base : float, optional
         y of a firm layer, m: no circle goes below.
     layers : sequence of pairs, optional
-        Soils from the ground down, each with its top, as for a `LayeredSection`; in place of cohesion, friction, unit
-        weight and pore ratio.
+        Soils from the ground down, each with its top, as for a `LayeredSection`, in place of the numbers of one soil.
     surcharge : sequence of (x1, x2, q1, q2)
         Pressures on the ground, Pa, linear from x1 to x2.
     confined : bool
