@@ -90,7 +90,8 @@ def _screened(search: Search) -> tuple[Floats, Floats]:
     every_edge = np.resize(edges, len(repeated))
     touching[:, 3] = every_edge
     chosen = np.append(best, repeated)
-    family = np.concatenate([q[best], touching])
+    of_openings = q[best]
+    family = np.concatenate([of_openings, touching])
     return family, steps[chosen]
 
 
@@ -108,7 +109,8 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
     exact[[0, -1]] = True
     numbers = np.searchsorted(search.along, ends.ravel())
     for number in numbers:
-        first = max(number - _BESIDE, 0)
+        before = number - _BESIDE
+        first = max(before, 0)
         last = number + _BESIDE
         exact[first:last] = True
     kept = np.arange(len(ground))

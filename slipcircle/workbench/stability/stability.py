@@ -1,7 +1,4 @@
-"""Factors of safety of a slope on given circles by the paper's method, the ordinary method and Bishop's.
-
-`slices` has the numerics; here are the slope as users give it, the methods' names and words, and scenes of arrays.
-"""
+"""Factors of safety of a slope on given circles by three methods: fields of slopes, and scenes of arrays."""
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
