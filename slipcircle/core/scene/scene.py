@@ -23,6 +23,7 @@ from slipcircle.base.checks import (
     shape_mistakes,
 )
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
+from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
@@ -145,6 +146,7 @@ class Scene(Generic[Numbers]):
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
+        take_units(self, ("effects", "friction", *START, *END))
         effects, faults = named(self.effects)
         object.__setattr__(self, "effects", effects)
         mass: Any = self.arc
