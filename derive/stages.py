@@ -145,6 +145,17 @@ class Stages:
         self.known: dict[str, Any] = {} if again else recorded.get("stages", {})
         self.records: dict[str, Any] = {}
 
+    def other_versions(self) -> list[str]:
+        """Return a line for each library whose version is not the one that wrote `generated`."""
+        lines = []
+        for library, found in versions().items():
+            written = self.written_with.get(library, found)
+            if written != found:
+                name = LIBRARIES[library]
+                remedy = f"pip install {library}=={written}"
+                lines.append(f"{name} {found} is installed, but {name} {written} wrote generated/: {remedy}")
+        return lines
+
     def run(self, title: str, stage: str, work: str, *arguments: object, shown: str = "{}") -> Any:
         """Return the outcome of ``module:function`` for these arguments, recorded or computed, and print a line."""
         module, name = work.split(":")
