@@ -14,8 +14,17 @@ import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+if sys.version_info < (3, 11):  # noqa: UP036 (a checkout is imported by any Python)
+    raise ImportError(f"slipcircle needs Python 3.11 or later, and this is {sys.version_info[0]}.{sys.version_info[1]}")
+
 from slipcircle.base import loading as loading
 
+try:
+    from numpy import __version__ as _numpy
+except ModuleNotFoundError:
+    raise ImportError("slipcircle needs NumPy: pip install numpy") from None
+if tuple(map(int, _numpy.split(".")[:2])) < (2, 1):
+    raise ImportError(f"slipcircle needs NumPy 2.1 or later, and this is {_numpy}")
 try:
     import generated
 
@@ -23,8 +32,6 @@ try:
 except Exception as error:
     _project = error
 if _project != "slipcircle":  # another package, or a dependency is missing
-    if isinstance(_project, ModuleNotFoundError) and _project.name == "numpy":
-        raise ImportError("slipcircle needs NumPy: pip install numpy") from None
     from importlib.util import find_spec
 
     _spec = find_spec("generated")
@@ -53,18 +60,10 @@ if TYPE_CHECKING:
     from slipcircle.workbench.stability.stability import Slope
     from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.workbench.studies.ensemble import ensemble, grid
-    from slipcircle.workbench.studies.study import Study
-    from slipcircle.workbench.studies.suitestudy import SuiteStudy
+    from slipcircle.workbench.studies.study import Study, SuiteStudy
     from slipcircle.workbench.suites.synthetic import synthetic_records
 
 __version__ = VERSION
-_numpy = sys.modules["numpy"].__version__
-for _needed, _least, _version in (
-    ("Python 3.11", (3, 11), sys.version_info[:2]),
-    ("NumPy 2.1", (2, 1), tuple(map(int, _numpy.split(".")[:2]))),
-):
-    if _version < _least:
-        raise ImportError(f"slipcircle needs {_needed} or later, and this is {'.'.join(map(str, _version))}")
 use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Module of each public name, imported at the first access.
 _PLACES = {
@@ -83,8 +82,7 @@ _PLACES = {
     "workbench.stability.stability": "Slope",
     "workbench.studies.backanalysis": "BackAnalysis Unattainable backanalyse",
     "workbench.studies.ensemble": "ensemble grid",
-    "workbench.studies.study": "Study",
-    "workbench.studies.suitestudy": "SuiteStudy",
+    "workbench.studies.study": "Study SuiteStudy",
     "workbench.suites.synthetic": "synthetic_records",
 }
 _MODULES = {name: f"slipcircle.{place}" for place, names in _PLACES.items() for name in names.split()}

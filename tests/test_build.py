@@ -22,6 +22,7 @@ from derive.approximate.programs import variants, variants_of_ends
 from derive.generate import emit_c, write
 from derive.stages import digest_of
 from generated import _compiled
+from slipcircle.workbench.outputs import info
 from tests.campaigns import matrix
 from tests.support.golden import SHIPPED
 from tests.support.kernels import COMPILED, LEVELS, needs_binary
@@ -159,6 +160,15 @@ def test_free_threaded_python_without_a_binary_says_so_once(monkeypatch: pytest.
     monkeypatch.setenv("SLIPCIRCLE_COMPILED", "0")
     _compiled._report_free_threads.cache_clear()
     assert _compiled.binary("_none", "") is None  # silent: NumPy is asked for
+
+
+@pytest.mark.parametrize(("free", "remedy"), [(False, "`python -m derive.build`"), (True, "pip install --no-binary")])
+def test_info_names_the_remedy_where_nothing_is_compiled(free: bool, remedy: str, monkeypatch: Any) -> None:
+    monkeypatch.setattr(info, "LEVEL", "numpy")
+    monkeypatch.setattr(info, "is_free_threaded", lambda: free)
+    kernels = info.facts()["kernels"]
+    assert kernels.startswith("NumPy, not compiled: ")
+    assert remedy in kernels
 
 
 UNSAFE = {

@@ -397,8 +397,8 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
     study: Study = ensemble(read(file), 3000, 4, sensitivity=64)
     assert json.loads(out) == [{"format": JSON_FORMAT} | json.loads(json.dumps(export.record(study)))]
     held = np.load(arrays)
-    np.testing.assert_array_equal(held["sample_run_out"], study.samples["run_out"])
-    assert study.quantile("run_out", 0.5).value in held["sample_run_out"]
+    np.testing.assert_array_equal(held["run_out"], study.samples["run_out"])
+    assert study.quantile("run_out", 0.5).value in held["run_out"]
     head, *rows = table.read_text("utf-8").splitlines()
     assert (head, len(rows)) == ("table,output,input,at,value,low,high", len(export.rows(study)))
     printed = " ".join(asked(line)[1].split())

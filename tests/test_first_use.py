@@ -164,7 +164,11 @@ def test_without_numpy(words: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "message"),
     [("import sys; sys.version_info = (3, 10, 2)", "Python 3.11 or later, and this is 3.10"),
-     ("import numpy; numpy.__version__ = '2.0.3'", "NumPy 2.1 or later, and this is 2.0")],
+     ("import sys; sys.version_info = (3, 8, 18); sys.modules['numpy'] = sys.modules['generated'] = None",
+      "Python 3.11 or later, and this is 3.8"),
+     ("import numpy; numpy.__version__ = '2.0.3'", "NumPy 2.1 or later, and this is 2.0.3"),
+     ("import sys, numpy; numpy.__version__ = '1.26.4'; sys.modules['generated'] = None",
+      "NumPy 2.1 or later, and this is 1.26.4")],
 )  # fmt: skip
 def test_unsupported_versions_are_named(changes: str, message: str, tmp_path: Path) -> None:
     """The least versions are those of the project's metadata."""

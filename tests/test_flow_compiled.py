@@ -11,6 +11,7 @@ import pytest
 
 import slipcircle
 from generated import layout as ix
+from generated import walk as in_numpy
 from slipcircle.core.walk.compiled import encoded
 from slipcircle.tables import Series
 from tests.support.lanes import (
@@ -55,6 +56,17 @@ def alike(one: Any, other: Any, within: float) -> None:
 def test_the_integrator_in_numpy_is_the_same(name: str) -> None:
     bound = problem(name)
     alike(integrate(bound), integrate(bound, name="NumPy"), 1e-11)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_registers_are_those_of_numpy(name: str) -> None:
+    """Where a phase begins, and after it, of all lanes at once."""
+    bound, found = problem(name), []
+    for module in (compiled, in_numpy):
+        cells = bound.cells()
+        begun = module.begin_phase(bound.program, bound.tables(), cells)
+        found.append([*begun, *module.registers(bound.program, bound.tables(), cells)])
+    np.testing.assert_allclose(found[0], found[1], rtol=1e-12, atol=1e-14)
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -171,6 +183,10 @@ MALFORMED = {  # integers of a program by their places, and what they become
     "states": (3, 10**8), "no states": (3, 0), "tables": (4, 10**8), "numbers": (5, -4), "series": (6, 2**31 - 1),
     "later": (7, 3), "a register of a role": (9, 5), "a cell of a role": (14, 10**7),
 }  # fmt: skip
+OF_TABLE = [  # integers of the last table, by their places from the end, and what they become
+    (-4, -1), (-4, 4), (-3, -2), (-3, 5), (-3, ix.STRIDE * 10**5), (-2, -1), (-2, -(2**31)), (-2, 10**4),
+    (-2, 2**31 - 1), (-1, -1), (-1, ix.STRIDE), (-1, 2**31 - 1),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("name", ["constant", "record", "softening"])
@@ -185,7 +201,14 @@ def test_malformed_integers_are_refused(name: str) -> None:
         BINARY.integrate(code.tobytes(), tables, cells.copy(), begin, end, 2, times, outputs, nothing, 0)
 
     call()
-    for place, value in MALFORMED.values():
+    malformed = [*MALFORMED.values()]
+    if pieces:  # its cells may end where those of the program do, but not one later
+        last = len(cells) - (len(ix.TABLE) - 1) - code[-1]
+        malformed += [*OF_TABLE, (-2, last + 1)]
+        fitting = code.copy()
+        fitting[-2] = last
+        call(fitting)
+    for place, value in malformed:
         changed = code.copy()
         changed[place] = value
         with pytest.raises(ValueError, match="do not fit"):

@@ -20,7 +20,6 @@ from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_record
 from slipcircle.workbench.records.suite import place_of, read_suite
-from slipcircle.workbench.studies.suitestudy import SuiteStudy
 from slipcircle.workbench.suites.intensities import intensities, spectral_acceleration
 from slipcircle.workbench.suites.regressions import Shaking, comparisons
 from slipcircle.workbench.suites.synthetic import write_records
@@ -254,8 +253,8 @@ def test_regressions_are_those_of_the_scaled_records() -> None:
 def test_every_record_sees_the_same_samples_and_a_study_continues(tmp_path: Path) -> None:
     records = [quake(1), quake(2), quake(3)]
     more: dict[str, Any] = {"polarities": True, "scales": [1.0, 2.0], "folder": tmp_path}
-    whole: SuiteStudy = ensemble(SOFTENING, 40, 7, records=records, **more)
-    again: SuiteStudy = ensemble(SOFTENING, 40, 7, records=records, **more)
+    whole = ensemble(SOFTENING, 40, 7, records=records, **more)
+    again = ensemble(SOFTENING, 40, 7, records=records, **more)
     assert again.values["run_out"].tolist() == whole.values["run_out"].tolist()
     with pytest.raises(ValueError, match="holds blocks of another study: records differ"):
         ensemble(SOFTENING, 40, 7, records=records[:2], **more)
@@ -318,7 +317,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
     assert "RSN6_ELC-UP.AT2: is a vertical component; not used" in err
     suite = read_suite([folder], units="g", step=0.01)
     settings: dict[str, Any] = {"polarities": True, "scale_to_pga": [0.2, 0.4], "thresholds": [0.02, 0.5]}
-    study: SuiteStudy = ensemble(load("newmark-pulse"), records=suite, **settings)
+    study = ensemble(load("newmark-pulse"), records=suite, **settings)
     assert json.loads(said(f"{line} --json"))["run_out"] == study.values["run_out"].tolist()
     rows = np.genfromtxt(table, delimiter=",", names=True, dtype=None, encoding="utf-8")
     assert rows["run_out"].tolist() == study.columns()["run_out"].tolist()

@@ -256,7 +256,7 @@ class Section(SectionGeometry, Mass):
         Parameters
         ----------
         rotation : float or array_like
-            Rotations in rad, positive down-slope, of shape (..., *shape of the section).
+            Rotations in rad, positive down-slope, with the shape of the section as last axes.
         """
         if self.level is None:
             return 0.0 * np.add(rotation, np.zeros(self.shape))

@@ -1,4 +1,4 @@
-"""Layered ground: soils, stretches of the arc, strips, cracks."""
+"""Layered ground: soils, stretches of the arc, strips and cracks."""
 
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, growth_at_rest
 from slipcircle.layers.cracks import crack_place

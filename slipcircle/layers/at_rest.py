@@ -1,4 +1,4 @@
-"""Friction at no speed and at the start, before any slip or after much."""
+"""Strength without velocity at time 0, before any slip or after much slip."""
 
 import math
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ from slipcircle.core.scene.friction import law_parts
 
 
 def friction_at_rest(friction: Any, slipped: bool = False) -> Any:
-    """Return the coefficient before any slip, or after much, at no speed and at the start; NaN where it is unknown."""
+    """Return the friction coefficient without velocity, before any slip or after much; NaN if it is unknown."""
     if isinstance(friction, Mapping) and "soils" in friction:  # with the mean of the whole arc
         friction = {**friction, "law": "constant"}
         del friction["soils"]
@@ -21,7 +21,7 @@ def friction_at_rest(friction: Any, slipped: bool = False) -> Any:
 
 
 def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
-    """Return the coefficient of one law; a table of slip begins with that before any slip and ends with the other."""
+    """Return the coefficient of one law. The first value of a table applies before any slip, the last after much."""
     if name == "callable" and slipped:
         return math.nan
     if name == "callable":
@@ -39,7 +39,7 @@ def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
 
 
 def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
-    """Return a cohesion before any slip, or after much; NaN where it is unknown."""
+    """Return a cohesion before any slip, or after much; NaN if it is unknown."""
     law = cohesion_law(cohesion)
     if law is not None:
         return _at_rest(*law, slipped)
@@ -47,7 +47,7 @@ def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
 
 
 def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
-    """Return the growth of a cohesion with depth, which its law multiplies, before any slip or after much."""
+    """Return the growth of a cohesion with depth, multiplied by its law, before any slip or after much."""
     if not slipped or not np.any(growth):
         return growth
     peak = cohesion_at_rest(cohesion)
@@ -59,7 +59,7 @@ def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
 
 
 def least_friction(friction: Any) -> float:
-    """The least coefficient of a law without a law of speed beside it, of any lane."""
+    """Return the least coefficient of a law, without its law of speed, over all lanes."""
     _, given = law_parts(friction)[0]
     names = {"coefficient", "peak", "residual"} & given.keys()
     least = [np.min(given[name]) for name in names]

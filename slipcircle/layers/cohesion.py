@@ -1,7 +1,7 @@
-"""Cohesion of the soils along an arc: what lasts, and what laws of slip multiply.
+"""Cohesion of the soils along an arc: constant parts, and parts multiplied by laws of slip.
 
-With c = r + (p - r) f(s) of each soil, and one law f of all, sum c l = sum r l + f(s) sum (p - r) l. The growth with
-depth is multiplied as the cohesion is. With laws of their own soils have a term each.
+If all soils share a law f, c = r + (p - r) f(s) and sum c l = sum r l + f(s) sum (p - r) l. The law also multiplies the
+growth with depth. Soils with separate laws have one term each.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.layers.soils import distinct, share_one_law
 
-Term = tuple[Law, Floats, Floats]  # a law, and the cohesion and the growth with depth that it multiplies
+Term = tuple[Law, Floats, Floats]  # law, and cohesion and growth with depth that it multiplies
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class SoilCohesion:
 
     @cached_property
     def growth(self) -> Floats:
-        """Its increase with depth."""
+        """Increase of the cohesion with depth."""
         values: Floats = self.section.of_soils("cohesion_gradient")
         return values
 
@@ -71,7 +71,7 @@ class SoilCohesion:
         return {OF_COHESION: (over_peak, self.peak - cohesion, self.growth - growth)}
 
     def _by_soil(self) -> dict[str, Term]:
-        """A term of each soil whose cohesion changes, of which the law is in Pa."""
+        """Return a term for each soil whose cohesion changes, where the law is in Pa."""
         soils = self.section.soils
         divisor = np.where(self.peak == 0.0, 1.0, self.peak)
         terms = dict[str, Term]()

@@ -1,7 +1,6 @@
-"""A dry tension crack: a slit in the ground, from which on downwards the arc is the slip surface.
+"""Dry tension crack: a slit in the ground, at whose bottom the slip surface begins.
 
-The mass above the lower side of the arc is what the slit leaves; the slit has no width, so that nothing else of the
-ground changes.
+The slit separates the mass on its down-slope side. It has no width, so that the ground does not change otherwise.
 """
 
 from collections.abc import Iterator
@@ -21,9 +20,9 @@ from slipcircle.layers.strips import arc_crossings, edge_below
 
 
 class CrackedSection(Section):
-    """A section whose slip surface begins at the bottom of a crack, where it has one."""
+    """Section whose slip surface begins at the bottom of a crack, if it has one."""
 
-    crack: Any  # its depth, m
+    crack: Any  # depth, m
 
     def __post_init__(self) -> None:
         if self._is_cracked:
@@ -38,14 +37,14 @@ class CrackedSection(Section):
 
     @cached_property
     def _uncracked(self) -> Any:
-        """The section of the whole circle."""
+        """Section of the complete circle."""
         whole: Any = replace_unchecked(self, {"crack": 0.0})
         vars(whole)["shape"] = self.shape
         return whole
 
     @cached_property
     def _lowered_ground(self) -> Floats:
-        """The ground from the centre, over R, lower by the depth of the crack, (lanes, V, 2)."""
+        """Ground relative to the centre, over R, lowered by the depth of the crack, (lanes, V, 2)."""
         ground, centre, radius = self._uncracked._circle
         depth = np.broadcast_to(self.crack, self.shape).reshape(-1)
         down = np.stack([np.zeros_like(depth), depth], axis=1)
@@ -55,9 +54,9 @@ class CrackedSection(Section):
 
     @cached_property
     def _crack_place(self) -> Floats:
-        """x of the crack, m, (lanes,): next to the upper end where the ground is the depth of the crack above the arc.
+        """Position of the crack along x, m, (lanes,), next to the upper end, where the mass is as thick as it is deep.
 
-        NaN where the mass is nowhere so thick.
+        NaN if the mass is thinner everywhere.
         """
         whole = self._uncracked
         _, centre, radius = whole._circle
@@ -77,7 +76,7 @@ class CrackedSection(Section):
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:
-        """Of a cracked mass the part on the lower side of the crack."""
+        """Candidates, which for a cracked mass lie on the lower side of the crack."""
         *columns, held = super()._candidates
         if not self._is_cracked:
             return *columns, held
@@ -90,7 +89,7 @@ class CrackedSection(Section):
         return *chosen, held
 
     def _crack_errors(self) -> Iterator[Fault]:
-        """Masses that are nowhere as thick as their crack is deep."""
+        """Yield the error of masses that are thinner everywhere than their crack is deep."""
 
         def sentence(k: int) -> str:
             depths = np.broadcast_to(self.crack, self.shape)
@@ -100,7 +99,7 @@ class CrackedSection(Section):
         yield np.isnan(self._crack_place), sentence
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Invalid sections, and sections that cannot move."""
+        """Yield the errors of invalid sections and of sections that cannot move."""
         if self._is_cracked:
             yield from self._uncracked.geometry_errors()
             yield from self._crack_errors()
@@ -108,7 +107,7 @@ class CrackedSection(Section):
 
     @cached_property
     def surface(self) -> Floats:
-        """The ground over the mass of one section, from its left to its right end, m; beside a crack its wall."""
+        """Ground above the mass of one section, from its left to its right end, m, including the wall of a crack."""
         if not self._is_cracked:
             return super().surface
         below = super().surface
@@ -120,9 +119,10 @@ class CrackedSection(Section):
 
 
 def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Floats) -> Floats:
-    """x over R from the centre, (n,), next to the upper end of arcs, where the ground lowered by a crack meets them.
+    """Return x over R, (n,), next to the upper end of arcs, where the ground lowered by a crack meets them.
 
-    Grounds are (n, V, 2), from the centre, over R, the ends of arcs at left and right; NaN where it does not.
+    Grounds are (n, V, 2), relative to the centre and over R, and the ends of arcs are at left and right. The result is
+    NaN without such a point.
     """
     x = arc_crossings(lowered_ground)
     first = left[:, None]
@@ -137,7 +137,7 @@ def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Flo
 
 
 def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
-    """Grounds (lanes, V + 3, 2) with a slit down to a height at an x of each lane."""
+    """Return grounds (lanes, V + 3, 2) with a slit down to a height at the x of each lane."""
     lines = each_lane(ground, len(x))
     across = x[:, None]
     heights, _ = edge_below(lines, across, across)

@@ -1,7 +1,7 @@
-"""Fragments of programs of single soils: those of `generated.flow` with the names of one soil.
+"""Fragments of programs for single soils: fragments of `generated.flow` with the names of one soil.
 
-Each soil with a friction law of its own has an instance of the law and of the effect ``soil_friction``; its number,
-``#0``, marks the names that are not shared.
+Each soil with a separate friction law has an instance of the law and of the effect ``soil_friction``. Its number,
+``#0``, marks names that are not shared.
 """
 
 from typing import Any
@@ -16,7 +16,7 @@ _OF_ONE_SOIL = {p.symbol for effect in _EFFECTS for p in effect.parameters if p.
 
 
 def fragments_of(name: str, turns: bool) -> list[Fragment]:
-    """The fragments of a soil's law, ``linear#0``, or effect, ``soil_friction#0``; with its weight, which may turn."""
+    """Return the fragments of a soil's law, ``linear#0``, or of its effect, ``soil_friction#0``, with its weight."""
     shared_name, number = without_soil(name), soil_number(name)
     own = _numbered(shared_name, number)
     if shared_name not in ALL_EFFECTS:  # a law, of which the effect takes the coefficient
@@ -29,7 +29,7 @@ def fragments_of(name: str, turns: bool) -> list[Fragment]:
 
 
 def _numbered(shared_name: str, number: str) -> Fragment:
-    """A fragment with the names of one soil: ``dsoil_mu#0``."""
+    """Return a fragment with the names of one soil: ``dsoil_mu#0``."""
     fragment = FRAGMENTS[shared_name]
     tables = {table for table, *_ in fragment.tables}
     numbered = tables | _results(fragment)
@@ -57,7 +57,7 @@ def _numbered(shared_name: str, number: str) -> Fragment:
 
 
 def _results(fragment: Fragment) -> set[str]:
-    """Names of the cells and registers that a fragment computes; a table of time provides its argument."""
+    """Return the names of the cells and registers that a fragment computes. A table of time supplies its argument."""
     results = {operation[1] for operation in fragment.scalar}
     for kind, *names in fragment.series:
         count = RESULTS.get(str(kind), 1)

@@ -1,4 +1,4 @@
-"""The strength of a layered section as piecewise polynomials of the rotation, all with the same pieces."""
+"""Strength of a layered section as piecewise polynomials of the rotation, all with the same pieces."""
 
 from collections.abc import Mapping
 from itertools import islice
@@ -12,9 +12,9 @@ from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
 from slipcircle.tables.interpolation import between_kinks, continuous
 
-_SAMPLE = 256  # lanes whose reach is estimated
-_SHARES = np.linspace(0.0, 1.0, 41)  # of the rotation to upright, at which the energy is estimated
-_MARGIN = 1.2  # on the estimated reach
+_SAMPLE = 256  # number of lanes for which the reach is estimated
+_SHARES = np.linspace(0.0, 1.0, 41)  # rotations over the rotation to upright, at which the energy is estimated
+_MARGIN = 1.2  # factor of the estimated reach
 
 
 class RotationTables(NamedTuple):
@@ -24,15 +24,15 @@ class RotationTables(NamedTuple):
     ----------
     section : LayeredSection
     terms : mapping
-        Terms of the balance that belong to the soils, by the names of its parameters.
+        Terms of the soils in the balance, by the names of its parameters.
     functions : mapping
-        Those that are functions of the rotation, by the names of the program's tables.
+        Functions of the rotation among the terms, by the names of the program's tables.
     tolerance : float
         First neglected coefficient of a piece over the greatest one.
     upslope : bool
-        Whether the mass may move up-slope beyond where it began.
+        Whether the mass may move above its initial position.
     shape : tuple of int
-        Of the scene's lanes.
+        Shape of the scene's lanes.
     """
 
     section: Any
@@ -43,7 +43,7 @@ class RotationTables(NamedTuple):
     shape: tuple[int, ...]
 
     def laid_out(self, reach: float = np.inf) -> Tables:
-        """Tables up to a rotation, or until contact is lost; beyond, they are constants."""
+        """Return tables up to a rotation, or up to loss of contact. Beyond, the functions are constant."""
         lanes = max(_lanes(function) for function in self.functions.values())
         contact_lost = upright(self.section)
         if self.share_geometry:
@@ -57,7 +57,7 @@ class RotationTables(NamedTuple):
         return of_lanes
 
     def reach_farther(self, data: dict[str, Data], rotation: Floats, lane: Any) -> bool:
-        """Lay tables out to their full range if a lane exceeds them; whether one does."""
+        """Extend tables to their full range if a lane exceeds them, and return whether one does."""
         if not any(_is_exceeded(data[name], rotation, lane) for name in self.functions):
             return False
         data.update(self.laid_out())
@@ -65,25 +65,25 @@ class RotationTables(NamedTuple):
 
     @property
     def share_geometry(self) -> bool:
-        """Whether all lanes have one circle."""
+        """Whether all lanes share one circle."""
         return self.circles == 1
 
     @property
     def circles(self) -> int:
-        """How many circles the lanes have."""
+        """Number of circles of the lanes."""
         kinks = self.section.arc_strength.rotation_kinks
         return kinks.shape[1]
 
     @property
     def names(self) -> list[str]:
-        """The parts of the geometry that the functions are sums of."""
+        """Names of the geometric parts whose sums are the functions."""
         names = dict[str, None]()
         for function in self.functions.values():
             names |= dict.fromkeys(function.coefficients)
         return list(names)
 
     def _between(self, first: Floats, last: Floats) -> dict[str, Data]:
-        """Tables between rotations; of lanes that share one geometry from the tables of its parts."""
+        """Return tables between rotations, for lanes with one geometry from tables of its parts."""
         strength = self.section.arc_strength
         functions = self.functions
         names = self.names
@@ -106,7 +106,7 @@ class RotationTables(NamedTuple):
                 of_part = islice(remaining, len(at_first[name]))
                 parts[name] = np.stack([*of_part])
             rows = [function.combined(parts) for function in functions.values()]
-            if all(row.shape[-1] == 1 for row in rows):  # of a single lane
+            if all(row.shape[-1] == 1 for row in rows):  # a single lane
                 rows = [row[..., 0] for row in rows]
         tables = {}
         for name, row in zip(functions, rows, strict=True):
@@ -115,9 +115,10 @@ class RotationTables(NamedTuple):
         return tables
 
     def likely_reach(self, friction: Parameters) -> float:
-        """Estimated rotation of lanes that start from rest: the work of gravity is dissipated by the least strength.
+        """Return the estimated rotation of lanes from rest, at which the least strength dissipates the work of gravity.
 
-        From a sample of many lanes, with a margin; lanes that move farther are integrated again with complete tables.
+        The estimate uses a sample of the lanes and a margin. Lanes that move farther are integrated again with complete
+        tables.
         """
         if self.upslope or "rate" in friction or "soils" in friction:
             return np.inf
@@ -135,7 +136,7 @@ class RotationTables(NamedTuple):
         return np.inf
 
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
-        """Driving moment less the least strength, over Theta*, of a sample of lanes at rotations, (M, lanes)."""
+        """Return driving moment minus least strength, over Theta*, for a sample of lanes at rotations, (M, lanes)."""
         moments = self.section.moment_coefficients
         mean_peak = self.section.arc_strength.mean_peak
         count = max(np.size(moments.normal_load), np.size(mean_peak))
@@ -165,7 +166,7 @@ class RotationTables(NamedTuple):
         return net_moment
 
     def _terms_of_sample(self, rotation: Floats, step: int) -> dict[str, Floats]:
-        """The terms of every so many lanes at rotations, (M, lanes) or (lanes,)."""
+        """Return the terms of every ``step``-th lane at rotations, (M, lanes) or (lanes,)."""
         strength = self.section.arc_strength
         of_circles = np.broadcast_to(rotation, (len(rotation), self.circles))
         every_part = strength.parts(of_circles, self.names)
@@ -183,12 +184,12 @@ class RotationTables(NamedTuple):
 
 
 def _lanes(function: OfRotation) -> int:
-    """Number of lanes in which a function differs."""
+    """Return the number of lanes in which a function differs."""
     return max(values.shape[1] for values in function.coefficients.values())
 
 
 def _is_exceeded(table: Data, places: Floats, lane: Any) -> bool:
-    """Whether a place lies beyond the table of its lane."""
+    """Return whether a place lies beyond the table of its lane."""
     last = table.breaks[-1]
     if table.breaks.ndim == 2:  # each lane has other breaks
         last = last[lane]

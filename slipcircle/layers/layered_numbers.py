@@ -1,7 +1,7 @@
-"""The numbers of a layered section that vary, by name: of soils, tops of layers, surcharges, crack and factor of speed.
+"""Numbers of a layered section that may vary, by name: soils, tops of layers, surcharges, crack and law of speed.
 
-Names are ``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ...; ``layers.2.top``, of a line the height of its
-first point; ``surcharge.1.pressure``, the greater one of both ends; ``crack``; ``rate.peak``, ...
+Names are ``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ..., ``layers.2.top`` (for a line the height of its
+first point), ``surcharge.1.pressure`` (the greater pressure of both ends), ``crack`` and ``rate.peak``, ...
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -17,11 +17,11 @@ from slipcircle.core.scene.effects import Law
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
 
-Load = tuple[float, float, Any, Any]  # a surcharge: x1, x2, and the pressures there
+Load = tuple[float, float, Any, Any]  # surcharge: x1, x2, and the pressures at these ends
 
 
 class LayeredNumbers:
-    """Numbers of a section with layers beside those of ground, circle and water, and its fields with other values."""
+    """Mixin for the numbers of layers in a section, and for fields with other values of them."""
 
     layers: Sequence[tuple[Soil, Any]]
     foreland: Soil | None
@@ -31,19 +31,19 @@ class LayeredNumbers:
 
     @cached_property
     def soils(self) -> tuple[Soil, ...]:
-        """The soils of the layers, and that of the foreland."""
+        """Soils of the layers and of the foreland."""
         of_layers = tuple(soil for soil, _ in self.layers)
         if self.foreland is None:
             return of_layers
         return (*of_layers, self.foreland)
 
     def cohesion_laws(self: Any, cohesion: Values) -> tuple[Law, ...]:
-        """The laws by which the cohesion of its soils changes with slip."""
+        """Return the laws by which the cohesion of the soils changes with slip."""
         laws: tuple[Law, ...] = self.arc_strength.cohesion_laws
         return laws
 
     def other_numbers(self) -> dict[str, Any]:
-        """Numbers by name."""
+        """Return the numbers of layers by name."""
         numbers: dict[str, Any] = {}
         for soil in self.soils:
             numbers |= _numbers_of_soil(soil)
@@ -59,7 +59,7 @@ class LayeredNumbers:
         return numbers
 
     def numbers_without_effect(self: Any) -> list[str]:
-        """Return lengths that the first soil's stands for, and growths of cohesion that are 0."""
+        """Return lengths determined by the first soil's length, and growths of cohesion that are 0."""
         left_out: list[str] = []
         for strength in ("friction", "cohesion"):
             if share_one_law(self.soils, strength):
@@ -71,7 +71,7 @@ class LayeredNumbers:
         return left_out
 
     def fields_with(self, values: Values) -> dict[str, Any]:
-        """The fields that these numbers are of, with other values."""
+        """Return the fields that contain these numbers, with other values."""
         known = self.other_numbers()
         names = [name for name in values if values[name] is not known[name]]
         changed = {name: values[name] for name in names}
@@ -103,14 +103,14 @@ class LayeredNumbers:
         }
 
     def with_lanes(self, of_lanes: Callable[..., Any]) -> Any:
-        """The same with some lanes of both pressures of surcharges, and of lines below the ground."""
+        """Return the section with selected lanes of surcharges and of lines below the ground."""
         loads = [(first, last, of_lanes(left), of_lanes(right)) for first, last, left, right in self.surcharge]
         layers = [(soil, of_lanes(top, 2) if np.ndim(top) > 2 else top) for soil, top in self.layers]
         return replace_unchecked(self, {"surcharge": loads, "layers": layers})
 
 
 def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
-    """The numbers of a soil by name."""
+    """Return the numbers of a soil by name."""
     start = f"soils.{soil.name}"
     numbers = dict[str, Any]()
     for name in SOIL_NUMBERS:
@@ -126,7 +126,7 @@ def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
 
 
 def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = LAWS) -> dict[str, Any]:
-    """The numbers of a law by name; a table has none."""
+    """Return the numbers of a law by name. A table has none."""
     numbers = {}
     for parameter in laws[law["law"]].parameters:
         if parameter.kind != "list":
@@ -135,7 +135,7 @@ def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = 
 
 
 def _height(top: Any) -> Any:
-    """The height of the top of a layer, of a line that of its first point."""
+    """Return the height of the top of a layer, for a line the height of its first point."""
     if np.ndim(top) < 2:
         return top
     heights = np.asarray(top)[..., 1]
@@ -143,7 +143,7 @@ def _height(top: Any) -> Any:
 
 
 def _share_length(end: str, changed: dict[str, Any], known: Values) -> None:
-    """Give the slip length of one soil to all, as a law that they share has one."""
+    """Set the slip lengths of all soils to one length, since they share a law."""
     lengths = [name for name in known if name.endswith(end)]
     given = [changed[name] for name in changed if name in lengths]
     if given:
@@ -152,7 +152,7 @@ def _share_length(end: str, changed: dict[str, Any], known: Values) -> None:
 
 
 def _within(start: str, values: Values) -> dict[str, Any]:
-    """The values whose names begin so, by the rest of their names."""
+    """Return the values whose names have a prefix, by the rest of their names."""
     within = {}
     for name, value in values.items():
         if name.startswith(start):
@@ -161,7 +161,7 @@ def _within(start: str, values: Values) -> dict[str, Any]:
 
 
 def _soil_with(soil: Soil, values: Values) -> Soil:
-    """A soil with other values of its numbers, by their names in the section."""
+    """Return a soil with other values of its numbers, by their names in the section."""
     changed = _within(f"soils.{soil.name}.", values)
     for strength in ("friction", "cohesion"):
         law = _within(f"{strength}.", changed)
@@ -173,7 +173,7 @@ def _soil_with(soil: Soil, values: Values) -> Soil:
 
 
 def _scaled(load: Load, greatest: Any) -> Load:
-    """A surcharge with another pressure at the end where it is greater; that at the other end is in proportion."""
+    """Return a surcharge with another pressure at its greater end, and proportional pressure at the other end."""
     first, last, left, right = load
     known = np.maximum(left, right)
     is_none = known == 0.0
@@ -186,7 +186,7 @@ def _scaled(load: Load, greatest: Any) -> Load:
 
 
 def _moved(top: Any, height: Any) -> Any:
-    """The top of a layer at another height; a line moves as a whole, and its first point has that height."""
+    """Return the top of a layer at another height. A line moves as a whole, so that its first point has this height."""
     if np.ndim(top) < 2:
         return height
     line = np.asarray(top)

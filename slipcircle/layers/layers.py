@@ -1,9 +1,9 @@
-"""Layered ground: the section of a real slope whose mass and whose arc several soils make up.
+"""Layered ground: section of a real slope whose mass and slip surface consist of several soils.
 
-*Weights* add exactly, surface by surface (`slipcircle.layers.strips`). *Resistance* with several frictions needs a
-closure, as the balance (2.1) knows the mean normal stress alone: each stretch of the arc carries the weights of (2.23)
-of the material straight above it. Their sums over the arc are J_r, its slope and I_p exactly, so that with one
-friction this is the paper's method; `slipcircle.layers.strength` has it.
+*Weights* add exactly, surface by surface (`slipcircle.layers.strips`). *Resistance* with several friction coefficients
+needs a closure, since the balance (2.1) determines the mean normal stress alone: each stretch of the arc carries the
+weights of (2.23) of the material vertically above it. Their sums over the arc equal J_r, its slope and I_p, so that the
+method is the paper's for a single friction coefficient. `slipcircle.layers.strength` implements the closure.
 """
 
 from __future__ import annotations  # so that a signature says ArrayLike
@@ -39,36 +39,34 @@ from slipcircle.layers.strips import Strips, cut_into_strips
 
 @dataclass(frozen=True, eq=False)
 class LayeredSection(LayeredNumbers, CrackedSection):
-    """A slip circle through layered ground, with the mass between ground and arc.
+    """Mass between layered ground and a circular slip surface.
 
     Parameters
     ----------
     layers : sequence of pairs
-        From the ground down, each a `Soil` and its top: None for the first, whose top is the ground; otherwise a height
-        in m or points from left to right, (V, 2), continued horizontally. A boundary is cut off where it rises above
-        the one before.
+        Layers from the ground down, each a `Soil` and its top. The top is None for the first layer, which begins at the
+        ground, and otherwise a height in m or points from left to right, (V, 2), continued horizontally. A boundary is
+        cut off where it rises above the preceding boundary.
     strength : str
-        "base": the strength belongs to the soils below the arc, over which the mass moves, and that at the exit
-        continues beyond it; "mass": the sheared sole moves with the mass.
+        "base": the strength belongs to the soils below the arc, over which the mass moves, and the soil at the exit
+        continues beyond it. "mass": the strength moves with the mass.
     foreland : Soil, optional
-        Soil along the arc beyond the exit, in place of the soil at the exit; its cohesion varies with depth by its own
-        rule.
+        Soil along the arc beyond the exit, instead of the soil at the exit, with a separate growth of cohesion.
     surcharge : sequence of (x1, x2, q1, q2)
-        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2, m; q1 and q2
-        may be arrays.
+        Pressures on the ground that move with the mass and are shaken with it, Pa, linear from x1 to x2 in m. The
+        pressures q1 and q2 may be arrays.
     rate : mapping, optional
-        A law of speed by which the friction of all soils is multiplied, ``{"law": "rate_weakening", "peak": 1.0,
-        "residual": 0.6, "velocity": 0.1}``; a factor of 1 leaves it unchanged.
+        Law of speed that multiplies the friction of all soils, such as ``{"law": "rate_weakening", "peak": 1.0,
+        "residual": 0.6, "velocity": 0.1}``.
     crack : float or array_like
-        Depth of a dry tension crack, m: the slip surface begins at its bottom, where the ground is so high above the
-        arc.
+        Depth of a dry tension crack, m. The slip surface begins at its bottom, where the mass is as thick.
 
     Notes
     -----
-    The other parameters are those of `Section`, without ``unit_weight``, which the soils have.
+    The other parameters are described in `Section`. The soils have the unit weights.
     """
 
-    unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # the soils have theirs
+    unit_weight: ArrayLike = field(default=1.0, init=False, repr=False)  # see soils
     layers: Layers = ()
     strength: str = "base"
     foreland: Soil | None = None
@@ -83,12 +81,12 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         freeze(self, own)
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:
-            for soil, _ in self.layers:  # whose numbers may have been replaced
+            for soil, _ in self.layers:  # their numbers may have been replaced
                 errors += [f"soils.{soil.name}.{mistake}" for mistake in soil_mistakes(soil)]
         if self.rate is not None:
             errors += rate_mistakes(self.rate)
         raise_all("LayeredSection", errors)
-        least = 0.0 if array_of(self.crack).ndim else -5e-324  # of arrays none is without a crack
+        least = 0.0 if array_of(self.crack).ndim else -5e-324  # all lanes of an array have a crack
         depth = (least, FAR, "a depth of at least 0 in m, in an array above 0")
         raise_all("LayeredSection", mistakes({"crack": self.crack}, {"crack": depth}))
         super().__post_init__()
@@ -96,14 +94,14 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @property
     def _overhang(self) -> Fault:
-        """Arcs that reach above the centre of their circle."""
+        """Error of arcs that extend above the centre of their circle."""
         first, last = self._angles
         steepest = np.maximum(-first, last)
         above = "radius, centre: the arc reaches above the centre's height, where no soil lies straight above it"
         return steepest > np.pi / 2, lambda k: above
 
     def geometry_errors(self) -> Iterator[Fault]:
-        """Invalid sections, and sections that cannot move."""
+        """Yield the errors of invalid sections and of sections that cannot move."""
         yield from super().geometry_errors()
         yield self._overhang
 
@@ -121,12 +119,12 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @property
     def tops(self) -> list[Any]:
-        """Of the layers but the first, whose top is the ground."""
+        """Tops of the layers below the first, whose top is the ground."""
         return [top for _, top in self.layers[1:]]
 
     @cached_property
     def shape(self) -> tuple[int, ...]:
-        """Of results that depend on the geometry alone: of one circle for all lanes, or of each lane's own."""
+        """Shape of results that depend on the geometry alone, for one circle of all lanes or one per lane."""
         shapes = [super().shape, np.shape(self.crack)]
         for top in self.tops:
             shape = np.shape(top)
@@ -139,12 +137,12 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def lanes_shape(self) -> tuple[int, ...]:
-        """The broadcast shape of the geometry and of all numbers of soils."""
+        """Broadcast shape of the geometry and of all numbers of soils."""
         return np.broadcast_shapes(self.shape, self._shape_of_numbers)
 
     @property
     def _shape_of_numbers(self) -> tuple[int, ...]:
-        """The broadcast shape of all numbers of soils and surcharges."""
+        """Broadcast shape of all numbers of soils and surcharges."""
         numbers = []
         for soil in self.soils:
             numbers += [getattr(soil, name) for name in LANE_NUMBERS]
@@ -167,7 +165,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def depths(self) -> list[Depths | None]:
-        """Depths of the arc below the datums of the soils; None where the cohesion does not grow."""
+        """Depths of the arc below the datums of the soils, None where the cohesion does not grow."""
         raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
         depths: list[Depths | None] = []
         for soil, datum in zip(self.soils, self.datums, strict=True):
@@ -176,18 +174,18 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return depths
 
     def of_soils(self, name: str) -> Floats:
-        """A number of each soil, (soils, lanes)."""
+        """Return a number of each soil, (soils, lanes)."""
         numbers = [getattr(soil, name) for soil in self.soils]
         return self._by_lane(numbers)
 
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
-        """Numbers or arrays of them, (numbers, lanes)."""
+        """Return numbers or arrays as rows, (numbers, lanes)."""
         of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
         rows: Floats = np.add(of_lanes, 0.0)
         return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:
-        """Values by lane in the shape of the results, of geometry or of all."""
+        """Return values by lane in the shape of the geometry or of all results."""
         values = np.asarray(values)
         circles = int(np.prod(self.shape))
         of_geometry = len(values) == circles
@@ -200,7 +198,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _lines_over_radius(self) -> list[Floats]:
-        """Ground, tops of the layers and water level from the centre, over R, (circles or 1, V, 2)."""
+        """Ground, tops of the layers and water level relative to the centre, over R, (circles or 1, V, 2)."""
         ground, centre, radius = self._circle
         lines = [ground, *map(self._top_line, self.tops)]
         if self.level is not None:
@@ -218,7 +216,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _strips(self) -> Strips:
-        """The mass in strips; its surfaces are the tops of layers, and the wet parts of layers."""
+        """Mass divided into strips, whose surfaces are the tops of layers and the wet parts of layers."""
         count = len(self.layers)
         surfaces = [tuple(range(k + 1)) for k in range(count)]
         if self._saturated:
@@ -242,14 +240,14 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return profile_of(self._strips, *self._columns)
 
     def heads_between(self, low: Floats, high: Floats) -> Floats:
-        """Integrals of the head of the water level over arcs in space, (..., circles)."""
+        """Return integrals of the head of the water level over arcs in space, (..., circles)."""
         return self._water.integral(low, high)
 
     # --- weights -----------------------------------------------------------------------------------------------------
 
     @cached_property
     def weight_steps(self) -> Floats:
-        """Steps of the unit weight below each surface, and pressures of surcharges over R, N/m^3, (surfaces, lanes)."""
+        """Steps of the unit weight below each surface, and surcharges over R, N/m^3, (surfaces, lanes)."""
         count = len(self.layers)
         weight = self.of_soils("unit_weight")[:count]
         steps = [np.diff(weight, axis=0, prepend=0.0)]
@@ -271,9 +269,10 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _moments_of_weight(self) -> Floats:
-        """Integrals of `circles.MEASURES` over the mass with its unit weight, sums over surfaces, N/m^3, (7, lanes).
+        """Integrals of `circles.MEASURES` times the unit weight over the mass, N/m^3, (7, lanes).
 
-        The ground's own are those of a homogeneous mass, so that one soil in many layers gives the numbers of one.
+        The first surface uses the integrals of a homogeneous mass, so that one soil in many layers equals a single
+        layer.
         """
         whole = self.profile.whole[MEASURED]
         whole[:, 0] = list(self._moments.values())
@@ -282,7 +281,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _weights_per_area(self) -> Floats:
-        """The mean unit weight, N/m^3, (lanes,)."""
+        """Mean unit weight, N/m^3, (lanes,)."""
         of_area, *_ = self._moments_of_weight
         return of_area / self._moments["area"]
 
@@ -293,7 +292,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def mean_unit_weight(self) -> Any:
-        """The weight of the mass over its area, N/m^3."""
+        """Weight of the mass over its area, N/m^3."""
         return self._shaped(self._weights_per_area)
 
     # --- strength ----------------------------------------------------------------------------------------------------
@@ -305,11 +304,11 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @property
     def friction(self) -> MeanFriction:
-        """Friction of the arc as a whole, as a `Scene` takes it."""
+        """Friction of the arc as a whole, for a `Scene`."""
         return self.arc_strength.friction
 
     def mistakes(self, friction: Any, effects: Effects) -> list[str]:
-        """Also what a scene says that its soils say."""
+        """Return messages, including about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
         found = super().mistakes(friction, effects)
         found += [f"effects.{name}: {of_soils}" for name in self.own_effects if name in effects]
@@ -318,7 +317,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return found
 
     def effects_with_own(self, effects: Effects) -> Effects:
-        """With the strengths of the soils; what omega^2 does to them only where the centripetal stress counts."""
+        """Return effects with the strengths of the soils. Inertia terms require the centripetal effect."""
         strength = self.arc_strength
         needs = Needs("rotation" in effects, "shaking" in effects)
         terms = {"layered_strength": strength.terms(needs)}
@@ -331,7 +330,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return {**effects, **terms}
 
     def effects_of_means(self, effects: Effects) -> Effects:
-        """The same effects, but of its soils only the mean of their pore pressures."""
+        """Return the effects with only the mean of the pore pressures of the soils."""
         needs = Needs("rotation" in effects)
         shared = {name: effects[name] for name in effects if not name.startswith(("soil_", "softening_"))}
         return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}
@@ -339,7 +338,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def tables(
         self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
     ) -> tuple[Tables, Farther | None]:
-        """The functions of the rotation that belong to its soils, as far as the mass is likely to move."""
+        """Return the functions of the rotation of the soils, as far as the mass is likely to move."""
         functions = {}
         for effect, terms in effects.items():
             for name, term in terms.items():
@@ -351,25 +350,25 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return tables.laid_out(tables.likely_reach(friction)), tables.reach_farther
 
     def takes_geometry(self, other: Section) -> bool:
-        """Whether nothing differs from another section but numbers of soils."""
+        """Return whether another section differs in numbers of soils only."""
         if not isinstance(other, LayeredSection):
             return False
         return super().takes_geometry(other) and _same_cut(self, other)
 
     def take_geometry(self, other: Section) -> None:
-        """What another section has computed of a geometry that is the same."""
+        """Copy the computed properties of another section with the same geometry."""
         super().take_geometry(other)
         if isinstance(other, LayeredSection) and "arc_strength" in vars(other):
             copy_computed(other.arc_strength, self.arc_strength, OF_GEOMETRY)
 
 
 def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
-    """Whether two sections have the same boundaries, crack, places of surcharges, and heights where cohesion grows."""
+    """Return whether two sections have the same boundaries, crack, surcharges, and datums of growing cohesion."""
     if _cut_of(one) != _cut_of(other) or one.crack is not other.crack:
         return False
     same_tops = all(map(operator.is_, one.tops, other.tops))
     if np.prod(one.shape) > 1 and not np.array_equal(one.weight_steps, other.weight_steps):
-        return False  # which the profiles of many circles are of
+        return False  # profiles of many circles depend on them
     return same_tops and _growing_below(one) == _growing_below(other)
 
 
@@ -383,7 +382,7 @@ def _growing_below(section: LayeredSection) -> list[tuple[Any, bool]]:
 
 
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:
-    """What of a section's cut can be compared by value: counts, switches and places of surcharges."""
+    """Return the properties of a section's cut that can be compared by value: counts, switches and surcharges."""
     places = [load[:2] for load in section.surcharge]
     counts = len(section.layers), len(section.soils)
     return counts, section.strength, section._saturated, places

@@ -1,14 +1,14 @@
-"""What a mass weighs on its arc, direction by direction: integrals along the arc of the material straight above it.
+"""Weight of a mass on its arc as a function of direction: integrals along the arc of the material vertically above it.
 
-The strip above a direction beta of the arc presses with A(beta) cos(phi) - B(beta) sin(phi) + P(beta) omega^2 once it
-has turned by phi (`derive.algebra.slopes` proves it). With y its top over R from the centre, x = sin(beta),
-c = cos(beta), rho^2 = x^2 + y^2, and dx = c dbeta, the integrals over y from the arc at -c to the top are
+After a rotation phi the strip above a direction beta of the arc has the normal force A(beta) cos(phi) - B(beta)
+sin(phi) + P(beta) omega^2 (proved in `derive.algebra.slopes`). Let y be its top over R relative to the centre, x =
+sin(beta), c = cos(beta), rho^2 = x^2 + y^2, and dx = c dbeta. The integrals over y from the arc at -c to the top are
 
     of 1, rho, rho^2, x/rho, y/rho, x, y:  h,  (y rho + c + x^2 L)/2,  x^2 h + (y^3 + c^3)/3,  x L,  rho - 1,  x h,
     (y^2 - c^2)/2,  where h = y + c and L = ln((1 + c)/(rho - y)).
 
-Written with h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. They are smooth between the edges of strips;
-there they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
+In terms of h and 1 - rho^2 = h (2 c - h) nothing cancels in thin masses. The integrands are smooth between the edges of
+strips, where they are integrated as Chebyshev series, in pieces that are halved until the series have converged.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -24,18 +24,18 @@ from slipcircle.layers.strips import Strips
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
 MEASURED = [AREA, POLAR, INERTIA, RADIAL_X, RADIAL_Y, MOMENT_X, MOMENT_Y]  # in the order of `circles.MEASURES`
 _INTEGRALS = len(MEASURED) + 1
-PRESSING = 4  # the first of them, which strength takes
-_COUNT = 14  # of the coefficients of a piece
+PRESSING = 4  # number of the first integrals, which strength uses
+_COUNT = 14  # coefficients of a piece
 _MIDDLES = np.arange(_COUNT) + 0.5
 _NODES = np.cos(np.pi * _MIDDLES / _COUNT)
-_FROM_FIRST = 1.0 + _NODES[:, None, None]  # over half the width of a piece
+_FROM_FIRST = 1.0 + _NODES[:, None, None]  # distance from the left end over half the width of a piece
 _ACCURACY = 1e-15
 _SHORTEST = 1e-4  # width of a piece, rad
-_CIRCLES = 100  # of a part
+_CIRCLES = 100  # circles of a part
 _AT_NODES = chebyshev.chebvander(_NODES, _COUNT - 1)  # values of the polynomials
 _TO_CHEBYSHEV = np.linalg.inv(_AT_NODES)
 _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from the left end of a piece
-# From values at the nodes to the coefficients of the integral, then to their own first two and last two.
+# From values at the nodes to the coefficients of the integral, followed by their own first two and last two.
 _DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
@@ -45,9 +45,9 @@ class Part(NamedTuple):
     Attributes
     ----------
     edges : ndarray
-        Directions at which pieces begin, and the right end, (pieces + 1, circles).
+        Directions of the left ends of pieces, and of the right end, (pieces + 1, circles).
     before : ndarray
-        The integrals up to there, (pieces + 1, circles, columns, integrals).
+        Integrals up to the edges, (pieces + 1, circles, columns, integrals).
     series : ndarray
         Chebyshev coefficients of the integral within each piece, (pieces, circles, columns, integrals, terms).
     """
@@ -57,7 +57,7 @@ class Part(NamedTuple):
     series: Floats
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (M, circles, columns, integrals)."""
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
@@ -80,7 +80,7 @@ class Part(NamedTuple):
         return up_to.reshape(*beta.shape, columns, integrals)
 
     def combined(self, weights: Floats) -> "Part":
-        """What presses, of one column that stands for all: their sum with weights, (columns, circles)."""
+        """Return the load in a single column, the sum of all columns with weights, (columns, circles)."""
         before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
         series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
         return Part(self.edges, before[:, :, None], series[:, :, None])
@@ -92,16 +92,16 @@ class Profile(NamedTuple):
     Attributes
     ----------
     whole : ndarray
-        From end to end, (integrals, columns, circles).
+        Integrals from end to end, (integrals, columns, circles).
     parts : sequence
-        From the left end to any direction, of some circles each: as many as stay in the processor's cache.
+        Integrals from the left end to any direction, each for as many circles as fit into the cache.
     """
 
     whole: Floats
     parts: Sequence[Part]
 
     def up_to(self, beta: Floats) -> Floats:
-        """The integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
+        """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
         _, _, columns, integrals, _ = self.parts[0].series.shape
         every = np.empty((integrals, columns, *beta.shape))
         first = 0
@@ -114,19 +114,20 @@ class Profile(NamedTuple):
 
     @property
     def to_ends(self) -> Floats:
-        """The integrals of the parts over whole arcs, (integrals, columns, circles)."""
+        """Integrals of the parts over whole arcs, (integrals, columns, circles)."""
         ends = np.concatenate([part.before[-1] for part in self.parts])
         return ends.T
 
 
-_Piece = tuple[Floats, Floats, Floats]  # a part of the arcs: its ends, (circles,), and the series of its integrals
+_Piece = tuple[Floats, Floats, Floats]  # ends of a piece, (circles,), and the series of its integrals
 
 
 def columns_of(steps: Floats, circles: int) -> tuple[Floats, Floats]:
-    """What columns of a profile sum, (columns, surfaces, circles), and what they weigh, (columns, lanes).
+    """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
 
-    With steps of the unit weight below surfaces, (surfaces, lanes). Of one circle each column is a surface; of many,
-    the first is the ground, and the second, if they weigh anything, all others.
+    ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). For one circle each column is a
+    surface. For many circles the first column is the ground, and the second all other surfaces, if they have any
+    weight.
     """
     alone = np.eye(len(steps))[..., None]
     if circles == 1:
@@ -141,10 +142,12 @@ def columns_of(steps: Floats, circles: int) -> tuple[Floats, Floats]:
 
 
 def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
-    """The integrals along the arcs of masses in strips, with weights below surfaces, (columns, surfaces, circles).
+    """Return the integrals along the arcs of masses in strips.
 
-    Surcharges are two further surfaces each: a pressure that falls from 1 to 0, and one that rises from 0 to 1, over R.
-    Parts of many circles are of what presses, their columns combined with the steps of the unit weight.
+    The weights below surfaces have the shape (columns, surfaces, circles).
+
+    Each surcharge adds two surfaces: a pressure that falls from 1 to 0, and a pressure that rises from 0 to 1, over R.
+    For many circles the columns are combined with the steps of the unit weight.
     """
     edges = strips.beta.T
     circles = np.arange(edges.shape[1])
@@ -163,7 +166,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
 
 
 def _part_of(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> Part:
-    """The integrals of all columns along the arcs of some circles with these edges of strips."""
+    """Return the integrals of all columns along the arcs of some circles with the given edges of strips."""
     converged = _converged(strips, weights, circle, edges)
     pieces = sorted(converged, key=_order)
     firsts, lasts, by_piece = zip(*pieces, strict=True)
@@ -178,14 +181,14 @@ def _part_of(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -
 
 
 def _order(piece: _Piece) -> float:
-    """By what pieces are put from left to right: twice the directions of their middles, of all circles."""
+    """Return a sort key of pieces from left to right: twice the directions of their middles, summed over circles."""
     first, last, _ = piece
     ends = first + last
     return float(ends.sum())
 
 
 def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
-    """Pieces in which the series have converged: strips, or parts of them."""
+    """Return pieces in which the series have converged: strips, or parts of them."""
     first = edges[:-1]
     last = edges[1:]
     strip = np.arange(len(first))
@@ -211,9 +214,9 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
 
 
 def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
-    """Series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
+    """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
-    The greatest is one of the first two; a tail is the last two terms.
+    The head is the greater of the first two coefficients, the tail the greater of the last two.
     """
     *axes, pieces, circles = values.shape
     flat = values.reshape(*axes, pieces * circles)
@@ -231,7 +234,7 @@ def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
 def _integrands(
     strips: Strips, weights: Floats, strip: Integers, circle: Integers, first: Floats, last: Floats
 ) -> Floats:
-    """What is integrated at nodes, times half the widths of pieces, (integrals, columns, nodes, pieces, circles)."""
+    """Return the integrands at nodes times half the widths of pieces, (integrals, columns, nodes, pieces, circles)."""
     half = (last - first) / 2
     beta = first + half * _FROM_FIRST
     x = np.sin(beta)
@@ -243,7 +246,7 @@ def _integrands(
     slope = strips.slope[:, circle, strip]
     above = strips.above[:, circle, strip]
     weight = weights[:, :, None, circle] * above
-    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # of each surface
+    columns = np.moveaxis(weight, 1, 0)[:, :, None]  # weights of each surface
     total = np.zeros((_INTEGRALS, len(weight), *beta.shape))
     of_heights = weight[:, : len(slope)]
     counts = of_heights.any(axis=(0, 2, 3))
@@ -270,7 +273,7 @@ def _add(total: Floats, rows: Iterable[tuple[int, Floats]], weight: Floats) -> N
 def _add_loads(
     total: Floats, loads: Sequence[Sequence[Floats]], circle: Integers, x: Floats, y: Floats, weights: Floats
 ) -> None:
-    """Add what surcharges press with on the ground at (x, y), twice each: of its left end and of its right one."""
+    """Add the weights of surcharges on the ground at (x, y), each with its left and its right end."""
     remaining = iter(weights)
     for ends in loads:
         first, last = (end[circle, 0] for end in ends)
@@ -283,7 +286,7 @@ def _add_loads(
 
 
 def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
-    """The integrals over y from the arc to a height h above it, by their numbers; `_complete` adds the rest."""
+    """Return the integrals over y from the arc to a height h above it, by number, which `_complete` completes."""
     chord = 2.0 * c - h
     gap = h * chord  # 1 - rho^2
     rho = np.sqrt(1.0 - gap)
@@ -300,7 +303,7 @@ def over_height(c: Floats, h: Floats) -> Iterator[tuple[int, Floats]]:
 
 
 def _complete(total: Floats, x: Floats, c: Floats) -> None:
-    """What the integrals over y are beyond the sums of `over_height`, of all surfaces at once; the head is by beta."""
+    """Add the parts of the integrals over y beyond the sums of `over_height`, for all surfaces at once."""
     radial_y, radial_x, polar, head, area, inertia, moment_x, _ = total
     radial_x *= x
     polar += x * radial_x
@@ -312,7 +315,7 @@ def _complete(total: Floats, x: Floats, c: Floats) -> None:
 
 
 def _of_pressure(x: Floats, y: Floats) -> Iterator[tuple[int, Floats]]:
-    """The same of a pressure on the ground at (x, y), over x: times 1, rho, ... there."""
+    """Return the integrals over x for a pressure on the ground at (x, y): times 1, rho, ... at this point."""
     square = x * x + y * y
     rho = np.sqrt(square)
     yield RADIAL_Y, y / rho

@@ -1,4 +1,4 @@
-"""Soils of a layered ground, and what is wrong with them, with the layers that they make up, and with surcharges."""
+"""Soils of a layered ground, and messages about soils, layers and surcharges."""
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
@@ -15,34 +15,35 @@ from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 
-# The numbers of a soil that vary beside its friction, and all of them as one a lane.
+# Numbers of a soil other than its friction that may vary, and numbers of a soil that may be arrays over lanes.
 SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
 LANE_NUMBERS = (*SOIL_NUMBERS[:1], *SOIL_NUMBERS[2:], "peak", "residual", "peak_cohesion", "residual_cohesion")
 
 
 @dataclass(frozen=True)
 class Soil:
-    """A soil of layered ground.
+    """Soil of layered ground.
 
     Parameters
     ----------
     unit_weight : float or array_like
-        gamma, N/m^3.
+        Unit weight gamma, N/m^3.
     cohesion : float, array_like, mapping or callable
-        c, Pa; with a gradient, its value at and above the datum. Or a law of slip, ``{"law": "exponential", "peak":
-        30e3, "residual": 5e3, "length": 0.2}``, which multiplies the increase with depth, too.
+        Cohesion c, Pa, with a gradient its value at and above the datum; or a law of slip, ``{"law": "exponential",
+        "peak": 30e3, "residual": 5e3, "length": 0.2}``, which also multiplies the increase with depth.
     friction : float, array_like or mapping
-        Friction coefficient tan(phi); or a law, ``{"law": "linear", "peak": 0.4, "residual": 0.2, "length": 0.5}``.
+        Friction coefficient tan(phi), or a law, ``{"law": "linear", "peak": 0.4, "residual": 0.2, "length": 0.5}``.
         All soils along an arc share a law of slip and its length, unless strength moves with the mass.
     saturated_unit_weight : float or array_like, optional
-        Below the water level, N/m^3.
+        Unit weight below the water level, N/m^3.
     cohesion_gradient : float or array_like
         Increase of c per metre below the datum, Pa/m.
     datum : float, optional
-        y below which c increases, m; by default vertically below the top of the layer, a height, a line or the ground,
-        as it lies before the slide.
+        Height y below which c increases, m. By default c increases vertically below the top of the layer, a height, a
+        line or the ground, in its position before the slide.
     pore_ratio : float or array_like
-        r_u, pore pressure over the vertical stress of the layers above, at the start; in place of a water level.
+        Pore pressure ratio r_u, pore pressure over the vertical stress of the layers above at the start, instead of a
+        water level.
     name : str
     """
 
@@ -76,7 +77,7 @@ class Soil:
 
     @property
     def residual_cohesion(self) -> Any:
-        """Cohesion after much slip; of a table or a function, at the start."""
+        """Cohesion after much slip, for a table or a function its initial value."""
         law = cohesion_law(self.cohesion)
         return self.peak_cohesion if law is None else law[1].get("residual", self.peak_cohesion)
 
@@ -92,17 +93,17 @@ class Soil:
         return coefficient[-1] if is_table else coefficient
 
 
-Layers = Sequence[tuple[Soil, Any]]  # each a soil and the top of its layer
+Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
 
 
 def distinct(soils: Iterable[Soil]) -> list[Soil]:
-    """Each of the soils once."""
+    """Return each of the soils once."""
     by_identity = {id(soil): soil for soil in soils}
     return list(by_identity.values())
 
 
 def soil_mistakes(soil: Soil) -> list[str]:
-    """A sentence for each number of a soil that no soil has."""
+    """Return a message for each invalid number of a soil."""
     bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
     if soil.saturated_unit_weight is None:
         del bounds["saturated_unit_weight"]
@@ -124,9 +125,9 @@ def soil_mistakes(soil: Soil) -> list[str]:
 
 
 def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> list[str]:
-    """A sentence for each mistake in the layers of a section, its foreland and its surcharges.
+    """Return a message for each mistake in the layers of a section, its foreland and its surcharges.
 
-    Without ``strength``, of what does not move.
+    Without ``strength`` the section does not move.
     """
     pairs = list(layers) if isinstance(layers, Sequence) else []
     if not pairs or not all(map(_is_layer, pairs)):
@@ -158,13 +159,13 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
 
 
 def _is_layer(pair: Any) -> bool:
-    """Whether this is a soil with a top."""
+    """Return whether a value is a soil with a top."""
     is_pair = isinstance(pair, tuple | list) and len(pair) == 2
     return is_pair and isinstance(pair[0], Soil)
 
 
 def _tops(soil: Soil, layers: Layers) -> list[Any]:
-    """The tops of the layers of one soil."""
+    """Return the tops of the layers of one soil."""
     return [top for other, top in layers if other is soil]
 
 
@@ -185,7 +186,7 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
 
 
 def _load_mistakes(k: int, load: Any) -> list[str]:
-    """What is wrong with a surcharge, counted from 0."""
+    """Return messages about a surcharge, counted from 0."""
     words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
@@ -200,7 +201,7 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
 
 
 def _top_mistakes(k: int, top: Any) -> list[str]:
-    """What is wrong with the top of a layer, counted from 0 at the ground."""
+    """Return messages about the top of a layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
         return [] if top is None else [words]
@@ -213,7 +214,7 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
 
 
 def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
-    """Whether soils have one law of slip and one length, or a friction or cohesion that does not change."""
+    """Return whether soils share a law of slip and its length, or have constant friction or cohesion."""
     laws = set()
     for soil in soils:
         law = getattr(soil, strength)
@@ -230,7 +231,7 @@ def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
 
 
 def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
-    """What keeps soils from lying along one arc: equal names, and friction laws that the motion does not allow."""
+    """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws."""
     names = [soil.name for soil in soils]
     twice = [name for name in sorted({*names}) if names.count(name) > 1]
     found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]

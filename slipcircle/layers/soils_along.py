@@ -1,7 +1,7 @@
-"""The arc of a layered section by soils: length, weight above, stress and strength of each stretch at the start.
+"""Arc of a layered section by soils: length, weight above, stress and strength of each stretch at the start.
 
-Stresses are those of the closure of `slipcircle.layers.layers`: a stretch carries the weights of (2.23) of the
-material straight above it.
+Stresses follow from the closure of `slipcircle.layers.layers`: a stretch carries the weights of (2.23) of the material
+vertically above it.
 """
 
 from typing import NamedTuple
@@ -14,11 +14,11 @@ from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.profile import AREA, HEAD, RADIAL_Y
 from slipcircle.layers.soils import Soil
 
-_SHORT = 1e-9  # rad: shorter stretches are rounding
+_SHORT = 1e-9  # rad, length below which a stretch is rounding
 
 
 class Stretch(NamedTuple):
-    """A stretch of the arc in one soil, before the mass moves.
+    """Stretch of the arc in one soil, before the mass moves.
 
     Attributes
     ----------
@@ -26,11 +26,11 @@ class Stretch(NamedTuple):
     start, end : float
         Directions of its ends from the centre, rad from straight below, positive down-slope.
     length : float
-        m.
+        Length, m.
     weight_share : float
-        Of the material straight above it, over the weight of the mass.
+        Weight of the material vertically above it over the weight of the mass.
     normal_stress, pore_pressure : float
-        Their means along it, Pa; total stress.
+        Mean total normal stress and mean pore pressure, Pa.
     strength : float
         Mean of c + tan(phi) (sigma - u) with the peak friction, Pa.
     """
@@ -46,7 +46,7 @@ class Stretch(NamedTuple):
 
 
 def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
-    """Stretches from the entry to the exit, of a single section.
+    """Return the stretches of a single section from the entry to the exit.
 
     Raises
     ------
@@ -88,9 +88,9 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
 
 
 def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats:
-    """Mean total normal stress between neighbouring directions, at the start, Pa; (M - 1,) of (M,).
+    """Return the mean total normal stress between neighbouring directions at the start, Pa, (M - 1,) from (M,).
 
-    Directions as in `Stretch`, increasing.
+    Directions increase and are measured as in `Stretch`.
     """
     _one_lane(section)
     ends = np.asarray(directions, dtype=np.float64)
@@ -98,7 +98,7 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
 
 
 def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
-    """Means between neighbouring directions, of an integral up to each of them that is over R."""
+    """Return means between neighbouring directions of a cumulative integral over R."""
     angles = np.diff(ends)
     parts = np.diff(integral, axis=-1)
     means = parts / angles
@@ -116,7 +116,7 @@ def _radius(section: LayeredSection) -> float:
 
 
 def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
-    """Numbers of the soils of stretches under the mass of one section after a rotation; directions of their ends."""
+    """Return the numbers of the soils along the mass of one section after a rotation, and directions of their ends."""
     strength = section.arc_strength
     turned = np.full((1, 1), rotation)
     *joints, last, first = strength.space(turned).ravel().tolist()
@@ -137,7 +137,7 @@ def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[in
 
 
 def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> Floats:
-    """An integral of the weights from the entry to directions, over R or R^2, (M,)."""
+    """Return an integral of the weights from the entry to directions, over R or R^2, (M,)."""
     (facing,) = section._facing
     profile = section.profile
     to_the_right = facing * directions[:, None]
@@ -150,7 +150,7 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:
-    """Mean pressure of the water level between two directions, Pa."""
+    """Return the mean pressure of the water level between two directions, Pa."""
     if section.level is None:
         return 0.0
     (facing,) = section._facing

@@ -1,9 +1,9 @@
-"""Standing water: the weight of the water that a turning mass displaces below the level at its exit.
+"""Standing water: the weight of water that a turning mass displaces below the level at its exit.
 
 On a circle the pressure of standing water on the ground has the moment of this weight about the centre (Archimedes).
-The effective weight in the normal stress is reduced in the same way: in the strip above a direction b of the mass lies
-displaced water from the arc up to the ground or the level, whichever is lower. The level stays in space, so that in
-the mass it is a line that turns backwards.
+The effective weight in the normal stress is reduced in the same way: the strip above a direction b of the mass
+displaces water from the arc up to the ground or the level, whichever is lower. The level stays in space, so that it
+turns backwards relative to the mass.
 """
 
 from typing import Any, NamedTuple
@@ -17,12 +17,12 @@ _GAUSS = np.polynomial.legendre.leggauss(12)
 _NODES = _GAUSS[0][:, None, None]
 _WEIGHTS = _GAUSS[1][:, None, None]
 _FROM_FIRST = 1.0 + _NODES
-_TOGETHER = 1 << 14  # vertices times rotations at a time
-_UPRIGHT = 1.5  # rad: greatest rotation for which the level is a line over the strips of the mass
+_TOGETHER = 1 << 14  # vertices times rotations per block
+_UPRIGHT = 1.5  # rad, greatest rotation for which the level is a line above the strips of the mass
 
 
 def displaced(section: Any, rotation: Floats, directions: Floats) -> tuple[Floats, Floats]:
-    """Weight of displaced water after rotations (M, circles), for a unit weight of water, over R^2 and R^3.
+    """Return the weight of displaced water after rotations (M, circles), for a unit weight of water, over R^2 and R^3.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def displaced(section: Any, rotation: Floats, directions: Floats) -> tuple[Float
 
 
 def _surface(section: Any, circle: int) -> Floats:
-    """The ground from the centre of a circle, over R, x down-slope."""
+    """Return the ground relative to the centre of a circle, over R, with x down-slope."""
     ground, centre, radius = section._circle
     way = int(section._facing[circle])
     line = ground[circle % len(ground)]
@@ -73,21 +73,21 @@ def _surface(section: Any, circle: int) -> Floats:
 
 
 class _Level(NamedTuple):
-    """A level over R from the centre, as a line in a mass that has turned."""
+    """Level relative to the centre, over R, as a line in a mass that has turned."""
 
     height: float
     cosine: Floats
     sine: Floats
 
     def at(self, x: Floats) -> Floats:
-        """Its height in the mass at x (..., M)."""
+        """Return its height in the mass at x (..., M)."""
         fall = x * self.sine
         y: Floats = (self.height - fall) / self.cosine
         return y
 
 
 def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
-    """Directions of ends, of vertices, and where the level meets ground or arc: integrands are smooth between them."""
+    """Return directions of kinks of integrands: ends, vertices, and crossings of the level with ground or arc."""
     columns = surface.T
     x, y = columns[..., None]
     depth = y - level.at(x)
@@ -111,7 +111,7 @@ def _kinks(surface: Floats, level: _Level, rotation: Floats) -> Floats:
 
 
 def _reach(height: Any) -> Any:
-    """Direction at which the arc passes a height over R from the centre."""
+    """Return the direction at which the arc passes a height over R relative to the centre."""
     cosine = np.clip(-height, -1.0, 1.0)
     return np.arccos(cosine)
 
@@ -139,7 +139,7 @@ class _Integrals:
         self.level = level
 
     def normal(self, directions: Floats) -> Floats:
-        """Of its normal stress, up to directions (J, M)."""
+        """Return the integral of the normal stress up to directions (J, M)."""
         radial_y = self.rows[RADIAL_Y] * self.level.cosine
         radial_x = self.rows[RADIAL_X] * self.level.sine
         radial = radial_y + self.x * radial_x
@@ -153,7 +153,7 @@ class _Integrals:
 
     @property
     def moment(self) -> Floats:
-        """Of its moment, (M,)."""
+        """Moment about the centre, (M,)."""
         level = self.level
         moment_y = self.rows[MOMENT_Y] * level.sine
         moment_x = self.rows[AREA] * level.cosine
@@ -164,7 +164,7 @@ class _Integrals:
 
 
 def vertex_kinks(section: Any) -> Floats:
-    """Rotations at which a vertex of the ground or an end of the mass passes the level, (circles, kinks)."""
+    """Return rotations at which a vertex of the ground or an end of the mass passes the level, (circles, kinks)."""
     heights = section.standing_level[:, None]
     surfaces = []
     for circle in range(len(heights)):
@@ -182,7 +182,7 @@ def vertex_kinks(section: Any) -> Floats:
 
 
 def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
-    """Integral over arcs in space of the depth below a level, over R; directions are down-slope."""
+    """Return the integral over arcs in space of the depth below a level, over R, with directions down-slope."""
     reach = _reach(level)
     start = np.clip(first, -reach, reach)
     end = np.clip(last, -reach, reach)

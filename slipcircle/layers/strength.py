@@ -1,11 +1,11 @@
 """Strength along the arc of a layered section as functions of the rotation, for the balance of a homogeneous mass.
 
-After a rotation phi the stresses have turned with the mass; strength stays with the *base* below the arc, or goes with
-the *mass*. With A, B and P the parts of J_r, of its slope and of I_p on the stretches of each soil,
+After a rotation phi the stresses have turned with the mass. Strength stays with the *base* below the arc, or moves with
+the *mass*. Let A, B and P be the parts of J_r, of its slope and of I_p on the stretches of each soil. Then
 
     friction(phi, omega) = sum mu [cos(phi) A - sin(phi) B + omega*^2 P] - integral of mu u.
 
-What this is more than with the mean friction coefficient on the whole arc is handed to the balance.
+The balance contains the difference from a mass with the mean friction coefficient on the whole arc.
 """
 
 from collections.abc import Mapping
@@ -24,22 +24,22 @@ from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
 
 class OfRotation(NamedTuple):
-    """A function of the rotation, the sum of coefficients (parts, lanes) times parts of the geometry alone.
+    """Function of the rotation: the sum of coefficients (parts, lanes) times parts of the geometry alone.
 
-    ``coefficients`` are by the name of those parts: a method of `ArcStrength`, which takes rotations (M, circles),
-    down-slope, and returns (parts, M, circles).
+    The keys of ``coefficients`` name the parts. Each part is a method of `ArcStrength`, which accepts down-slope
+    rotations (M, circles) and returns (parts, M, circles).
     """
 
     strength: "ArcStrength"
     coefficients: Mapping[str, Floats]
 
     def __call__(self, rotation: Floats) -> Floats:
-        """Its values after rotations (M, circles), (M, lanes)."""
+        """Return the values after rotations (M, circles), (M, lanes)."""
         parts = self.strength.parts(rotation, self.coefficients)
         return self.combined(parts)
 
     def combined(self, parts: Mapping[str, Floats]) -> Floats:
-        """Its values from parts that are known."""
+        """Return the values from known parts."""
         total: Floats = np.zeros(())
         for name, values in self.coefficients.items():
             total = total + over_circles(parts[name], values)
@@ -47,31 +47,31 @@ class OfRotation(NamedTuple):
 
 
 def over_circles(parts: Floats, coefficients: Floats) -> Floats:
-    """Sums over the first axis of parts (parts, ..., circles) times coefficients (parts, lanes), (..., lanes)."""
+    """Return sums over the first axis of parts (parts, ..., circles) times coefficients (parts, lanes)."""
     if parts.shape[-1] == 1:
         return np.tensordot(parts[..., 0], coefficients, (0, 0))
     return np.einsum("p...l,pl->...l", parts, coefficients)
 
 
 class Needs(NamedTuple):
-    """What a scene needs of the strength along an arc."""
+    """Effects of a scene that determine its strength terms."""
 
     rotates: bool
     shaken: bool = False
 
 
 class MeanFriction(dict[str, Any]):
-    """The law of friction of an arc as a whole that the soils along it make up."""
+    """Friction law of an arc as a whole, composed of the soils along it."""
 
 
 @dataclass(frozen=True, eq=False)
 class ArcStrength(StretchIntegrals):
-    """The strength along the arc of a `slipcircle.layers.layers.LayeredSection`."""
+    """Strength along the arc of a `slipcircle.layers.layers.LayeredSection`."""
 
     _terms: dict[Needs, dict[str, Any]] = field(default_factory=dict)
 
     def _by_surface(self, quantity: Floats) -> Floats:
-        """Coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
+        """Return coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
         _, weights = self._surfaces
         differences = self._by_direction(quantity)[:-1]
         product = differences[:, None] * weights
@@ -79,13 +79,13 @@ class ArcStrength(StretchIntegrals):
         return product.reshape(joints * surfaces, lanes)
 
     def _by_direction(self, quantity: Floats) -> Floats:
-        """The same up to directions in space, joints, exit and entry, (J + 2, lanes)."""
+        """Return coefficients of integrals up to directions in space: joints, exit and entry, (J + 2, lanes)."""
         by_soil = self.incidence.transpose(1, 0, 2)
         return over_circles(by_soil, quantity)
 
     @cached_property
     def _still(self) -> dict[str, Floats]:
-        """The parts at the start, by name, (parts, circles)."""
+        """Parts at the start by name, (parts, circles)."""
         circles = len(self.section._facing)
         names = ["normal", "space"]
         if any(self.section.depths):
@@ -99,7 +99,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _by_soil(self) -> dict[str, Floats]:
-        """What presses on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
+        """Load on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
         _, weights = self._surfaces
         at_joints = self.incidence[:-1]
         joints, _, circles = at_joints.shape
@@ -112,19 +112,19 @@ class ArcStrength(StretchIntegrals):
         return by_soil
 
     def _at_start(self, name: str, quantity: Floats) -> Floats:
-        """A quantity of the soils times what presses on their stretches, (lanes,)."""
+        """Return a quantity of the soils times the load on their stretches, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
         total: Floats = by_soil.sum(axis=0)
         return total
 
     @property
     def _normal_load(self) -> Floats:
-        """J_r at the start, (lanes,)."""
+        """Normal load J_r at the start, (lanes,)."""
         load: Floats = -self.section._weighted_moments["radial_y"]
         return load
 
     def _mean(self, quantity: Floats) -> Floats:
-        """Mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
+        """Return the mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
         return self._at_start("normal", quantity) / self._normal_load
 
     @cached_property
@@ -133,7 +133,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _laws(self) -> list[Parameters]:
-        """Friction laws of those soils whose friction is no constant."""
+        """Friction laws of the soils whose friction is not constant."""
         frictions = [soil.friction for soil in self.section.soils]
         return [friction for friction in frictions if isinstance(friction, Mapping)]
 
@@ -153,10 +153,10 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def _shares(self) -> tuple[Floats, Floats]:
-        """By soil, over their means: the part of friction that slip takes away, and what remains beyond this share.
+        """Fractions by soil, over their means, of the friction that slip removes, and of the remaining friction.
 
-        With mu = r + (p - r) f(s) of each soil and of the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
-        sum (r - r_mean (p - r)/(p - r)_mean) N: the second sum is 0 where the soils soften alike.
+        With mu = r + (p - r) f(s) for each soil and for the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
+        sum (r - r_mean (p - r)/(p - r)_mean) N. The second sum is 0 if all soils soften in the same proportion.
         """
         has_friction = self.mean_peak != 0.0
         mean = np.where(has_friction, self.mean_peak, 1.0)
@@ -178,7 +178,7 @@ class ArcStrength(StretchIntegrals):
 
     @cached_property
     def friction(self) -> MeanFriction:
-        """The friction of the arc as a whole, as a `Scene` takes it: its mean, by the normal forces at the start."""
+        """Friction of the arc as a whole for a `Scene`, the mean weighted by the normal forces at the start."""
         peak = self.section._shaped(self.mean_peak)
         rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if self._own_laws:
@@ -190,10 +190,11 @@ class ArcStrength(StretchIntegrals):
         return MeanFriction(self._laws[0], peak=peak, residual=residual, **rate)
 
     def terms(self, needs: Needs) -> dict[str, Any]:
-        """What the balance takes beyond a homogeneous mass with the mean friction, over Theta*: numbers and functions.
+        """Return the terms of the balance beyond a homogeneous mass with the mean friction, over Theta*.
 
-        Of friction what it takes hold of beyond its mean, N + G + (G_r)/mu, N of the weight; G_r remains of it where
-        soils do not soften alike. Whatever does not change with the rotation is a number. What is 0 is left out.
+        The friction terms are the normal force beyond the mean, N + G + (G_r)/mu, with N from the weight, where G_r is
+        nonzero if soils soften differently. Terms that do not change with the rotation are numbers. Terms that are 0
+        are omitted.
         """
         if needs not in self._terms:
             cohesion, growth = self._soil_cohesion.lasting
@@ -204,7 +205,7 @@ class ArcStrength(StretchIntegrals):
         return self._terms[needs]
 
     def _friction_terms(self, needs: Needs) -> dict[str, Any]:
-        """What friction under one law of slip takes hold of beyond its mean: of its share, and of what remains."""
+        """Return the normal forces of friction under one law of slip beyond its mean, and of the remaining friction."""
         share, remaining = self._shares
         names = ("normal", "turning", "inertia")
         beyond_mean = share - 1.0
@@ -218,7 +219,7 @@ class ArcStrength(StretchIntegrals):
         return terms
 
     def mean_lift(self, needs: Needs) -> dict[str, Any]:
-        """The mean of the pore pressure over the arc as a term of the balance, where soils do not count."""
+        """Return the mean pore pressure over the arc as a term of the balance, without weighting by soils."""
         every_soil = np.ones_like(self._peak)
         return {"lift": self._lift(every_soil, needs)}
 
@@ -234,11 +235,11 @@ class ArcStrength(StretchIntegrals):
         return distinct(self.section.soils)
 
     def _is_soil(self, soil: Soil) -> Floats:
-        """1 for a soil and 0 for the others, (soils, 1)."""
+        """Return 1 for a soil and 0 for the other soils, (soils, 1)."""
         return np.array([[float(other is soil)] for other in self.section.soils])
 
     def of_soil(self, soil: Soil) -> dict[str, Any]:
-        """What a soil adds to the sums of the balance at the start, over Theta*, and the angle of its stretches."""
+        """Return the terms of a soil in the balance at the start, over Theta*, and the angle of its stretches."""
         along = self._is_soil(soil)
         at_start = Needs(rotates=False)
         added = self._gripping(("", "normal", "inertia"), along, at_start)
@@ -249,10 +250,10 @@ class ArcStrength(StretchIntegrals):
         return added
 
     def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
-        """What standing water and each soil with a friction law of its own add to the balance, over Theta*, by effect.
+        """Return the terms of standing water and of each soil with a separate friction law, over Theta*, by effect.
 
-        With n_i the share of soil i of the normal force at the start, mu = sum n_i mu_i, and N_i - n_i N is what the
-        normal force on the soil exceeds its share by as the mass turns.
+        Let n_i be the share of soil i in the normal force at the start. Then mu = sum n_i mu_i, and N_i - n_i N is the
+        excess of the normal force on the soil over its share as the mass turns.
         """
         terms: dict[str, dict[str, Any]] = {}
         if self.section.in_standing_water:
@@ -281,11 +282,11 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _weight_scale(self) -> Floats:
-        """gamma Theta* in N/m^3, by which weights come over Theta*, (lanes,)."""
+        """Scale gamma Theta* of weights over Theta*, N/m^3, (lanes,)."""
         return self.section._weights_per_area * self._theta
 
     def _gripping(self, names: Names, quantity: Floats, needs: Needs) -> dict[str, Any]:
-        """What a share of friction takes hold of, of weight and of inertia."""
+        """Return the normal forces of weight and of inertia on which a share of friction acts."""
         base, mass, inertia = names
 
         def at_start(part: str) -> Any:
@@ -317,14 +318,14 @@ class ArcStrength(StretchIntegrals):
         return tuple((name + number, given) for number, ((name, given), _, _) in self._soil_cohesion.softening.items())
 
     def cohesion_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
-        """Moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
+        """Return the moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
         terms = {}
         for number, (_, cohesion, growth) in self._soil_cohesion.softening.items():
             terms[f"softening_cohesion{number}"] = {"moment": self._cohesion(needs, cohesion, growth)}
         return terms
 
     def _cohesion(self, needs: Needs, cohesion: Floats, growth: Floats) -> Any:
-        """Moment of a cohesion and its growth with depth, of each soil, over Theta*."""
+        """Return the moment of a cohesion and its growth with depth, of each soil, over Theta*."""
         section = self.section
         coefficients = {}
         if np.any(cohesion):
@@ -336,7 +337,7 @@ class ArcStrength(StretchIntegrals):
         return self._function(coefficients, needs.rotates and self._base_stays)
 
     def _lift(self, share: Floats, needs: Needs) -> Any:
-        """What water takes from the normal force of a share of friction, over Theta*: of the level, and of ratios."""
+        """Return the reduction by water of the normal force on a share of friction, over Theta*."""
         section = self.section
         ratio = section.of_soils("pore_ratio")
         coefficients = {}
@@ -356,7 +357,7 @@ class ArcStrength(StretchIntegrals):
         return self._function(coefficients, needs.rotates and stays_in_space)
 
     def _standing_moment(self, needs: Needs) -> Any:
-        """The moment of displaced water over Theta*."""
+        """Return the moment of displaced water over Theta*."""
         section = self.section
         inertia = section._moments["inertia"]
         share = section.water_unit_weight * inertia / self._weight_scale
@@ -364,7 +365,7 @@ class ArcStrength(StretchIntegrals):
         return self._function({"displaced": coefficients[None]}, needs.rotates)
 
     def _function(self, coefficients: Mapping[str, Floats], changes: bool) -> Any:
-        """A function of the rotation, or the number that it is at the start; 0 of nothing."""
+        """Return a function of the rotation, or its initial value; 0 without coefficients."""
         if not coefficients:
             return 0.0
         function = OfRotation(self, coefficients)
@@ -375,7 +376,7 @@ class ArcStrength(StretchIntegrals):
 
 
 def _counts(term: Any) -> bool:
-    """Whether a term is not zero."""
+    """Return whether a term is nonzero."""
     if isinstance(term, OfRotation):
         return any(map(np.any, term.coefficients.values()))
     return bool(np.any(term))

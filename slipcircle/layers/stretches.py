@@ -1,10 +1,10 @@
-"""The stretches of an arc along which soils lie, and what they carry after a rotation, for a unit weight.
+"""Stretches of an arc in different soils, and their loads after a rotation, for a unit weight.
 
-A quantity q of the soils summed over the stretches, with a cumulative integral C from the entry, is
+The sum over the stretches of a quantity q of the soils, with a cumulative integral C from the entry, is
 
     q_last C(exit) + sum over the joints of stretches of (q_before - q_after) C(joint),
 
-so that only C at the joints depends on the rotation, and only the differences on the numbers of the soils.
+so that only C at the joints depends on the rotation, and only the differences depend on the numbers of the soils.
 """
 
 import math
@@ -19,16 +19,16 @@ from slipcircle.base.kinds import Floats, Integers
 from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
 from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
-# What sections that differ in numbers of soils alone have in common.
+# Properties shared by sections that differ in numbers of soils alone.
 OF_GEOMETRY = ("stretches", "span", "rotation_kinks", "incidence")
 
 
-LIKE_WEIGHTS = 2.0**14  # N/m^3: water in the unit of other parts, as tables have digits by the greatest part
-_DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts that are not of the weight
+LIKE_WEIGHTS = 2.0**14  # N/m^3, scale of water parts, since the greatest part determines the digits of tables
+_DIRECT = ("space", "heads", "growth", "standing", "displaced")  # parts other than weights
 
 
 class Stretches(NamedTuple):
-    """Where the soil at the base changes along the arc: (circles, J) directions, and the soils above and below."""
+    """Changes of the soil at the base along the arc: (circles, J) directions, and the soils before and after."""
 
     joint: Floats
     before: Integers
@@ -39,7 +39,7 @@ class Stretches(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StretchIntegrals:
-    """Integrals over the stretches of the soils along an arc as functions of the rotation: of the geometry alone.
+    """Integrals over the stretches of the soils along an arc as functions of the rotation, by geometry alone.
 
     ``section`` is a `slipcircle.layers.layers.LayeredSection`.
     """
@@ -48,7 +48,7 @@ class StretchIntegrals:
 
     @cached_property
     def stretches(self) -> Stretches:
-        """Where the soil at the base changes, both ends of the arc included; beyond the exit lies the foreland."""
+        """Changes of the soil at the base, including both ends of the arc. Beyond the exit lies the foreland."""
         section = self.section
         strips = section._strips
         faces_right = section._facing[:, None] > 0.0
@@ -89,9 +89,9 @@ class StretchIntegrals:
         return bool(self.section.strength == "base")
 
     def _joints_met(self, rotation: Floats) -> Floats:
-        """Where the mass meets the joints after rotations (M, circles), (J, M, circles).
+        """Return directions in the mass at which it meets the joints after rotations (M, circles), (J, M, circles).
 
-        In directions of the mass at the start. Joints of the base stay behind as the mass moves on.
+        Directions refer to the mass at the start. Joints of the base stay behind as the mass moves.
         """
         first, last = self.span
         moved = np.zeros_like(rotation)
@@ -102,9 +102,9 @@ class StretchIntegrals:
 
     @cached_property
     def _surfaces(self) -> tuple[Profile, Floats]:
-        """The profile of what presses, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
+        """Profile of the load, and the unit weight below each of its surfaces over the mean, (surfaces, lanes).
 
-        One surface stands for all but where lanes of one geometry differ in their weights.
+        A single surface combines all surfaces, unless lanes of one geometry differ in their weights.
         """
         profile = self.section.profile
         _, steps = self.section._columns
@@ -119,9 +119,9 @@ class StretchIntegrals:
         return profile, steps / self.section._weights_per_area
 
     def _pressing(self, rotation: Floats) -> Floats:
-        """Integrals of unit weights below surfaces up to where joints are met, (4, J + 1, surfaces, M, circles).
+        """Return integrals of unit weights below surfaces up to the joints met, (4, J + 1, surfaces, M, circles).
 
-        From the entry; of x down-slope.
+        The integrals begin at the entry, with x down-slope.
         """
         profile, _ = self._surfaces
         facing = self.section._facing
@@ -141,7 +141,7 @@ class StretchIntegrals:
         return np.moveaxis(every, 1, 2)
 
     def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
-        """Parts by their names, of what presses all at once."""
+        """Return parts by name. All weights are computed together."""
         every = {}
         for name in _DIRECT:
             if name in names:
@@ -152,7 +152,7 @@ class StretchIntegrals:
         return every
 
     def _of_weight(self, rotation: Floats) -> dict[str, Floats]:
-        """Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its derivative by psi, I_p, and the cover."""
+        """Return parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover."""
         pressing = self._pressing(rotation)
         by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
         radial_y, radial_x, polar, overburden = by_joint
@@ -164,7 +164,7 @@ class StretchIntegrals:
         return {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
 
     def space(self, rotation: Floats) -> Floats:
-        """Directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
+        """Return directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
         first, last = self.span
         start = first + rotation
         end = last + rotation
@@ -173,7 +173,7 @@ class StretchIntegrals:
         return np.stack([*in_space, end, start])
 
     def heads(self, rotation: Floats) -> Floats:
-        """Integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
+        """Return integrals of the head of the water level from the entry to these directions, (J + 2, M, circles)."""
         there = self.section._facing * self.space(rotation)
         *_, entry = there
         left = np.minimum(entry, there)
@@ -181,7 +181,7 @@ class StretchIntegrals:
         return self.section.heads_between(left, right)
 
     def standing(self, rotation: Floats) -> Floats:
-        """What standing water takes from the normal force from the entry to these directions, (J + 2, M, circles)."""
+        """Return the reduction of the normal force by standing water from the entry, (J + 2, M, circles)."""
         first, last = self.span
         joints = self._joints_met(rotation)
         to_exit = np.broadcast_to(last, rotation.shape)
@@ -195,7 +195,7 @@ class StretchIntegrals:
         return LIKE_WEIGHTS * taken
 
     def displaced(self, rotation: Floats) -> Floats:
-        """Moment of the weight of displaced water over the moment of inertia of a unit density, (1, M, circles)."""
+        """Return the moment of displaced water over the moment of inertia of a unit density, (1, M, circles)."""
         nowhere = np.empty((0, *rotation.shape))
         _, moment = displaced(self.section, rotation, nowhere)
         inertia = self.section._moments["inertia"]
@@ -203,12 +203,12 @@ class StretchIntegrals:
         return LIKE_WEIGHTS * over_inertia[None]
 
     def growth_up_to(self, there: Floats) -> Floats:
-        """Integrals of the depth below the datum of each soil from the entry to directions (..., circles), over R.
+        """Return integrals of the depth below each soil's datum from the entry to directions (..., circles), over R.
 
-        (soils, ..., circles); 0 of soils without one.
+        The shape is (soils, ..., circles), with 0 for soils without growth.
         """
         has_foreland = self.section.foreland is not None
-        limit = np.inf if has_foreland else None  # a foreland's own rule goes on beyond the exit
+        limit = np.inf if has_foreland else None  # the growth in a foreland continues beyond the exit
         by_soil = np.zeros((len(self.section.depths), *there.shape))
         for k, depths in enumerate(self.section.depths):
             if depths is not None:
@@ -216,7 +216,7 @@ class StretchIntegrals:
         return by_soil
 
     def growth(self, rotation: Floats) -> Floats:
-        """Parts of the resistance that grow with depth, of each soil one, (soils, M, circles), over R."""
+        """Return parts of the resistance that grow with depth, one per soil, (soils, M, circles), over R."""
         there = self.space(rotation)
         if not self._base_stays:
             there = there - rotation
@@ -253,10 +253,10 @@ class StretchIntegrals:
 
     @cached_property
     def incidence(self) -> Floats:
-        """(q_before - q_after) at joints, q_last and -q_first of a quantity q of the soils, (J + 2, soils, circles).
+        """Differences (q_before - q_after) at joints, q_last and -q_first, (J + 2, soils, circles).
 
-        Summed over the stretches with a cumulative integral C from the entry, q is q_last C(exit) + sum_j (q_before -
-        q_after)_j C(b_j); of an integral from elsewhere the last row takes what is at the entry.
+        The sum of q over the stretches with a cumulative integral C from the entry is q_last C(exit) + sum_j (q_before
+        - q_after)_j C(b_j). For an integral from another origin the last row subtracts its value at the entry.
         """
         joints = self.stretches
         of_soil = np.eye(len(self.section.soils))
@@ -271,7 +271,7 @@ class StretchIntegrals:
 
 
 def _differences(there: Floats, mass: Floats) -> Floats:
-    """Rotations that bring directions of the mass to directions in space, (circles, N M)."""
+    """Return rotations that bring directions of the mass to directions in space, (circles, N M)."""
     of_place = there[:, :, None]
     of_mass = mass[:, None, :]
     rotations = of_place - of_mass

@@ -1,12 +1,13 @@
-"""A mass cut into vertical strips: which soil lies at its base, and which edges of lines are its surfaces there.
+"""Mass divided into vertical strips, with the soil at the base and the surfaces of each strip.
 
-A *surface* is the lower envelope of some lines: the ground, the top of a layer cut off by those above it, the wet part
-of a layer. The mass is cut at every vertex of a line, every crossing of two lines, and every crossing of a line and
-the arc, so that in a strip each surface is one straight edge and the base lies in one layer. Weights add exactly: with
-unit weights gamma_i, any moment is the sum over the surfaces of (gamma_i - gamma_(i-1)) times that of the mass below.
+A *surface* is the lower envelope of several lines: the ground, the top of a layer cut off by the layers above it, or
+the wet part of a layer. The mass is divided at every vertex of a line, every crossing of two lines, and every crossing
+of a line and the arc, so that each surface is one straight edge in a strip, and the base of a strip lies in one layer.
+Weights add exactly: with unit weights gamma_i, any moment is the sum over the surfaces of (gamma_i - gamma_(i-1)) times
+the moment of the mass below.
 
-Lengths are over R from the centre of the circle, y up; beta is measured from straight below the centre, to the right.
-Arrays have the axes (surfaces, circles, strips) or parts of them.
+Lengths are divided by R, the origin is the centre of the circle, and y points upwards. beta is measured from straight
+below the centre, to the right. Arrays have the axes (surfaces, circles, strips) or some of them.
 """
 
 import math
@@ -21,27 +22,28 @@ from slipcircle.base.sections import distinct
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
 
-_THIN = 1e-14  # narrower strips are rounding
+_THIN = 1e-14  # width below which strips are rounding
 _ON_ARC = 1e-9
 
 
 @dataclass(frozen=True)
 class Strips:
-    """Strips of masses above arcs, from left to right; those of no width only fill the array.
+    """Strips of masses above arcs, from left to right. Strips without width only fill the array.
 
     Attributes
     ----------
     x : ndarray
-        Their edges, (circles, strips + 1).
+        Edges of the strips, (circles, strips + 1).
     y, slope : ndarray
-        Of the surfaces, the height at the left edge of a strip and the rise over a run to the right.
+        Height of each surface at the left edge of a strip, and its slope to the right.
     above : ndarray
-        Whether a surface lies above the arc in a strip; then, twice for each surcharge, whether it covers the strip.
+        Whether a surface lies above the arc in a strip, followed, twice for each surcharge, by whether it covers the
+        strip.
     base : ndarray
-        The layer at the arc, counted from the ground, beyond the left end, in each strip, and beyond the right end,
+        Layer at the arc, counted from the ground, beyond the left end, in each strip, and beyond the right end,
         (circles, strips + 2).
     loads : sequence
-        Surcharges on the ground, each by both its ends, x1 and x2, (circles, 1).
+        Surcharges on the ground, each with both ends x1 and x2, (circles, 1).
     """
 
     x: Floats
@@ -53,7 +55,7 @@ class Strips:
 
     @property
     def beta(self) -> Floats:
-        """Directions of their edges at the arc, rad."""
+        """Directions of the edges at the arc, rad."""
         sine = np.clip(self.x, -1.0, 1.0)
         return np.arcsin(sine)
 
@@ -66,23 +68,23 @@ def cut_into_strips(
     extra: Floats | None = None,
     loads: Sequence[Sequence[Floats]] = (),
 ) -> Strips:
-    """Cut masses into strips.
+    """Divide masses into strips, and return them.
 
     Parameters
     ----------
     lines : sequence of ndarray
-        Of points from left to right from the centre, over R, (circles or 1, V, 2); they go on horizontally. First the
-        ground, then the top of each further layer, then others.
+        Points from left to right relative to the centre, over R, (circles or 1, V, 2), continued horizontally. The
+        ground is first, followed by the top of each further layer, and by other lines.
     surfaces : sequence
-        The numbers of the lines of which each surface is the lower envelope.
+        Numbers of the lines whose lower envelope is each surface.
     layers : int
-        How many of the lines, from the first on, are tops of layers.
+        Number of lines, from the first on, that are tops of layers.
     ends : pair of Vectors
         Both ends of the arcs, (circles,).
     extra : ndarray, optional
-        Further x at which to cut, (circles or 1, M).
+        Further x of edges, (circles or 1, M).
     loads : sequence
-        `Strips.loads`.
+        Value of `Strips.loads`.
     """
     first, last = ends
     lines = [continued(line, -2.0, 2.0) for line in lines]  # beyond both sides of the circle
@@ -115,7 +117,7 @@ def cut_into_strips(
 
 
 def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
-    """The number of that line of a surface which is lowest in each strip."""
+    """Return the number of the lowest line of a surface in each strip."""
     rows = np.asarray(chosen)
     heights = at_middle[rows]
     lowest = np.argmin(heights, axis=0)
@@ -123,14 +125,17 @@ def _lowest(at_middle: Floats, chosen: Sequence[int]) -> Integers:
 
 
 def _base(tops: Floats, arc: Floats) -> Integers:
-    """The layer at the arc, of tops that are cut off by those above them."""
+    """Return the layer at the arc from tops, each cut off by the tops above it."""
     boundaries = np.minimum.accumulate(tops, axis=0)
     above = np.count_nonzero(boundaries > arc, axis=0)
     return np.maximum(above - 1, 0)
 
 
 def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: Sequence[Vectors]) -> Integers:
-    """The layers at the arc in strips, of those without width that beyond the right end, and beyond both ends."""
+    """Return the layers at the arc in strips and beyond both ends.
+
+    Strips without width have the layer beyond the right end.
+    """
     first, last = ends
     beyond_left = _layer_at_end(tops, first, _ON_ARC)
     beyond_right = _layer_at_end(tops, last, -_ON_ARC)
@@ -139,20 +144,20 @@ def _with_ends(base: Integers, has_width: Flags, tops: Sequence[Floats], ends: S
 
 
 def _layer_at_end(tops: Sequence[Floats], end: Vectors, inward: float) -> Integers:
-    """The layer at an end of the arcs, whose soil goes on beyond it, (circles, 1).
+    """Return the layer at an end of the arcs, whose soil continues beyond it, (circles, 1).
 
-    Of boundaries that coincide there the lowest soil counts. The strip beside the end does not decide this: of no width
-    in some circles, its layer would be rounding.
+    If boundaries coincide there, the lowest soil is used. The strip beside the end cannot decide this, since its layer
+    would be rounding where it has no width.
     """
     x = end.x[:, None]
-    inside = x + inward  # at a scarp the ground of the mass counts
+    inside = x + inward  # at a scarp the ground of the mass applies
     heights = [edge_below(top, x, inside)[0] for top in tops]
     just_below = end.y[:, None] - _ON_ARC
     return _base(np.stack(heights), just_below)
 
 
 def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats | None) -> Floats:
-    """Edges of the strips, (circles, strips + 1), sorted."""
+    """Return the sorted edges of the strips, (circles, strips + 1)."""
     left = first[:, None]
     right = last[:, None]
     cuts = [left, right]
@@ -171,7 +176,9 @@ def _edges(lines: Sequence[Floats], first: Floats, last: Floats, extra: Floats |
 
 
 def meets_circle(line: Floats) -> Floats:
-    """x where the edges of lines cross the unit circle, (n, 2 E); of an edge that does not, that of its first end.
+    """Return x where the edges of lines cross the unit circle, (n, 2 E).
+
+    An edge without crossing has x of its first end.
 
     Lines are (n, V, 2), from the centre, over R.
     """
@@ -200,7 +207,7 @@ def meets_circle(line: Floats) -> Floats:
 
 
 def arc_crossings(line: Floats) -> Floats:
-    """x where the edges of lines cross the lower half of the unit circle, (n, 2 E); NaN of an edge that does not.
+    """Return x where the edges of lines cross the lower half of the unit circle, (n, 2 E), NaN without crossing.
 
     Lines are (n, V, 2), from the centre, over R.
     """
@@ -214,7 +221,7 @@ def arc_crossings(line: Floats) -> Floats:
 
 
 def line_crossings(one: Floats, other: Floats) -> Floats:
-    """x where the edges of two lines (n or 1, V, 2) cross each other, (n, E1 E2); that of a vertex where they do not.
+    """Return x where the edges of two lines (n or 1, V, 2) cross, (n, E1 E2), or x of a vertex without crossing.
 
     The vertex is the second of the first line: the first one may be far outside, where a line is continued.
     """
@@ -240,14 +247,14 @@ def line_crossings(one: Floats, other: Floats) -> Floats:
 
 
 def _within_edge(share: Floats) -> Flags:
-    """Whether a point lies between the ends of an edge, by its share of it."""
+    """Return whether a point lies between the ends of an edge, from its relative position."""
     after_start = share > 0.0
     before_end = share < 1.0
     return after_start & before_end
 
 
 def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
-    """y of lines (n or 1, V, 2) at x (n, M), and their slopes, of the edges below or above the points ``middle``."""
+    """Return y of lines (n or 1, V, 2) at x (n, M), and their slopes, for the edges at the points ``middle``."""
     of_points = each_lane(line, len(x))
     vertices = Vectors.of(of_points)
     place = middle[..., None]

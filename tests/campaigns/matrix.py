@@ -50,6 +50,7 @@ SETTINGS: dict[str, dict[str, str]] = {
     "no locale": {"LC_ALL": "C", "LANG": "", "LC_CTYPE": "", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
 }
 OLDEST = "oldest versions"
+OF_THEIR_TIME = "pyparsing<3.3"  # which deprecates what matplotlib 3.9 calls when it is imported
 SPACES = "path with spaces"
 SANITIZERS = "sanitizers"
 EXTRAS = ("derive", "scenes", "plot", "dask", "dxf", "test", "book")
@@ -102,7 +103,7 @@ def tested(folder: Path, python: Path | str, settings: Mapping[str, str], tests:
     command: list[str | Path] = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *tests]
     done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, encoding="utf-8")
     lines = (done.stdout + done.stderr).strip().splitlines() or ["no output"]
-    failed = [line for line in lines if re.match("(FAILED|ERROR) ", line)]
+    failed = [line for line in lines if re.match("(FAILED|ERROR|SUMMARY:) ", line)]
     return done.returncode == 0, "\n    ".join([lines[-1], *failed])
 
 
@@ -151,7 +152,7 @@ def sanitized(folder: Path) -> tuple[bool, str]:
         "SLIPCIRCLE_COMPILED": "baseline",
     }
     subprocess.run([sys.executable, "-c", SANITIZE], cwd=checkout, env=os.environ | settings, check=True)
-    return tested(checkout, sys.executable, settings, SANITIZED)
+    return tested(checkout, sys.executable, settings, ["--capture=no", *SANITIZED])  # reports of what ends Python
 
 
 def case(name: str, folder: Path, short: bool = False) -> tuple[bool, str]:
@@ -171,7 +172,7 @@ def case(name: str, folder: Path, short: bool = False) -> tuple[bool, str]:
         return passed, f"{line}; {compiling.stdout.strip()}"
     checkout = copied(folder / "checkout")
     interpreters = pythons()
-    pins = oldest_versions() if name == OLDEST else ()
+    pins = [*oldest_versions(), OF_THEIR_TIME] if name == OLDEST else ()
     inside = environment(checkout, interpreters.get(name, next(iter(interpreters.values()))), pins)
     settings = {"PATH": f"{inside.parent}{os.pathsep}{os.environ['PATH']}"}  # as of `./run`
     return tested(checkout, inside, settings, [*SHORT, TYPES] if short and not pins else selected)

@@ -16,7 +16,7 @@ from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.statistics import distribution, exceedance, variance_shares
-from slipcircle.workbench.studies.suitestudy import SuiteStudy
+from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.suites.regressions import Comparison
 
 _HEADS = {
@@ -53,7 +53,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     add_reading(group)
 
 
-def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteStudy:
+def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> Study:
     """Compute what the options ask for."""
     gravity = float(np.ravel(scene.arc.gravity)[0])
     suite = suite_of(options, gravity)
@@ -66,7 +66,7 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> SuiteSt
     return ensemble(scene, options.samples or 1, **sampling, **of_records)
 
 
-def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:
+def parts(study: Study, compared: Sequence[Comparison]) -> Iterator[Part]:
     """The records, their displacements at the scale next to their own beside regressions, and statistics."""
     yield records_part(study.suite)
     scale = study.own_scale
@@ -82,7 +82,7 @@ def parts(study: SuiteStudy, compared: Sequence[Comparison]) -> Iterator[Part]:
         yield Part(["source alone", "share of the variance"], rows, f"displacement at {study.scale_text(scale)}")
 
 
-def _by_record_part(study: SuiteStudy, scale: int) -> Part:
+def _by_record_part(study: Study, scale: int) -> Part:
     """Displacements and the like of each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
@@ -96,7 +96,7 @@ def _by_record_part(study: SuiteStudy, scale: int) -> Part:
     return Part([_HEADS[name] for name in columns], rows, title, note)
 
 
-def _statistics_part(study: SuiteStudy) -> Part:
+def _statistics_part(study: Study) -> Part:
     """The distribution of displacements at each scale."""
     head = ["", "moving", "mean (m)", "16 % (m)", "median (m)", "84 % (m)", "geometric (m)", "std of ln D"]
     rows = []
@@ -112,7 +112,7 @@ def _statistics_part(study: SuiteStudy) -> Part:
     )
 
 
-def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: int) -> Part:
+def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> Part:
     """Published regressions beside the displacements at a scale, and why a regression says nothing."""
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
@@ -131,7 +131,7 @@ def _regressions_part(study: SuiteStudy, compared: Sequence[Comparison], scale: 
     return Part(head, rows, title, "; ".join(notes))
 
 
-def _exceedance_part(study: SuiteStudy) -> Part:
+def _exceedance_part(study: Study) -> Part:
     """Exceedance probabilities at each scale."""
     thresholds = study.records.thresholds
     levels = exceedance(study.displacement, thresholds)
@@ -143,7 +143,7 @@ def _exceedance_part(study: SuiteStudy) -> Part:
     return Part(head, rows, "probability that D exceeds a threshold", note)
 
 
-def _fragility_part(study: SuiteStudy) -> Part:
+def _fragility_part(study: Study) -> Part:
     """Lognormal fragility curves, and why there is none."""
     head = ["", "median PGA (g)", "dispersion", "no curve"]
     rows = [[f"D > {shown(c.threshold)} m", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]

@@ -32,7 +32,6 @@ from slipcircle.workbench.studies.design import FACTOR, METHODS
 from slipcircle.workbench.studies.engines import ENGINES, engine
 from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
-from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _MOST_ROWS, _MOST_COLUMNS = 60, 25  # of a grid, on the screen
 _GRID_QUANTILES = (0.05, 0.5, 0.95)
@@ -107,7 +106,7 @@ def run(options: argparse.Namespace) -> Answer:
     except (BrokenExecutor, CancelledError) as error:
         remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"sweep: a worker or the scheduler died; {remedy}") from error
-    if isinstance(study, SuiteStudy):
+    if study.design.records is not None:
         return _answer_of_records(study, options, content)
     tables = _of_grid(study) if levels else _of_samples(study, options.verbose)
     contents: Files = {
@@ -141,7 +140,7 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError(f"sweep: --period {options.period:g}: must be a time in s, at least 0")
 
 
-def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_file: bytes) -> Answer:
+def _answer_of_records(study: Study, options: argparse.Namespace, scene_file: bytes) -> Answer:
     """The tables of a study over records, and its files."""
     magnitude = math.nan if options.magnitude is None else options.magnitude
     compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
@@ -150,7 +149,7 @@ def _answer_of_records(study: SuiteStudy, options: argparse.Namespace, scene_fil
     contents: Files = {
         "plot": partial(pictures.picture, "suite", study),
         "csv": lambda _: _table({name: column.tolist() for name, column in study.columns().items()}),
-        "npz": lambda _: files.arrays(study.arrays()),
+        "npz": lambda _: files.arrays(export.arrays(study)),
         "fragility": lambda _: _table(study.fragility_columns()),
         "report": lambda _: suite_report(study, tables, record, scene_file, options.line).encode(),
     }
@@ -173,7 +172,7 @@ def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
     return replace(scene, uncertain=others | drawn)
 
 
-def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study | SuiteStudy:
+def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study:
     with engine(options.engine, options.workers, options.scheduler) as executor:
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)

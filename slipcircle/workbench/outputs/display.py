@@ -12,24 +12,25 @@ from slipcircle.workbench.common.quantities import factors_of as factors_of_safe
 from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots, suiteplots
 from slipcircle.workbench.outputs.plotstyle import new_figure
 from slipcircle.workbench.stability.critical import Critical
+from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.study import Study
-from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 __all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
-# By result: its overview among the pictures, what that is drawn of, and its panels.
+# By result, or by the records of a study: the overview among the pictures, its data, and the panels.
 _DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
     Critical: ("search", lambda found: ("", found), {}),
     Motion: ("motions", lambda motion: [motion], plots.PANELS),
     Study: ("study", lambda study: study, studyplots.PANELS),
-    SuiteStudy: ("suite", lambda study: study, suiteplots.PANELS),
+    GroundMotions: ("suite", lambda study: study, suiteplots.PANELS),
 }
 
 
 def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
     """Draw one panel of a result on an axis, or all panels on a new figure or into a file; return the axes if any."""
-    overview, drawn, panels = _DRAWN[type(result)]
+    records = result.design.records if isinstance(result, Study) else None
+    overview, drawn, panels = _DRAWN[type(records or result)]
     _one_lane(result)
     name = os.fspath(what)
     if name in panels:

@@ -15,9 +15,9 @@ from slipcircle.words import integrator
 
 
 def facts() -> dict[str, str]:
-    """Versions of the package, Python and optional libraries, the kernels in use, digests of the generated text."""
-    missing = f": {FREE_THREADED}" if is_free_threaded() else ""
-    kernels = f"NumPy, not compiled{missing}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
+    """Return versions of the package, Python and optional libraries, the kernels in use, and digests of files."""
+    remedy = FREE_THREADED if is_free_threaded() else "`python -m derive.build` compiles them"
+    kernels = f"NumPy, not compiled: {remedy}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
     found |= {"kernels": kernels, "integrator": integrator()}
     for library in ("numpy", *EXTRAS):

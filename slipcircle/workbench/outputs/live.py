@@ -63,8 +63,9 @@ def style() -> str:
 
 
 def script() -> str:
-    """The programs of `fragment`; a page needs them once, at its end."""
-    return text("engine.js") + text("live.js")
+    """Return the programs of `fragment` without comments; a page needs them once, at its end."""
+    lines = [line.strip() for name in ("engine.js", "live.js") for line in text(name).splitlines()]
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def engine() -> Raw:
@@ -91,7 +92,8 @@ def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
 
 def framed(motion: Motion) -> Raw:
     """The page of a motion in an isolated frame of another page, such as a notebook."""
-    attributes = 'sandbox="allow-scripts allow-downloads" width="100%" height="980" style="border: 0" title="the slide"'
+    size = 'width="100%" height="1560"'  # of the whole page where charts are in pairs
+    attributes = f'sandbox="allow-scripts allow-downloads" {size} style="border: 0" title="the slide"'
     return Raw(f'<iframe {attributes} srcdoc="{escaped(page(motion))}"></iframe>')
 
 
@@ -211,7 +213,7 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
     arc = motion.plan.scene.arc
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(arc, Arc):
-        yield "The chord stands in place of the ground; coordinates are from the centre of the circle."
+        yield "The chord replaces the ground, which follows the circle beyond the toe; coordinates are from its centre."
     if len(getattr(arc, "surcharge", ())):
         yield "Arrows: surcharges, where they are at the start."
     if magnification > 1.0:

@@ -6,7 +6,8 @@ itself is not interpolated: the page integrates it with the compiled text of `ge
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,21 +15,22 @@ from numpy.polynomial import chebyshev
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats, Names
-from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers
+from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
 from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with_outputs
 from slipcircle.stiff import may_creep
 from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name
-from slipcircle.workbench.outputs.plotstyle import quantity_words
+from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of
+from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
 
 DEGREE = 16  # of an interpolant in one number, at most
 ROUNDING = 4e-15  # of the greatest value, which coefficients have to exceed
 TRIALS = 64  # random places at which interpolants are compared with what they stand for
 ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as a single scene's
 SHARE = 0.5  # of a number, to both sides of its value, that a slider has where no range is given
-_UNITS = {"time": "s", "displacement": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
 # Numbers that sliders are for where none is named; those that shape a section are cheap to lay out for an arc alone.
 _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
@@ -52,7 +54,7 @@ class Slider(NamedTuple):
         return np.asarray(self.number.to_si(np.array([self.low, self.high])), dtype=np.float64)
 
     def described(self, scene: Scene) -> dict[str, Any]:
-        """For the page."""
+        """Return the slider for the page."""
         number = self.number
         return {
             "key": number.key,
@@ -69,7 +71,7 @@ class Slider(NamedTuple):
 
 
 def default_sliders(scene: Scene) -> list[Slider]:
-    """Sliders for the strength of a scene and its load, and for the shape of an arc."""
+    """Return sliders for strength, load, and the shape of an arc, those that change the run-out most first."""
     keys = by_name(scene)
     names = []
     for name in parameters(scene):
@@ -78,34 +80,31 @@ def default_sliders(scene: Scene) -> list[Slider]:
             names.append(name)
     if "ground" not in scene.arc.quantities:
         names += _SHAPE
+    sliders = [slider for name in names if (slider := _around(scene, keys[name]))]
+    influences = {slider: _influence(scene, slider) for slider in sliders}
     chosen = list[Slider]()
-    for name in names:
-        slider = _around(scene, keys[name])
-        if slider and len(chosen) < MOST_SLIDERS:
-            chosen.append(slider)
-    return with_room(scene, chosen)
+    for slider in sorted(sliders, key=lambda slider: -influences[slider]):
+        more = [*chosen, slider]
+        is_full = len(chosen) == MOST_SLIDERS
+        matters = influences[slider] or slider.number.name.endswith("residual")  # also of a mass that does not move
+        if matters and not is_full and interpolates(scene, more, SMOOTH, MOST_COEFFICIENTS):
+            chosen = more
+    return chosen
 
 
-def with_room(scene: Scene, sliders: Sequence[Slider]) -> list[Slider]:
-    """The first of the sliders for which a page has room, of those in which the inputs are polynomials to rounding."""
-    kept = [slider for slider in sliders if _has_room(scene, [slider])]
-    while kept and not _has_room(scene, kept):
-        kept.pop()
-    return kept
-
-
-def _has_room(scene: Scene, sliders: Sequence[Slider]) -> bool:
-    return interpolates(scene, sliders, SMOOTH, MOST_COEFFICIENTS)
+def _influence(scene: Scene, slider: Slider) -> float:
+    """Return the greatest change of the run-out over both ends and the present value of a slider."""
+    values = np.array([*slider.ends, parameter_value(scene, slider.number.name)])
+    cases, _ = with_parameter_arrays(scene, {slider.number.name: values})
+    return float(np.ptp(np.nan_to_num(solve(cases).run_out)))
 
 
 def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: float = math.inf) -> bool:
     """Whether the inputs are interpolated to an error, with so many coefficients at most."""
-    inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     try:
-        fits = _fits(inputs)
-        size = sum(fit.coefficients.size for fit in fits)
-        return size <= most and _greatest_error(inputs, fits) < error
-    except _OtherPieces:
+        inputs = _Inputs(scene, sliders, plan(scene).accuracy)
+        return _greatest_error(inputs, _fits(inputs, most)) < error
+    except NoFit:
         return False
 
 
@@ -136,16 +135,18 @@ def unsolvable(motion: Motion) -> str:
     return ""
 
 
-class _OtherPieces(Exception):
-    """Functions of the rotation have other pieces elsewhere in the range of a slider."""
-
-
 class _Inputs:
     """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers that the page needs."""
 
     def __init__(self, scene: Scene, sliders: Sequence[Slider], accuracy: float) -> None:
         self.scene, self.sliders = scene, sliders
-        self.motion = _at_start(scene, accuracy)
+        self.start: Start | None = None
+        if sliders:
+            shares = np.random.default_rng(3).uniform(-1.0, 1.0, (len(sliders), TRIALS))
+            self.start = start_of(scene, self.scene_at(shares))
+        if self.start:  # the page multiplies strength by the factor that it solves for
+            self.scene = replace(scene, strength_factor=1.0)
+        self.motion = _at_start(self.scene, accuracy)
         self.problem = self.motion.problem
         self.forces = with_outputs(self.problem, (*OUTPUTS, "energy"))
         self.names: Names = tuple(self.forces.start)
@@ -153,7 +154,16 @@ class _Inputs:
         self.base = self._rows(self.motion, 1)[:, 0]
 
     def at(self, shares: Floats) -> Floats:
-        """Rows at places of the sliders, (sliders, places), from -1 to 1: (rows, places)."""
+        """Return rows at places of the sliders, (sliders, places), from -1 to 1: (rows, places)."""
+        scene = self.scene_at(shares)
+        alike = self._rows(_at_start(scene, ACCURACY), shares.shape[1])
+        if len(alike) != self.base.size:
+            raise NoFit
+        alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
+        return alike
+
+    def scene_at(self, shares: Floats) -> Scene[Any]:
+        """Return the scenes at places of the sliders."""
         ends = [slider.ends for slider in self.sliders]
         of_places = zip(self.sliders, ends, shares, strict=True)
         values = {s.number.name: (low + high) / 2 + (high - low) / 2 * x for s, (low, high), x in of_places}
@@ -161,12 +171,14 @@ class _Inputs:
         if np.any(invalid):
             worst = int(np.argmax(invalid))
             with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises why
-        count = shares.shape[1]
-        alike = self._rows(_at_start(scene, ACCURACY), count)
-        if len(alike) != self.base.size:
-            raise _OtherPieces
-        alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
-        return alike
+        return scene
+
+    def scaled(self) -> list[int]:
+        """Return the rows that are proportional to the strength factor."""
+        twice = _at_start(replace(self.scene, strength_factor=2.0), ACCURACY)
+        doubled = np.isclose(self._rows(twice, 1)[:, 0], 2.0 * self.base, rtol=SMOOTH, atol=0.0)
+        rows: list[int] = np.flatnonzero(doubled & np.isfinite(self.base) & (self.base != 0.0)).tolist()
+        return rows
 
     def sizes(self, values: Floats) -> Floats:
         """The greatest value of each row; of a table's coefficients that of the same power in any of its pieces."""
@@ -178,6 +190,9 @@ class _Inputs:
             at = first + pieces * terms
             of_powers = sizes[first:at].reshape(pieces, terms)
             of_powers[:] = of_powers.max(axis=0)
+        if self.start:
+            of_series = sizes[len(sizes) - self.start.terms :]
+            of_series[:] = of_series.max()
         return np.maximum(sizes, np.finfo(np.float64).tiny)
 
     def _rows(self, motion: Motion, count: int) -> Floats:
@@ -190,6 +205,8 @@ class _Inputs:
                 flat = values.reshape(-1, 1) if shared else values.reshape(-1, count)
                 rows.append(np.broadcast_to(flat, (flat.shape[0], count)))
         rows += [np.broadcast_to(np.ravel(value), (1, count)) for value in _others(motion).values()]
+        if self.start:
+            rows.append(self.start.rows(motion.plan.scene))
         return np.concatenate(rows)
 
 
@@ -232,32 +249,45 @@ def _lobatto(degree: int) -> Floats:
     return np.cos(np.pi * np.arange(degree + 1) / degree)
 
 
-def _fits(inputs: _Inputs) -> list[Fit]:
-    """Interpolants of all rows that vary."""
-    count = len(inputs.sliders)
+def _fits(inputs: _Inputs, most: float = math.inf) -> list[Fit]:
+    """Return interpolants of all rows that vary, with so many coefficients at most."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
     of_rows: dict[int, dict[int, int]] = {}  # degrees by slider
-    for k in range(count):
-        places = np.repeat(present, DEGREE + 1, axis=1)
-        places[k] = _lobatto(DEGREE)
-        values = inputs.at(places)
-        size = inputs.sizes(values)
-        with np.errstate(invalid="ignore"):
-            (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * size)
-        coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
-        for row, c in zip(varied.tolist(), coefficients, strict=True):
-            counted = np.flatnonzero(np.abs(c) > ROUNDING * size[row])
-            if counted.size and counted[-1]:
-                of_rows.setdefault(row, {})[k] = int(counted[-1])
+    alone: dict[int, Floats] = {}  # coefficients in the last slider
+    for k in range(len(inputs.sliders)):
+        for row, degree, coefficients in _along(inputs, present, k):
+            of_rows.setdefault(row, {})[k] = degree
+            alone[row] = coefficients
     groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
     for row, degrees in of_rows.items():
         groups.setdefault(tuple(degrees.items()), []).append(row)
-    return [_fit(inputs, present, key, rows) for key, rows in groups.items()]
+    if sum(len(rows) * math.prod(degree + 1 for _, degree in key) for key, rows in groups.items()) > most:
+        raise NoFit
+    return [_fit(inputs, present, key, rows, alone) for key, rows in groups.items()]
 
 
-def _fit(inputs: _Inputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Fit:
-    """The interpolant of rows of the same degrees."""
+def _along(inputs: _Inputs, present: Floats, k: int) -> Iterator[tuple[int, int, Floats]]:
+    """Yield the rows that vary with one slider, with their degrees and coefficients."""
+    places = np.repeat(present, DEGREE + 1, axis=1)
+    places[k] = _lobatto(DEGREE)
+    values = inputs.at(places)
+    sizes = inputs.sizes(values)
+    with np.errstate(invalid="ignore"):
+        (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * sizes)
+    coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
+    for row, of_row in zip(varied.tolist(), coefficients, strict=True):
+        counted = np.flatnonzero(np.abs(of_row) > ROUNDING * sizes[row])
+        if counted.size and counted[-1]:
+            yield row, int(counted[-1]), of_row
+
+
+def _fit(
+    inputs: _Inputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int], alone: dict[int, Floats]
+) -> Fit:
+    """Return the interpolant of rows of the same degrees; in one number its coefficients are known."""
     of, degrees = zip(*key, strict=True)
+    if len(of) == 1:
+        return Fit(of, degrees, rows, np.stack([alone[row][: degrees[0] + 1] for row in rows]))
     axes = np.meshgrid(*(_lobatto(degree) for degree in degrees), indexing="ij")
     places = np.repeat(present, axes[0].size, axis=1)
     places[list(of)] = [axis.ravel() for axis in axes]
@@ -291,6 +321,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
     """What the page needs to solve the scene for any values of its sliders."""
     inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     fits = _fits(inputs)
+    end = {Status.MOVING: FIRST} if scene.end_time is None else {}
     places = {name: k for k, name in enumerate(ix.CELLS)}
     return {
         "names": inputs.names,
@@ -301,13 +332,27 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
         "tables": [_table(name, inputs.problem) for name in _table_names(inputs.problem)],
         "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
         "runs": _runs(inputs),
+        "start": inputs.start and _start(inputs, inputs.start),
         "rounded": ROUNDED,
         "stresses": of_means(scene) is scene,
         "input_error": _greatest_error(inputs, fits),
-        "statuses": [[status.name, status.words, status.reason] for status in Status],
+        "statuses": [[status.name, end.get(status, status.words), status.reason] for status in Status],
         "of_end": STATUS_OF_END.tolist(),
-        "codes": {name: getattr(ix, name) for name in ("ENDED", "STOPPED", "PAUSED", "ARRESTED", "RESTING")},
+        "codes": {name: getattr(ix, name) for name in CODES},
         "labels": {name: quantity.label for name, quantity in HISTORY.items()},
+    }
+
+
+def _start(inputs: _Inputs, start: Start) -> dict[str, Any]:
+    """Return the bounds and the degree of the series of a start, and the rows that follow from them."""
+    at = inputs.base.size - len(start.rows(inputs.scene))
+    return {
+        "at": at,
+        "low": start.low.tolist(),
+        "high": start.high.tolist(),
+        "degree": start.degree,
+        "scaled": inputs.scaled(),
+        "factor": at - 1,
     }
 
 

@@ -25,6 +25,7 @@ _INSET = 12.0  # of names and numbers from the edges
 _NAME = 0.11  # of the height, for a name below its line on a narrow screen
 _FREE = 0.08, 0.06  # of an axis, without numbers at its two ends
 _STRAIGHT = 1e-6  # change of slope, below which a line has no vertex
+_INSIDE = ("surcharge", "pond", "beyond")  # lines with their names at their middle
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 
 
@@ -90,7 +91,7 @@ def _bottom_below_names(soil: Any, view: View) -> float:
     """The bottom of a view, lowered where the lowest visible soil is too thin for its name."""
     room = _NAME * (view.top - view.bottom)
     is_left = float(soil.facing) > 0.0
-    named = [line for line in lines(mass_of(soil, soil), soil, view) if line.name and line.role != "surcharge"]
+    named = [line for line in lines(mass_of(soil, soil), soil, view) if line.name and line.role not in _INSIDE]
     visible = [height for line in named if (height := _height(line, is_left, view)) > view.bottom]
     return min([view.bottom, *(height - room for height in visible)])
 
@@ -103,8 +104,9 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
     surface = _surface(mass, frame)
     along_arc = _onwards(mass, frame, right, left)
     outline = f"{surface}{along_arc}Z"
-    ground = _ground(mass, soil, frame)
     around = [*lines(mass, soil, frame.view)]
+    top = around[0].points if isinstance(soil, Arc) else mass.ground
+    ground = _area(top, min(frame.view.bottom, float(top[:, 1].min())), frame)
     bands = "".join(_bands(around, frame))
     parts = [
         f'<clipPath id="{name}-ground">{_path("", ground)}</clipPath>',
@@ -112,7 +114,8 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Se
         _path("soil", ground),
         f'<g clip-path="url(#{name}-ground)">{bands}</g>',
         _path("scar", outline),
-        *_drawn(around, frame, "firm"),
+        *_ponds(around, frame),
+        *_drawn(around, frame, "firm", "beyond"),
         _path("circle", _continued(mass, frame)),
         '<g class="mass">',
         _path("body", outline),
@@ -174,22 +177,6 @@ def _surface(mass: Mass, frame: Frame) -> str:
 # --- ground, soils and water -----------------------------------------------------------------------------------------
 
 
-def _line(mass: Mass, soil: Any, frame: Frame) -> Floats:
-    """The surface of the ground from left to right; of an arc its chord, continued to the edges of the view."""
-    if not isinstance(soil, Arc):
-        return mass.ground
-    (x, y), (x_2, y_2) = mass.ground.tolist()
-    slope = (y_2 - y) / (x_2 - x)
-    edges = np.array([frame.view.left, frame.view.right])
-    return np.stack([edges, y + slope * (edges - x)], axis=-1)
-
-
-def _ground(mass: Mass, soil: Any, frame: Frame) -> str:
-    """The ground as an area."""
-    line = _line(mass, soil, frame)
-    return _area(line, min(frame.view.bottom, float(line[:, 1].min())), frame)
-
-
 def _area(line: Floats, bottom: float, frame: Frame) -> str:
     """The area between a line and a height below it."""
     left, right = line[[0, -1], 0]
@@ -202,6 +189,14 @@ def _bands(around: Iterable[Line], frame: Frame) -> Iterator[str]:
         if line.soil is not None:
             area = _area(_corners(line.points), frame.view.bottom, frame)
             yield _path(f"band band-{line.soil % len(SOILS)}", area)
+
+
+def _ponds(around: Iterable[Line], frame: Frame) -> Iterator[str]:
+    """Yield free water as areas down to the ground."""
+    for line in around:
+        if line.lower is not None:
+            ground = np.stack([line.points[:, 0], line.lower], axis=-1)
+            yield _path(line.role, frame.path([*line.points, *ground[::-1]], closed=True))
 
 
 def _corners(line: Floats) -> Floats:
@@ -222,24 +217,24 @@ def _drawn(around: Iterable[Line], frame: Frame, *roles: str) -> Iterator[str]:
 
 
 def _names(around: Iterable[Line], is_left: bool, frame: Frame) -> Iterator[str]:
-    """Names of lines at the upper side of the slope; the script moves them to their lines. Surcharges have values."""
+    """Yield names of lines at the upper side of the slope, which the script moves to their lines."""
     edge = _INSET if is_left else WIDTH - _INSET
-    anchor = "start" if is_left else "end"
+    side = "start" if is_left else "end"
     named = [(_height(line, is_left, frame.view), line) for line in around if line.name]
     for height, line in sorted(named, key=lambda pair: -pair[0]):
         depth = frame.depth(height)
-        if not 0.0 <= depth <= frame.height:
+        if not 0.0 <= depth <= frame.height or line.role == "beyond":
             continue
-        x = edge
-        if line.role == "surcharge":
+        x, anchor = edge, side
+        if line.role in _INSIDE:
             x, anchor = frame.points(line.places.mean(axis=0))[0], "middle"
         place = f'x="{x:.4g}" y="{depth:.1f}" dy="1.1em" text-anchor="{anchor}"'
         yield f'<text class="name of-{line.role}" data-line="{depth:.1f}" {place}>{escaped(line.name)}</text>'
 
 
 def _height(line: Line, is_left: bool, view: View) -> float:
-    """Height of a line at the side of the names; of surcharges their highest."""
-    if line.role == "surcharge":
+    """Height of a line at the side of the names; of lines inside the view their highest."""
+    if line.role in _INSIDE:
         return float(np.max(line.places[:, 1]))
     return float(np.interp(view.left if is_left else view.right, *line.points.T))
 

@@ -13,6 +13,7 @@ from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.outputs.trace import drawn
 
+FIRST = "first standstill"  # the end of a motion that is followed no farther
 WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
 
 # The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
@@ -254,7 +255,7 @@ def ending(motion: Motion) -> str:
         return "at rest"
     if motion.status is Status.CREEPS:
         return "creeping, 99 % covered"
-    return "first standstill" if motion.plan.scene.end_time is None else "still moving"
+    return FIRST if motion.plan.scene.end_time is None else "still moving"
 
 
 def outcome(motion: Motion, digits: int = 3) -> str:

@@ -16,6 +16,7 @@ from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.shapes import Mass, View
 
 _ACROSS = 400  # points of a boundary
+_ON_CIRCLE = 100  # points of the ground along a circle
 _PLACES = 40  # for the name of a soil
 _EDGE = 0.06  # of the ground in view, at either end, without names
 _THICK = 0.6  # of the greatest thickness of a soil, from which its name may stand there
@@ -76,9 +77,9 @@ def _below_arc(mass: Mass, facing: float, view: View) -> Floats:
     slope = (high - low) / (right - left)
     view = view.grown(view.size, 0.0)  # the axis may show more
     if facing < 0.0:
-        points = mass.on_circle(np.linspace(min(first, math.pi), last, _ACROSS))
+        points = mass.on_circle(np.linspace(min(first, math.pi), last, _ON_CIRCLE))
         return np.concatenate([points, [[view.right, high + slope * (view.right - right)]]])
-    points = mass.on_circle(np.linspace(first, max(last, 2 * math.pi), _ACROSS))
+    points = mass.on_circle(np.linspace(first, max(last, 2 * math.pi), _ON_CIRCLE))
     return np.concatenate([[[view.left, low + slope * (view.left - left)]], points])
 
 

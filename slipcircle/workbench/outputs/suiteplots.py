@@ -25,7 +25,7 @@ from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.statistics import distribution, exceedance
 
 if TYPE_CHECKING:
-    from slipcircle.workbench.studies.suitestudy import SuiteStudy
+    from slipcircle.workbench.studies.study import Study
 
 _NAMED = 60  # records up to which each has its name
 _LEAST = 1e-3  # of the greatest displacement, which a logarithmic axis begins with
@@ -35,7 +35,7 @@ _SKEW = 10.0  # of the greatest displacement over the median, from which small o
 _PANEL = 3.4  # inches, how high a row of curves is
 
 
-def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
+def displacements(study: "Study", ax: Any = None) -> Any:
     """Displacements of the records in order, in each polarity, at the scale next to their own; medians of samples."""
     ax, scale = axis(ax), study.own_scale
     values = np.median(study.displacement[:, :, scale], axis=-1)
@@ -61,7 +61,7 @@ def displacements(study: "SuiteStudy", ax: Any = None) -> Any:
     return ax
 
 
-def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
+def incremental(study: "Study", ax: Any = None) -> Any:
     """Displacement against the scale: each record (mean of polarities), the median of all, and 16 to 84 %."""
     ax = axis(ax)
     title(ax, "displacement by scale")
@@ -85,7 +85,7 @@ def incremental(study: "SuiteStudy", ax: Any = None) -> Any:
     return ax
 
 
-def fragility(study: "SuiteStudy", ax: Any = None) -> Any:
+def fragility(study: "Study", ax: Any = None) -> Any:
     """Probabilities that the displacement exceeds thresholds, with lognormal curves and their intervals of 95 %.
 
     Points are the shares at each scale, at the median peak acceleration of the records, joined where there is no curve;
@@ -125,7 +125,7 @@ def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -
     ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
 
 
-def _history(study: "SuiteStudy", what: str, ax: Any = None) -> Any:
+def _history(study: "Study", what: str, ax: Any = None) -> Any:
     """A quantity over time, in each polarity, under the record of median displacement at the scale next to its own."""
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
@@ -163,7 +163,7 @@ PANELS = {
 }
 
 
-def overview(study: "SuiteStudy") -> Drawing:
+def overview(study: "Study") -> Drawing:
     """Displacements by record, curves against the scale and the peak acceleration, histories of the median record."""
     records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
     rows: list[Row] = [(records, [partial(displacements, study)])]
@@ -175,6 +175,6 @@ def overview(study: "SuiteStudy") -> Drawing:
     return sheet(rows, heading(study.scene.name, f"{len(study.suite)} records"))
 
 
-def _has_cloud(study: "SuiteStudy") -> bool:
+def _has_cloud(study: "Study") -> bool:
     """Whether the records have peak accelerations of their own at the one scale, over which there is a curve."""
     return any(not curve.reason for curve in study.fragility())

@@ -11,7 +11,7 @@ from slipcircle.workbench.outputs.provenance import uncertain_part
 from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page, slope_parts
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.statistics import distribution, value_text
-from slipcircle.workbench.studies.suitestudy import SuiteStudy
+from slipcircle.workbench.studies.study import Study
 
 _CAPTION = (
     "Displacement of each record in its polarities; at several scales displacement by scale with the band from 16 to "
@@ -21,7 +21,7 @@ _CAPTION = (
 )
 
 
-def suite_report(study: SuiteStudy, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
+def suite_report(study: Study, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
     """A report on a suite of records as HTML; the seed is added to the command if missing."""
     name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
     if "--seed" not in command:
@@ -30,7 +30,7 @@ def suite_report(study: SuiteStudy, tables: Iterable[Part], record: Any, file: b
     return page(f"Shaken slope: {name}", of_suite, [(name, file)], command)
 
 
-def _contents(study: SuiteStudy, tables: Sequence[Part], file: bytes) -> Iterator[Part | Raw]:
+def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Part | Raw]:
     """Picture, key numbers, tables, inputs and method."""
     yield figure(f"Suite of {study.scene.name}", _CAPTION, pictures.picture("suite", study, "svg"))
     yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
@@ -49,7 +49,7 @@ def _contents(study: SuiteStudy, tables: Sequence[Part], file: bytes) -> Iterato
     yield Part([], method, "Method and accuracy")
 
 
-def _key_numbers(study: SuiteStudy) -> Iterator[tuple[str, str]]:
+def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
     """Displacements at the records' own scale, the share of motions that move, yield coefficient and Gamma."""
     found = distribution(study.displacement, study.own_scale)
     yield "yield coefficient", shown(study.yield_coefficient)

@@ -4,7 +4,7 @@ Studies over records use two classes (the package `slipcircle.workbench.suites` 
 
 * a `Suite` has entries (file, component, samples, step, unit, peak over gravity; `Entry.record()` reads the samples),
   pairs of components by name, unused vertical components, and a line for each file that is not a record;
-* a `SuiteStudy` has arrays over ``(record, polarity, scale, sample)`` of every outcome and of the status, the scales,
+* a `Study` has arrays over ``(record, polarity, scale, sample)`` of every outcome and of the status, the scales,
   factors and peak accelerations of the scaled records.
 
 The samples of the first records are stored, up to 32 MB. Other records are read again when they are solved, so that the

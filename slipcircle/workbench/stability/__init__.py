@@ -1,1 +1,1 @@
-"""Factors of safety of given circles, and the search for the critical one."""
+"""Factors of safety of given circles, and search for the critical circle."""

@@ -1,4 +1,4 @@
-"""Arcs, and at their bases the surfaces above, the soil, and the stresses on it."""
+"""Arcs, with the surfaces above their bases, the soil, and the stresses on the base."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _TOUCH = 1e-12  # over R: as near to the arc, a boundary touches it
 
 
 class Arcs(NamedTuple):
-    """Arcs of circles: centres (n, 2) and radii, m; angles of both ends from straight below the centre."""
+    """Arcs of circles: centres (n, 2) and radii in m, and angles of both ends from straight below the centre."""
 
     centre: Floats
     radius: Floats
@@ -24,19 +24,19 @@ class Arcs(NamedTuple):
     valid: Any  # others have no slices
 
     def from_centre(self, lines: Floats) -> Floats:
-        """Lines (1 or n, V, 2) from the centre of each arc, over R."""
+        """Return lines (1 or n, V, 2) relative to the centre of each arc, over R."""
         from_centre = lines - self.centre[:, None]
         return from_centre / self.radius[:, None, None]
 
 
 def angle_from_below(centre: Floats, point: Floats) -> Floats:
-    """Angle of points as seen from centres, (n, 2) each, from straight below, positive to the right."""
+    """Return the angle of points as seen from centres, (n, 2) each, from straight below, positive to the right."""
     to_right, upwards = (point - centre).T
     return np.arctan2(to_right, -upwards)
 
 
 class Stresses(NamedTuple):
-    """On the arcs over gamma R, gamma the unit weight of the first layer: (3, intervals), of 1, sine and cosine."""
+    """Stresses on the arcs over gamma R, with gamma of the first layer: (3, intervals), for 1, sine and cosine."""
 
     soil: Floats  # weight of the soil above
     load: Any  # surcharge
@@ -49,7 +49,7 @@ class Stresses(NamedTuple):
     excess: Any  # what the pressure of free water exceeds that of this water by, on the ground
 
     def turned(self, way: Floats) -> Stresses:
-        """The same for angles of the opposite sense where ``way`` is -1."""
+        """Return the stresses for angles of the opposite sense where ``way`` is -1."""
         same = np.ones(len(way))
         sense = np.stack([same, way, same])
         return Stresses(*(values * (sense if values.ndim == 2 else sense[:, None]) for values in self))
@@ -73,7 +73,7 @@ class Bases:
         self._look_up_soil()
 
     def _look_up_surfaces(self) -> None:
-        """Heights of the surfaces above the centre, constant + gradient sine."""
+        """Look up heights of the surfaces above the centre, as constant + gradient sine."""
         columns = self.slope.columns
         column = columns.at(self.arc, self.x)
         row = 0 if len(columns.bounds) == 1 else self.arc
@@ -84,7 +84,7 @@ class Bases:
         self.constant = (below_centre - self.centre_y) / self.scale
 
     def _look_up_soil(self) -> None:
-        """The layer at the base, and its soil."""
+        """Look up the layer at the base, and its soil."""
         soils = self.slope.soils
         layers, _ = soils.unit_weight.shape
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
@@ -105,14 +105,14 @@ class Bases:
         return by_interval
 
     def of_slope(self, value: Any) -> Floats:
-        """A number of the slope, or of each, by interval."""
+        """Return a number of the slope, or of each slope, by interval."""
         values = np.asarray(value, dtype=np.float64)
         if values.size == 1:
             return np.broadcast_to(values, len(self.arc))
         return values[:, None] if self.is_shared else values[self.arc]
 
     def steps(self) -> Floats:
-        """Of the unit weight below each surface that is above the arc, (surfaces, intervals)."""
+        """Return steps of the unit weight below each surface that is above the arc, (surfaces, intervals)."""
         slope = self.slope
         unit_weight = slope.soils.unit_weight
         rows = [np.diff(unit_weight, axis=0, prepend=0.0)]
@@ -134,13 +134,13 @@ class Bases:
         return stacked.reshape(3, *(1,) * (axes - stacked.ndim), *stacked.shape[1:])
 
     def _above_arc(self, k: int, factor: Any) -> Floats:
-        """Height of a surface above the arc times a factor."""
+        """Return the height of a surface above the arc times a factor."""
         constant = self.constant[k] * factor
         gradient = self.gradient[k] * factor
         return self._linear(constant, gradient, 1.0 * factor)
 
     def stresses(self, steps: Floats) -> Stresses:
-        """By interval."""
+        """Return the stresses by interval."""
         none = self._linear(0.0, 0.0, 0.0)
         pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
         soil = self._soil_weight(steps)
@@ -151,7 +151,7 @@ class Bases:
         return Stresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
 
     def _free_water(self, ponds: Ponds) -> tuple[Floats, Floats]:
-        """Pressure of free water on the ground, and minus the weight of water in the place of the soil below it."""
+        """Return the pressure of free water on the ground, and minus the weight of water displaced by soil below it."""
         depth = np.zeros((3, len(self.arc)))
         filled = np.zeros(len(self.arc))
         for first, last, level, _ in zip(*ponds, strict=True):
@@ -166,14 +166,14 @@ class Bases:
         return self.water * depth, -self._above_arc(0, self.water * filled)
 
     def _soil_weight(self, steps: Floats) -> Floats:
-        """Vertical stress of the soil, the sum of the steps times the heights of their surfaces above the arc."""
+        """Return the vertical stress of the soil, a sum of steps times heights of their surfaces above the arc."""
         surfaces = len(steps)
         constant = np.einsum("s...i,si->...i", steps, self.constant[:surfaces])
         gradient = np.einsum("s...i,si->...i", steps, self.gradient[:surfaces])
         return self._linear(constant, gradient, steps.sum(axis=0))
 
     def _pore_pressure(self, soil: Floats, scale: Floats) -> Floats:
-        """r_u times the stress of the soil, or the head below the water level; and a uniform pressure."""
+        """Return r_u times the stress of the soil, or the head below the water level, and a uniform pressure."""
         slope = self.slope
         ratio = self.soil.pore_ratio
         uniform = self.of_slope(slope.pressure) / scale
@@ -186,7 +186,7 @@ class Bases:
         return pressure
 
     def _load(self) -> Floats:
-        """Of surcharges, Pa."""
+        """Return the pressure of surcharges, Pa."""
         load = self._linear(0.0, 0.0, 0.0)
         for x1, x2, q1, q2 in self.slope.surcharge:
             inside = (self.x > x1) & (self.x < x2)

@@ -1,4 +1,4 @@
-"""Slopes as arrays, and the columns of ground between their vertices, in which every line is one straight edge.
+"""Slopes as arrays, and columns of ground between their vertices, in which every line is one straight edge.
 
 Lines are (1 or n, V, 2) for n slopes, and numbers () or (n,). Beyond both ends a line continues horizontally.
 """
@@ -30,7 +30,7 @@ class SoilArrays(NamedTuple):
 
 
 class Columns(NamedTuple):
-    """Columns of ground between vertices and crossings of lines, and surfaces there: (surfaces, 1 or n, columns).
+    """Columns of ground between vertices and crossings of lines, with their surfaces: (surfaces, 1 or n, columns).
 
     Surfaces are the tops of the layers, each cut off by those above it; with a water level then that, and the tops of
     the wet parts of layers. The last ones are lines below which the cohesion of layers grows.
@@ -42,7 +42,7 @@ class Columns(NamedTuple):
     gradient: Floats
 
     def at(self, slope: Any, x: Floats) -> Any:
-        """The column at each x, of the slope of that number."""
+        """Return the column at each x, for the slope of the given number."""
         if len(self.bounds) == 1:
             return np.searchsorted(self.bounds[0], x)
         passed = self.bounds[slope] < x[:, None]
@@ -51,7 +51,7 @@ class Columns(NamedTuple):
 
 @dataclass(frozen=True)
 class SlopeArrays:
-    """One slope, or n of them."""
+    """One slope, or n slopes, as arrays."""
 
     ground: Floats
     soils: SoilArrays
@@ -76,7 +76,7 @@ class SlopeArrays:
 
     @cached_property
     def lines(self) -> list[Floats]:
-        """Tops of layers, water level and pond, over all of the ground."""
+        """Tops of layers, water level and ponds above the whole ground."""
         lines = [self.ground, *self.tops]
         if self.level is not None:
             lines.append(self.level)
@@ -84,7 +84,7 @@ class SlopeArrays:
 
     @cached_property
     def _pond_levels(self) -> list[Floats]:
-        """Levels of free water as lines over the whole ground."""
+        """Return levels of free water as lines above the whole ground."""
         if self.ponds is None:
             return []
         lines = []
@@ -99,23 +99,23 @@ class SlopeArrays:
 
     @cached_property
     def lines_cut_by_arcs(self) -> list[Floats]:
-        """Boundaries, water levels, and the heights below which cohesion increases."""
+        """Return boundaries, water levels, and heights below which cohesion increases."""
         return [*self.lines[1:], *self._pond_levels, *self._datum_lines]
 
     @cached_property
     def _datum_lines(self) -> list[Floats]:
-        """Lines below which the cohesion of layers grows, over the whole ground."""
+        """Return lines below which the cohesion of layers grows, over the whole ground."""
         return [self._over_ground(line) for line in self.datums.values()]
 
     def ground_height(self, x: Floats) -> Floats:
-        """Of the ground at x (n,), or of n grounds each at its x."""
+        """Return the height of the ground at x (n,), or of n grounds each at its x."""
         by_slope = x[None] if len(self.ground) == 1 else x[:, None]
         height, _ = edge_below(self.lines[0], by_slope, by_slope)
         return np.ravel(height)
 
     @cached_property
     def columns(self) -> Columns:
-        """The columns between all kinks of the lines and of the surcharge."""
+        """Columns between all kinks of the lines and of the surcharge."""
         bounds = self._kinks()
         before = bounds[:, :1] - 1.0
         inner = (bounds[:, :-1] + bounds[:, 1:]) / 2
@@ -129,7 +129,7 @@ class SlopeArrays:
         return Columns(bounds, middle, height, gradient)
 
     def _kinks(self) -> Floats:
-        """x of vertices and crossings of lines, and of the ends of surcharges and free water, (1 or n, any), sorted."""
+        """Return x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any), sorted."""
         kinks = [line[:, 1:-1, 0] for line in self.lines]
         for one, other in combinations(self.lines, 2):
             kinks.append(line_crossings(one, other))
@@ -145,7 +145,7 @@ class SlopeArrays:
         return np.unique(x, axis=1) if slopes == 1 else np.sort(x, axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
-        """Heights and gradients of surfaces, from those of lines, each (2, n, columns)."""
+        """Return heights and gradients of surfaces from those of lines, each (2, n, columns)."""
         layers = len(self.tops) + 1
         tops = lines[:1]
         for line in lines[1:layers]:
@@ -160,7 +160,7 @@ class SlopeArrays:
 
 
 def level_line(height: Any, ground: Floats) -> Floats:
-    """A horizontal line, or one for each height, from one end of the ground to the other, (1 or n, 2, 2)."""
+    """Return a horizontal line, or one per height, from one end of the ground to the other, (1 or n, 2, 2)."""
     height = np.reshape(height, (-1, 1))
     ends = ground[:, [0, -1], 0]
     slopes = max(len(height), len(ground))
@@ -169,5 +169,5 @@ def level_line(height: Any, ground: Floats) -> Floats:
 
 
 def _lower(one: Floats, other: Floats) -> Floats:
-    """Height and gradient of the lower of two lines."""
+    """Return height and gradient of the lower of two lines."""
     return np.where(one[0] < other[0], one, other)

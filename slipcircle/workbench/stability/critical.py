@@ -1,4 +1,4 @@
-"""A slip circle of a slope with its factors of safety, and the scene of the motion along it."""
+"""Slip circle of a slope with its factors of safety, and the scene of the motion along it."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _NO_START = (
 
 @dataclass(frozen=True)
 class Critical(Pictured):
-    """A circle with its factors of safety, and data of the search.
+    """Circle with its factors of safety, and data of the search.
 
     Attributes
     ----------
@@ -94,12 +94,12 @@ class Critical(Pictured):
 
     @property
     def between(self) -> tuple[float, float]:
-        """x of both ends, from left to right, which selects one of the masses that the circle cuts off."""
+        """Range of x of both ends, which selects one of the masses that the circle cuts off."""
         left, right = sorted([self.entry[0], self.exit[0]])
         return left, right
 
     def without_map(self) -> Critical:
-        """A copy without the circles that were evaluated."""
+        """Return a copy without the evaluated circles."""
         return replace(self, centres=self.centres[:0], values=self.values[:0])
 
     def record(self) -> dict[str, Any]:
@@ -184,7 +184,7 @@ class Critical(Pictured):
 
 @dataclass(frozen=True)
 class SlopeScene(Scene[Numbers]):
-    """A scene with the factors of safety of its circle, as returned by `load` and `Critical.scene`.
+    """Scene with the factors of safety of its circle, as returned by `load` and `Critical.scene`.
 
     Attributes
     ----------
@@ -247,7 +247,7 @@ class SlopeScene(Scene[Numbers]):
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
-        """All numbers that may be arrays; the strength factor follows from the others unless it is explicit."""
+        """Numbers that may be arrays. The strength factor follows from the others unless it is explicit."""
         numbers = super().numbers
         if self.strength_factor is not self.set_by_start:
             return numbers
@@ -305,10 +305,10 @@ def _point(points: Floats) -> tuple[float, float]:
 
 
 def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
-    """The factors of one circle, None where a method refuses it."""
+    """Return the factors of one circle, None where a method has no result."""
     return {method: _known(factors[method]) for method in METHODS}
 
 
 def _known(values: Floats) -> float | None:
-    """The number of one circle, None where there is none."""
+    """Return the number of one circle, or None if it is NaN."""
     return float(values[0]) if np.isfinite(values[0]) else None

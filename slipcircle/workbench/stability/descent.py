@@ -1,4 +1,4 @@
-"""Descent to the least values of circles, many valleys at once: grids of neighbours, and parabolas through them."""
+"""Descent to the least values of circles in many valleys at once, by grids of neighbours and parabolas."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ class Descent:
 
     @property
     def unfinished(self) -> Any:
-        """Numbers of the circles whose steps are not yet small."""
+        """Return the numbers of circles whose steps are not yet small."""
         is_coarse = self._step > _FINEST * self._first_step
         return np.flatnonzero(np.any(is_coarse, axis=1))
 
     def proposals(self) -> Floats:
-        """Of each unfinished circle those a step away in some of its numbers, itself, and the least of parabolas."""
+        """Return for each unfinished circle its neighbours, itself, and the minima of parabolas."""
         live = self.unfinished
         step = self._step[live, None, :3]
         grid = _OFFSETS * step
@@ -56,7 +56,7 @@ class Descent:
         return near
 
     def move(self, near: Floats, values: Floats) -> None:
-        """Go to the best proposals, and choose the next steps; leave what is far above the least of all."""
+        """Move to the best proposals, choose the next steps, and abandon circles far above the least value."""
         live = self.unfinished
         rows = np.arange(len(live))
         least = np.min(values, axis=1)
@@ -87,7 +87,7 @@ class Descent:
         self._scale_steps(live, on_rim, smooth)
 
     def _scale_steps(self, live: Any, on_rim: Any, smooth: Any) -> None:
-        """Greater steps where the best neighbour is on the rim of a grid, none where a circle is hopeless."""
+        """Increase steps where the best neighbour is on the rim of a grid, and set them to 0 for hopeless circles."""
         shrink = np.where(smooth, _SHRINK_SMOOTH, _SHRINK)
         scale = np.where(on_rim, _GROWTH, shrink)
         step = self._step[live] * scale[:, None]
@@ -101,12 +101,12 @@ class Descent:
 
 
 def tied(values: Floats) -> Floats:
-    """The greatest values that count as equal to these."""
+    """Return the greatest values that are equal to the given values within rounding."""
     return values + _TIE * np.abs(values)
 
 
 def in_order(values: Floats) -> Any:
-    """Indices that sort values, in which ties keep their order; the last are NaN."""
+    """Return indices that sort values, in which ties keep their order and NaN is last."""
     order = np.argsort(values, kind="stable")
     ordered = values[order]
     is_greater = ordered[1:] > tied(ordered[:-1])
@@ -115,14 +115,14 @@ def in_order(values: Floats) -> Any:
 
 
 def _is_smooth(leaps: Floats) -> Any:
-    """Where the parabola in all numbers is least within its grid, and not in the middle, (n,)."""
+    """Return whether the parabola in all numbers has its minimum within the grid but not in its middle, (n,)."""
     in_all_numbers = leaps[:, -1]
     within_grid = np.all(np.abs(in_all_numbers) < 1.0, axis=1)
     return within_grid & np.any(in_all_numbers, axis=1)
 
 
 def _leaps(values: Floats) -> Floats:
-    """Steps from the middle of grids to the least points of parabolas, (n, subsets, 3), along some of the axes each.
+    """Return steps from the middle of grids to the minima of parabolas, (n, subsets, 3), along some of the axes each.
 
     A step x solves H x = -g, g and H the gradient and the curvature along these axes. It stays 0 along the others:
     factors have kinks where an end passes a vertex of the ground, and no values beyond limits.
@@ -149,7 +149,7 @@ def _leaps(values: Floats) -> Floats:
 
 
 def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
-    """First and second derivatives in the middle of grids (n, 3, 3, 3) of unit steps, (n, 3) and (n, 3, 3)."""
+    """Return first and second derivatives in the middle of grids (n, 3, 3, 3) of unit steps, (n, 3) and (n, 3, 3)."""
     gradient = np.empty((len(grid), 3))
     curvature = np.empty((len(grid), 3, 3))
     with np.errstate(invalid="ignore"):
@@ -167,7 +167,7 @@ def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
 
 
 def _mixed_derivative(plane: Floats) -> Floats:
-    """In the middle of grids (n, 3, 3), by their corners."""
+    """Return the mixed derivative in the middle of grids (n, 3, 3), from their corners."""
     equal_signs = plane[:, 2, 2] + plane[:, 0, 0]
     opposite_signs = plane[:, 2, 0] + plane[:, 0, 2]
     return (equal_signs - opposite_signs) / 4

@@ -34,7 +34,7 @@ class Driven(NamedTuple):
 def circle_factors(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1
 ) -> dict[str, Floats]:
-    """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
+    """Return factors of safety of the masses between circles and the ground, with ends at two points of the ground.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def circle_factors(
 def factors_by(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
 ) -> tuple[Floats, Floats]:
-    """Factors by one method, or yield coefficients, and which way each mass slides."""
+    """Return factors by one method, or yield coefficients, and the direction in which each mass slides."""
     driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
     with np.errstate(divide="ignore", invalid="ignore"):
         return factor_by(method, driven), driven.facing
@@ -92,7 +92,7 @@ def factor_by(method: str, driven: Driven) -> Floats:
 def driven_slices(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1, nodes: int = NODES
 ) -> Driven:
-    """The slices of arcs and their driving moments."""
+    """Return the slices of arcs and their driving moments."""
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
     slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
@@ -120,7 +120,7 @@ def driven_slices(
 
 
 def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Arcs:
-    """Arcs between two points, valid if nowhere steeper than upright and with the centre above the ground."""
+    """Return arcs between two points, valid if they are nowhere vertical and their centre is above the ground."""
     first = angle_from_below(centre, left)
     last = angle_from_below(centre, right)
     overhangs = (first < -np.pi / 2) | (last > np.pi / 2)
@@ -132,7 +132,7 @@ def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, righ
 
 
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
-    """Arcs that begin at the bottom of a tension crack: where the ground is its depth above them."""
+    """Return arcs that begin at the bottom of a tension crack, where the ground is its depth above them."""
     depth = np.reshape(slope.crack, (-1, 1))
     down = np.stack([np.zeros_like(depth), depth], axis=-1)
     lowered_ground = slope.lines[0] - down
@@ -147,7 +147,7 @@ def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
 
 
 def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
-    """Moment of the water in a crack above the upper end of the arc: gamma_w h^2/2 at a third of its height."""
+    """Return the moment of water in a crack at the upper end of the arc, gamma_w h^2/2 at a third of its height."""
     height = slope.crack_water / radius
     unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
     force = unit_weight * height**2 / 2
@@ -158,7 +158,7 @@ def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
 
 
 def _paper(driven: Driven) -> Floats:
-    """Of the mean normal stress: the sum of friction over the arc counts where it is positive."""
+    """Return factors from the mean normal stress. The sum of friction over the arc is included where it is positive."""
     slices = driven.slices
     normal = slices.radial_normal()
     if np.any(slices.k_h):
@@ -169,14 +169,14 @@ def _paper(driven: Driven) -> Floats:
 
 
 def _ordinary(driven: Driven) -> Floats:
-    """By the stress normal to the base of each slice, without forces between slices (Fellenius 1936)."""
+    """Return factors from the stress normal to the base of each slice, without forces between slices."""
     slices = driven.slices
     strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
     return slices.integral(strength) / driven.driving
 
 
 def _yield_coefficient(driven: Driven) -> Floats:
-    """k_h at which the driving moment G + k_h S and the resistance of the paper's method C + P + k_h T are equal.
+    """Return k_h at which the driving moment G + k_h S equals the paper's resistance C + P + k_h T.
 
     G of gravity, S of shaking, C of cohesion, and P + k_h T of friction, which does not act where it is negative.
     Surcharges are shaken as well, as in a motion.
@@ -194,7 +194,7 @@ def _yield_coefficient(driven: Driven) -> Floats:
 
 
 def _bishop(driven: Driven) -> Floats:
-    """F = 1/y where y times the integral of strength/m_alpha(y) is the driving moment; the former grows with y.
+    """Return F = 1/y, where y times the integral of strength/m_alpha(y) equals the driving moment and grows with y.
 
     The strength is that of Bishop (1955), [c + mu (W/b - u)] cos a/m_alpha. By Newton's steps for all arcs at once,
     within the range of y in which m_alpha = cos a - y mu sin a is at least ``LEAST_LEVER`` at all ends of intervals,
@@ -226,7 +226,7 @@ def _bishop(driven: Driven) -> Floats:
 
 
 def bishop_normal(slices: Slices, factor: Floats) -> Any:
-    """Effective normal stress of Bishop's simplified method."""
+    """Return the effective normal stress of Bishop's simplified method."""
     sine, cosine = slices.sine, slices.cosine
     effective = slices.vertical()
     of_arc = slices.of_arcs(factor)
@@ -234,7 +234,7 @@ def bishop_normal(slices: Slices, factor: Floats) -> Any:
 
 
 def lever_range(slices: Slices) -> tuple[Floats, Floats]:
-    """Least and greatest 1/F for which m_alpha stays above its least value, of each arc."""
+    """Return the least and greatest 1/F for which m_alpha remains above its least value, for each arc."""
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way
     ends = slices.ends.reshape(2, *(1,) * (friction.ndim - 1), -1)

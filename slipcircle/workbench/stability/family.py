@@ -1,4 +1,4 @@
-"""All circles of a slope at once: a coarse family between points of its ground, and the refinement of its best.
+"""Many circles of a slope at once: a coarse family between points of its ground, and refinement of the best.
 
 A circle is four numbers: two lengths along the ground, of its ends from the left, its opening as a share of the
 greatest one, at which it is upright at an end or touches the base; and the edge of a boundary between layers that it
@@ -40,18 +40,18 @@ _JUST_BELOW = 1 - 1e-12
 
 
 def _length(vectors: Floats) -> Floats:
-    """Of vectors (..., 2)."""
+    """Return the lengths of vectors (..., 2)."""
     return np.hypot(vectors[..., 0], vectors[..., 1])
 
 
 def _upwards(vectors: Floats) -> Floats:
-    """Unit vectors across vectors to the right, (n, 2)."""
+    """Return unit vectors perpendicular to vectors to the right, (n, 2)."""
     x, y = vectors.T
     return np.stack([-y, x], axis=1) / _length(vectors)[:, None]
 
 
 def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
-    """Half the opening of arcs from left to right that touch the lines through edges (n, 2, 2) from above, or NaN.
+    """Return half the opening of arcs from left to right that touch lines through edges (n, 2, 2), or NaN.
 
     With the centre t above the middle of the chord, half of which is h, its distance from the line, a + b t, is the
     radius: (a + b t)^2 = h^2 + t^2.
@@ -79,7 +79,7 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
 
 
 class Search:
-    """A slope, the method to minimise, the limits, and every circle evaluated so far."""
+    """Slope, method to minimise, limits, and all circles evaluated so far."""
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
         self.slope = slope
@@ -101,14 +101,14 @@ class Search:
         self.values: list[Floats] = []
 
     def points(self, lengths: Floats) -> Floats:
-        """Points of the ground at lengths along it."""
+        """Return points of the ground at lengths along it."""
         vertex_x, vertex_y = self.ground.T
         x = np.interp(lengths, self.along, vertex_x)
         y = np.interp(lengths, self.along, vertex_y)
         return np.stack([x, y], axis=-1)
 
     def circles(self, q: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Centres, radii, left and right ends."""
+        """Return centres, radii, and left and right ends."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         half_chord = _length(right - left) / 2
@@ -130,7 +130,7 @@ class Search:
         return centre, radius, left, right
 
     def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
-        """Of circles through two points that are upright at an end, or touch the base between them."""
+        """Return half the opening of circles that are vertical at an end, or touch the base between two points."""
         run, rise = (right - left).T
         upright = np.arctan2(run, np.abs(rise)) * _JUST_BELOW
         base = self.slope.base
@@ -151,7 +151,7 @@ class Search:
         return np.where(beyond_left & before_right, deepest, upright)
 
     def evaluate(self, q: Floats, nodes: int = NODES) -> Floats:
-        """The factor of each circle, NaN where there is none, or none within the limits."""
+        """Return the factor of each circle, NaN without a factor or outside the limits."""
         values = np.full(len(q), np.nan)
         possible = self._possible(q)
         size = len(possible) * len(self.ground)
@@ -163,7 +163,7 @@ class Search:
         return values
 
     def _possible(self, q: Floats) -> Any:
-        """Numbers of circles whose ends lie beside each other, within the limits, and not both on the base."""
+        """Return the numbers of circles with ordered ends within the limits, not both on the base."""
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         left_x = left[:, 0]
@@ -178,7 +178,7 @@ class Search:
         return np.flatnonzero(possible)
 
     def _within(self, entry: Floats, exit: Floats) -> Any:
-        """Whether the x of both ends lie within the limits."""
+        """Return whether x of both ends are within the limits."""
         within = np.ones(len(entry), dtype=bool)
         for x, limit in zip((entry, exit), self.limits.values(), strict=True):
             if limit is not None:
@@ -188,7 +188,7 @@ class Search:
         return within
 
     def _factors(self, q: Floats, nodes: int) -> Floats:
-        """The factors of a block of circles, which is kept for the map."""
+        """Return the factors of a block of circles, and store them for the map."""
         centre, radius, left, right = self.circles(q)
         thickness = self.thickness(q, centre, radius)
         thick = np.flatnonzero(thickness >= self.depth)
@@ -213,7 +213,7 @@ class Search:
         return values
 
     def thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:
-        """Greatest distance from arc to ground along the radius; -1 where the ground leaves the circle in between."""
+        """Return the greatest radial distance from arc to ground, -1 where the ground leaves the circle in between."""
         first = q[:, :1]
         last = q[:, 1:2]
         lengths = np.clip(self.along, first, last)  # repeats the ends beyond them
@@ -227,7 +227,7 @@ class Search:
         return np.where(inside, thickness, -1.0)
 
     def _positions(self) -> Floats:
-        """Lengths along the ground of the ends of the coarse family."""
+        """Return lengths along the ground of the ends of the coarse family."""
         vertices = self.along
         total = vertices[-1]
         if len(vertices) > _MOST_VERTICES:
@@ -250,7 +250,7 @@ class Search:
         return np.unique(np.concatenate(positions))
 
     def coarse_family(self) -> tuple[Floats, Floats]:
-        """Circles between all pairs of positions, with all openings, and touching each boundary; and their steps."""
+        """Return circles between all pairs of positions, with all openings and tangent to boundaries, and steps."""
         ends = self._positions()
         shape = len(ends), len(ends), len(_SHARES)
         numbers = np.indices(shape).reshape(3, -1)
@@ -273,7 +273,7 @@ class Search:
         return np.concatenate(families), np.concatenate(families_steps)
 
     def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
-        """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
+        """Return the best circles of the coarse family without better neighbours, and their steps."""
         q, steps = self.coarse_family()
         values = self.evaluate(q, COARSE_NODES)
         if not np.any(np.isfinite(values)):
@@ -285,7 +285,7 @@ class Search:
         return q[valleys], steps[valleys]
 
     def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
-        """The best circles, in order, after all were followed downhill, and their first steps."""
+        """Return the best circles in order after descent from all of them, and their first steps."""
         descent = Descent(q, step, self.along[-1])
         with counted(len(q), "valleys followed to their least factor") as progress:
             for _ in range(_STEPS):
@@ -301,7 +301,7 @@ class Search:
 
 
 def _distance_from_origin(line: Floats) -> Floats:
-    """Least distance of lines (n, V, 2) from the origin, (n,): at the feet of perpendiculars, or at vertices."""
+    """Return the least distance of lines (n, V, 2) from the origin, (n,), at perpendiculars or vertices."""
     start = line[:, :-1]
     edge = np.diff(line, axis=1)
     square = np.sum(edge * edge, axis=2)
@@ -313,7 +313,7 @@ def _distance_from_origin(line: Floats) -> Floats:
 
 
 def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge: int) -> list[int]:
-    """The best circles that are no neighbours of a better one, of those that touch no boundary and those of each."""
+    """Return the best circles without better neighbours, among those that touch no boundary or each boundary."""
     valleys: list[int] = []
     touched = q[:, 3]
     order = in_order(values)

@@ -1,4 +1,4 @@
-"""Free water on the ground above arcs: the moment of its pressure, and what it does to normal stresses."""
+"""Free water on the ground above arcs: the moment of its pressure, and its effect on normal stresses."""
 
 from typing import Any
 
@@ -14,7 +14,7 @@ _ROUNDING = 1e-9  # over R: as near to the end of an arc, a shore is that end, a
 
 
 def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
-    """Moment of free water on the ground less that of the weight of the water displaced below the ground it covers.
+    """Return the moment of free water on the ground minus the moment of the water displaced below it.
 
     On the verticals from its shores to the arc, of height h, its pressure has the moment gamma_w h^2/2 (cos b - h/3).
     """
@@ -36,7 +36,7 @@ def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
 
 
 def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
-    """Level of free water above the exits of arcs over R from the centre; -inf where an exit is dry."""
+    """Return the level of free water above the exits of arcs, over R from the centre, -inf for a dry exit."""
     place = np.where(facing > 0.0, arcs.last, arcs.first)
     x, y = arcs.centre.T
     exit_x = x + arcs.radius * np.sin(place)
@@ -46,7 +46,7 @@ def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
 
 
 def submerged(slices: Slices, level: Floats) -> Slices:
-    """Slices with the reference level of free water at the exit of each arc, over R from the centre.
+    """Return slices with the reference level of free water at the exit of each arc, over R from the centre.
 
     What lies below it is buoyant, and pore pressure counts in excess of it; other free water is a load.
     """

@@ -1,4 +1,4 @@
-"""Critical circles of many slopes that differ little from one: by its coarse family and circles of neighbours."""
+"""Critical circles of many similar slopes, from the coarse family of one slope and circles of neighbours."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -17,7 +17,7 @@ _NEIGHBOURS = 3  # slopes whose circles are tried
 
 
 class SampleSearch:
-    """Searches slopes that have the ground lines of one slope, or nearly.
+    """Search on slopes whose lines are equal or close to the lines of one slope.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class SampleSearch:
         self._solved: list[tuple[Floats, Floats, Floats]] = []  # place, circle and steps of slopes
 
     def factors(self, slope: Slope, place: Floats) -> dict[str, float]:
-        """Factors of safety by method on the critical circle of a slope; NaN where no circle has one.
+        """Return factors of safety by method on the critical circle of a slope, NaN without a critical circle.
 
         Slopes are neighbours where the numbers in ``place`` are close; these should have about the same spread.
         """
@@ -67,7 +67,7 @@ class SampleSearch:
 
 
 def _promising(values: Floats) -> Any:
-    """Numbers of the best values, and of some of those not far above."""
+    """Return the numbers of the best values, and of some values not far above."""
     order = np.argsort(values, kind="stable")
     least = values[order[0]]
     limit = least + _NEAR * max(abs(least), 0.1)

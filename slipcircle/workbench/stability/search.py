@@ -1,4 +1,4 @@
-"""The critical circle of a slope: a coarse family of all circles at once, then the best of its valleys refined."""
+"""Search of the critical circle of a slope: a coarse family of circles, then refinement in the best valleys."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def critical(
     depth: float = 0.0,
     tell: Callable[[str], None] = lambda _: None,
 ) -> Critical:
-    """Search the circle of least factor of safety, or of least yield coefficient.
+    """Return the circle of least factor of safety, or of least yield coefficient.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def critical(
 
 
 def _reached_ends(search: Search, circle: Critical) -> list[str]:
-    """A sentence for each end of the ground that the circle reaches."""
+    """Return a message for each end of the ground that the circle reaches."""
     reached = [
         x
         for x in search.ground[[0, -1], 0]
@@ -92,7 +92,7 @@ def _reached_ends(search: Search, circle: Critical) -> list[str]:
 
 
 def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
-    """A sentence for each limit of the search that the circle stands on."""
+    """Return a message for each limit of the search that the circle reaches."""
     near = 1e-4 * float(search.along[-1])
     sentences = []
     for name, limit in search.limits.items():
@@ -144,12 +144,12 @@ def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
 
 
 def _is_cohesionless(slope: Slope) -> bool:
-    """Whether no soil of the slope has cohesion at any depth."""
+    """Return whether no soil of the slope has cohesion at any depth."""
     return not any(soil.peak_cohesion or soil.cohesion_gradient for soil, _ in slope.soils)
 
 
 def _skin(slope: Slope) -> str:
-    """What the factor of a dry skin is, but for a scarp."""
+    """Return the factor of safety of a dry skin, ignoring scarps."""
     run, rise = np.diff(np.asarray(slope.ground), axis=0).T
     steepest = float(np.max(np.abs(rise) / np.maximum(run, 1e-300)))
     if slope.layers or steepest >= 1e6:

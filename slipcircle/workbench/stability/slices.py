@@ -1,4 +1,4 @@
-"""Slices above many arcs at once: their weights, loads, pore pressures and strengths, and integrals over the arcs.
+"""Slices above many arcs at once: weights, loads, pore pressures and strengths, and integrals over the arcs.
 
 Sums over slices are integrals along the arc, by Gauss' rule between its kinks: below vertices and crossings of lines,
 where it crosses a line, and where cohesion begins to grow with depth. So factors are converged values and not those of
@@ -26,7 +26,7 @@ _INSIDE = 0.45  # of an interval, where its soil is looked up: not its middle, a
 
 
 class Slices(NamedTuple):
-    """Slices above the points of Gauss' rule, (points, intervals); lengths over R, stresses over gamma R.
+    """Slices above the points of Gauss' rule, (points, intervals), with lengths over R and stresses over gamma R.
 
     An interval is the part of one arc between two kinks. Where slopes share one arc, what differs has an axis of slopes
     before that of the intervals. Angles are from straight below the centre. Weights are sums
@@ -52,12 +52,12 @@ class Slices(NamedTuple):
     shaken: NDArray[np.bool_]  # surfaces of soil, not of water
 
     def at(self, linear: Any) -> Any:
-        """Of three numbers for each interval the value at each point."""
+        """Return the value at each point from three numbers per interval."""
         constant, of_sine, of_cosine = linear
         return constant + of_sine * self.sine + of_cosine * self.cosine
 
     def integral(self, values: Any) -> Floats:
-        """Over each arc."""
+        """Return the integral over each arc."""
         by_interval = (self.weight * values).sum(axis=0)
         if by_interval.ndim > 1:
             return np.asarray(by_interval.sum(axis=-1))
@@ -69,27 +69,27 @@ class Slices(NamedTuple):
         return values[:, None] if self.sine.ndim > 2 else values[self.arc]
 
     def facing(self, way: Floats) -> Slices:
-        """The same with positive angles down-slope, for arcs that slide to the right (1) or to the left (-1)."""
+        """Return the slices with angles positive down-slope, for arcs that slide to the right (1) or left (-1)."""
         sense = way[self.arc]
         return self._replace(
             sine=self.sine * sense, gradient=self.gradient * sense, stresses=self.stresses.turned(sense), way=sense
         )
 
     def driving_moment(self) -> Floats:
-        """Of gravity and of the weight of displaced water about the centre, of each arc."""
+        """Return the moment of gravity and of displaced water about the centre of each arc."""
         stresses = self.stresses
         weight = self.at(stresses.soil + stresses.displaced + stresses.load)
         moment = slopes.drive(self.sine, self.cosine, weight, 0.0)
         return self.integral(moment)
 
     def weight_along_arc(self) -> Floats:
-        """The integral of the vertical stress over each arc's breadth: what moments are compared with."""
+        """Return the integral of the vertical stress over each arc's breadth, the scale of moments."""
         stresses = self.stresses
         vertical = self.at(stresses.soil + stresses.load + stresses.pond)
         return self.integral(self.cosine * vertical)
 
     def shaking_moment(self) -> Floats:
-        """Of k_h = 1 about the centre, of each arc: on the soil at half its height, on a load at the ground."""
+        """Return the moment of k_h = 1 about the centre, on soil at half its height and on loads at the ground."""
         load = self.at(self.stresses.load) * self.cosine
         moment = load * -self.surface(0) * self.shaken_load
         for k in np.flatnonzero(self.shaken):
@@ -99,20 +99,20 @@ class Slices(NamedTuple):
         return self.integral(moment)
 
     def surface(self, k: Any) -> Floats:
-        """Height of a surface above the centre."""
+        """Return the height of a surface above the centre."""
         return self.constant[k] + self.gradient[k] * self.sine
 
     def distance(self, k: Any) -> Floats:
-        """Of a surface from the centre."""
+        """Return the distance of a surface from the centre."""
         return np.hypot(self.sine, self.surface(k))
 
     def uplift(self) -> Floats:
-        """Pore pressure less that of the free water at the exit."""
+        """Return the pore pressure minus the pressure of the free water at the exit."""
         stresses = self.stresses
         return self.at(stresses.pressure - stresses.relieved)
 
     def ordinary_normal(self) -> Floats:
-        """Effective normal stress of the ordinary method, (W cos a - k_h W sin a - u l)/l (Fellenius 1936)."""
+        """Return the effective normal stress of the ordinary method (Fellenius 1936)."""
         sine, cosine = self.sine, self.cosine
         stresses = self.stresses
         not_shaken = self.at(stresses.buoyancy + stresses.load)
@@ -129,7 +129,7 @@ class Slices(NamedTuple):
         return soil + loads + pressure * across
 
     def radial_normal(self) -> Floats:
-        """Effective normal stress of the paper's method by strips: the weights of (2.23) straight above."""
+        """Return the effective normal stress of the paper's method by strips, with the weights of (2.23) above."""
         normal = -self.uplift()
         for k in np.flatnonzero(_any_of_each(self.steps)):
             of_unit_weight = slopes.radial_weight(self.cosine, self.distance(k))
@@ -144,7 +144,7 @@ class Slices(NamedTuple):
         return normal
 
     def radial_tilt(self) -> Floats:
-        """What k_h = 1 adds to it."""
+        """Return the change of the paper's normal stress by k_h = 1."""
         load = self.at(self.stresses.load) * self.cosine
         tilt = load * self.sine / self.distance(0)
         tilt = tilt * self.shaken_load
@@ -156,13 +156,13 @@ class Slices(NamedTuple):
         return tilt
 
     def vertical(self) -> Floats:
-        """Effective vertical stress on the arc, for Bishop's method."""
+        """Return the effective vertical stress on the arc, for Bishop's method."""
         stresses = self.stresses
         total = stresses.soil + stresses.load + stresses.pond - stresses.pressure
         return self.at(total)
 
     def cohesion(self) -> Floats:
-        """On the arc."""
+        """Return the cohesion on the arc."""
         return self.at(self.stresses.cohesion)
 
 
@@ -177,7 +177,7 @@ def _gauss(nodes: int) -> tuple[Floats, Floats]:
 
 
 def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = NODES) -> Slices:
-    """The slices above valid arcs, cut into pieces and at all kinks."""
+    """Return the slices above valid arcs, divided into pieces and at all kinks."""
     arc, ends = _intervals(slope, arcs, pieces)
     first, last = ends
     half = (last - first) / 2
@@ -215,7 +215,7 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
 
 
 def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.int64], Floats]:
-    """Number of the arc and angles of both ends of each interval."""
+    """Return the number of the arc and the angles of both ends of each interval."""
     sines = np.clip(_kinks(slope, arcs), -1.0, 1.0)
     kinks = np.arcsin(sines)
     kinks = np.clip(kinks, arcs.first[:, None], arcs.last[:, None])
@@ -229,7 +229,7 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
-    """x over R from the centre at which an integrand may not be smooth, (n, any)."""
+    """Return x over R from the centre at which an integrand may not be smooth, (n, any)."""
     from_centre = slope.columns.bounds - arcs.centre[:, :1]
     bounds = from_centre / arcs.radius[:, None]
     cuts = [meets_circle(arcs.from_centre(line)) for line in slope.lines_cut_by_arcs]

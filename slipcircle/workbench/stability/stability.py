@@ -1,4 +1,4 @@
-"""Factors of safety of a slope on given circles: the paper's, the ordinary method's and Bishop's.
+"""Factors of safety of a slope on given circles by the paper's method, the ordinary method and Bishop's.
 
 `slices` has the numerics; here are the slope as users give it, the methods' names and words, and scenes of arrays.
 """
@@ -43,7 +43,7 @@ METHODS: Mapping[str, tuple[str, str]] = {
 
 
 def least_of(method: str) -> str:
-    """In words, what a search by a method minimises."""
+    """Return the quantity that a search by a method minimises, in words."""
     return "least yield coefficient" if method == YIELD else f"least factor by {method}"
 
 
@@ -54,7 +54,7 @@ _Layers = Sequence[tuple[Soil, Any]]  # each with its top
 
 @dataclass(frozen=True)
 class Slope:
-    """A slope in plane strain, of one soil or of layers.
+    """Slope in plane strain, of one soil or of layers.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ class Slope:
         raise_all("Slope", mistakes)
 
     def _field_mistakes(self) -> list[str]:
-        """A sentence for each field that is missing, out of range, or excluded by another."""
+        """Return a message for each field that is missing, out of range, or excluded by another field."""
         fields, mistakes = {name: value for name, value in vars(self).items() if name not in _LAYERED}, list[str]()
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
@@ -166,11 +166,11 @@ class Slope:
 
     @property
     def _strength(self) -> dict[str, Any]:
-        """Cohesion and friction of one soil at the start."""
+        """Return cohesion and friction of one soil at the start."""
         return {"cohesion": cohesion_at_rest(self.cohesion), "friction": friction_at_rest(self.friction)}
 
     def _joint_mistakes(self) -> list[str]:
-        """A sentence for each mistake of fields that are valid by themselves."""
+        """Return a message for each mistake of fields that are individually valid."""
         mistakes = complaint([water_fault(*self._water)], ())
         if not self.layers and not any((*self._strength.values(), self.cohesion_gradient)):
             mistakes.append("cohesion and friction are both 0: the slope has no strength")
@@ -182,12 +182,12 @@ class Slope:
 
     @property
     def size(self) -> float:
-        """Greater one of the width and the height of the ground, m."""
+        """Greater of the width and the height of the ground, m."""
         return float(np.ptp(np.asarray(self.ground), axis=0).max())
 
     @property
     def _water(self) -> tuple[Floats, Floats | None, bool, Sequence[Any]]:
-        """Ground, level, whether it is confined, and ponds; lines are of one lane."""
+        """Ground, level, confinement and ponds, with lines of one lane."""
         level = None if self.level is None else np.asarray(self.level)[None]
         return np.asarray(self.ground)[None], level, self.confined, self.ponds
 
@@ -197,13 +197,13 @@ class Slope:
         return free_water(*self._water)
 
     def arrays(self) -> SlopeArrays:
-        """For `circle_factors`."""
+        """Slope in the form that `circle_factors` requires."""
         numbers = {name: getattr(self, name) for name in ("water_unit_weight", "pressure", "k_h", *_LAYERED[2:])}
         return _slope_arrays(_of_one_slope, self, self.soils, self.surcharge, numbers)
 
     @property
     def soils(self) -> Sequence[tuple[Soil, Any]]:
-        """Soils from the ground down, each with its top; a single soil has its strength at the start."""
+        """Soils from the ground down, each with its top. A single soil has its strength at the start."""
         return self.layers or one_layer(vars(self) | self._strength)
 
     @property
@@ -229,7 +229,7 @@ def require_drive(section: Section) -> None:
 
 
 def factors_of_safety(scene: Any) -> dict[str, Floats]:
-    """Factors of safety of a section at the start of its motion, of one scene or of each scene of an ensemble.
+    """Return factors of safety of a section at the start of its motion, for a scene or each scene of an ensemble.
 
     Parameters
     ----------
@@ -281,7 +281,7 @@ def _of_one_slope(value: Any, axes: int = 0) -> Floats:
 
 
 def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
-    """Values of some scenes of an ensemble of a shape."""
+    """Return a function that selects values of some scenes of an ensemble."""
     lanes = shape or (1,)
     some = np.unravel_index(numbers, lanes)
 
@@ -297,7 +297,7 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
 
 
 def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _ByLane, slipped: bool) -> SlopeArrays:
-    """The slopes of sections."""
+    """Return the slopes of sections."""
     numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
@@ -314,7 +314,7 @@ def _slope_arrays(
     numbers: Mapping[str, Any],
     slipped: bool = False,
 ) -> SlopeArrays:
-    """Slopes with their lines, soils and surcharges, and further numbers."""
+    """Return slopes with their lines, soils and surcharges, and further numbers."""
     lines = by_lane(slope.ground, 2)
     level = None if slope.level is None else by_lane(slope.level, 2)
     water = free_water(lines, level, slope.confined, slope.ponds)
@@ -336,7 +336,7 @@ def _slope_arrays(
 
 
 def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
-    """Left and right ends of arcs."""
+    """Return left and right ends of arcs."""
     rightward = by_lane(section.facing)[:, None] > 0.0
     entry = by_lane(section.entry, 1)
     exit_ = by_lane(section.exit, 1)
@@ -349,7 +349,7 @@ def one_layer(numbers: Mapping[str, Any]) -> _Layers:
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
-    """The soils of layers at the start of a motion, before any slip or after much."""
+    """Return the soils of layers at the start of a motion, before any slip or after much."""
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
@@ -367,7 +367,7 @@ def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays
 
 
 def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
-    """The top of a layer as a line, (1 or n, V, 2): of a height, from one end of the ground to the other."""
+    """Return the top of a layer as a line, (1 or n, V, 2), for a height from one end of the ground to the other."""
     if np.ndim(top) > 1:
         return by_lane(top, 2)
     return level_line(by_lane(top), ground)

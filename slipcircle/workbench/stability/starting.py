@@ -1,4 +1,4 @@
-"""Strength factors: by how much strength has to change for a motion to start from the result of another method.
+"""Strength factors, which make a motion start from the result of another method.
 
 The balance of a motion has the closure of the paper's method. With strength multiplied by F_method/F_paper it starts
 from the factor of safety of the method. Under shaking the yield coefficients are to be equal, so that strength is
@@ -7,7 +7,7 @@ divided by the paper's factor under the yield coefficient of the method.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -51,15 +51,23 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
     if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
-    for slope, circles, lanes in circles_of(scene, slipped):
-        if not _is_shared(slope, circles):
-            circles = each_lane(circles, lanes)
-        driven = driven_slices(slope, *circles, _PIECES)
+    for driven, lanes in driven_blocks(scene, slipped):
         with np.errstate(divide="ignore", invalid="ignore"):
             results = result(driven)
         blocks.append(np.broadcast_to(results, lanes))
     values = np.concatenate(blocks).reshape(scene.shape)
     return values if scene.shape else float(values)
+
+
+def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
+    """Yield the slices of the arcs of a scene and the number of lanes, block by block as of `circles_of`."""
+    blocks = circles_of(scene, slipped, **most)
+    for slope, circles, lanes in blocks:
+        is_shared = _is_shared(slope, circles)
+        if not is_shared:
+            circles = each_lane(circles, lanes)
+        driven = driven_slices(slope, *circles, _PIECES)
+        yield driven, lanes
 
 
 def yield_by(scene: Any, method: str) -> Any:

@@ -23,10 +23,9 @@ from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, liste
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design
 from slipcircle.workbench.studies.engines import Store, as_executor, compute, engine, stored
-from slipcircle.workbench.studies.groundmotions import OfRecords, ground_motions
+from slipcircle.workbench.studies.groundmotions import ground_motions
 from slipcircle.workbench.studies.settings import OF_ARRAYS, setting_mistakes, whole
 from slipcircle.workbench.studies.study import Study
-from slipcircle.workbench.studies.suitestudy import SuiteStudy
 
 _BASE = 2**14
 _MOST_GRID = 2**26
@@ -73,8 +72,12 @@ def ensemble(
     correlation: Mapping[tuple[str, str], float] | None = None,
     search_each: bool = False,
     records: Any = None,
-    **of_records: Any,
-) -> Any:
+    polarities: bool = False,
+    scales: Any = None,
+    scale_to_pga: Any = None,
+    thresholds: Any = None,
+    strict: bool = False,
+) -> Study:
     """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
 
     Parameters
@@ -82,23 +85,26 @@ def ensemble(
     scene, n
         A scene with ``uncertain`` numbers, independent except for ``correlation``, and the number of samples.
     rng, executor : int, SeedSequence or Generator; concurrent.futures.Executor or dask.distributed.Client, optional
-        Seed, or source of one; the same seed gives bitwise the same results with any executor. Where blocks are
-        computed; by default one thread per processor.
+        Seed, whose results are bitwise the same with any executor. Where blocks run; by default in threads.
     method, sensitivity : str and int, optional
         "monte-carlo"; or "sobol": 16 independently scrambled sequences, whose spread gives the intervals. Base points
         of the sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
     size : int, optional
         Samples of a block, a power of two, by default for at least eight blocks.
     confidence, accuracy : float, optional
-        Of all intervals; requested relative error of each solution, by default that of the scene, or 1e-9.
+        Of all intervals; relative error of each solution, by default that of the scene, or 1e-9.
     folder, progress : path and stream, optional
         Folder of finished blocks, from which a later call continues; stream for the progress.
     correlation, search_each : mapping and bool, optional
         Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys; whether the circle
         is searched for every sample too, for factors of safety: motions stay on that of the means.
-    records, **of_records
+    records, polarities
         Ground motions that shake every sample in place of the scene's: a `Suite`, paths as `read_suite` has them, or
-        `Series`, in a sequence or by name; and how, as `OfRecords` has it. The result is then a `SuiteStudy`.
+        `Series`, in a sequence or by name. Whether each record also shakes the scene reversed.
+    scales, scale_to_pga : float or array_like, optional
+        Factors on the records; or peak accelerations over gravity to which each is scaled.
+    thresholds, strict : array_like and bool, optional
+        Displacements, m, of exceedance and fragility; whether a file without a record is an error, not a warning.
 
     Examples
     --------
@@ -108,34 +114,29 @@ def ensemble(
     >>> ensemble(replace(load("vaiont"), uncertain=angle), 1000, rng=1).moving.value
     1.0
     """
-    settings = method, sensitivity, size, search_each
-    shaken = OfRecords(**of_records)
-    raise_all("ensemble", setting_mistakes(scene, n, confidence, settings, correlation, records, shaken))
-    design = _design(scene, int(n), _seed(rng, folder), settings, correlation or {}, accuracy)
-    if records is not None:
-        special()  # which it ends with: missing, it is missed before hours of solving
-        unshaken, motions = ground_motions(design.scene, design.inputs, records, shaken)
-        design = replace(design, scene=unshaken, base=0, records=motions)
+    design = _design(scene, rng, accuracy, folder, records, locals())
     return conduct(design, executor, confidence, folder, progress)
 
 
 def _design(
-    scene: Scene,
-    n: int,
-    seed: int,
-    settings: tuple[Any, ...],
-    correlation: Mapping[tuple[str, str], float],
-    accuracy: float | None,
+    scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, given: Mapping[str, Any]
 ) -> Design:
-    """The design of an ensemble whose settings are valid."""
-    method, sensitivity, size, search_each = settings
+    """Return the design of an ensemble, after a check of its settings."""
+    raise_all("ensemble", setting_mistakes(scene, given, records))
     drawn = uncertain_numbers(scene)
-    scene, matrix = along_means(scene), _correlation(drawn, correlation)
+    n, method, correlation = int(given["n"]), given["method"], given["correlation"] or {}
+    means, matrix = along_means(scene), _correlation(drawn, correlation)
     inputs = {k: u.number for k, u in drawn.items()}
-    base = _base_points(sensitivity, len(drawn), n, correlation)
-    accuracy = plan(scene, accuracy).accuracy
-    size = int(size or _size(n, method))
-    return Design(scene, accuracy, inputs, drawn, (), method, n, base, matrix, seed, size, search_each)
+    base = _base_points(given["sensitivity"], len(drawn), n, correlation) if records is None else 0
+    tolerance, seed = plan(means, accuracy).accuracy, _seed(rng, folder)
+    size = int(given["size"] or _size(n, method))
+    each = given["search_each"]
+    design = Design(means, tolerance, inputs, drawn, (), method, n, base, matrix, seed, size, each)
+    if records is None:
+        return design
+    special()  # which it ends with: missing, it is missed before hours of solving
+    unshaken, motions = ground_motions(means, inputs, records, given)
+    return replace(design, scene=unshaken, records=motions)
 
 
 def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
@@ -234,7 +235,7 @@ def varied_number(scene: Scene, path: str, values: Any) -> Number:
 
 def conduct(
     design: Design, executor: Any, confidence: float, folder: str | os.PathLike[str] | None, progress: IO[str] | None
-) -> Any:
+) -> Study:
     """Compute the blocks of a design and return the study of their results."""
     store = Store(design, lambda: _described(design), folder)
     with engine() if executor is None else nullcontext(as_executor(executor)) as workers:
@@ -244,8 +245,6 @@ def conduct(
             with Progress(math.prod(design.shape), "scenes", progress) as shown:
                 compute(design, workers, store, shown)
             print(shown.text(), file=progress, flush=True)
-    if design.records is not None:
-        return SuiteStudy(design, store.values, store.damaged)
     return Study(design, confidence, store.values, store.damaged)
 
 

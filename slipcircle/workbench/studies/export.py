@@ -1,4 +1,4 @@
-"""What is written of an ensemble: as JSON, as one table for CSV, and as arrays for NPZ, all from one list of estimates.
+"""Conversions of a study: estimates as JSON and as one table for CSV, results as arrays, tables and datasets.
 
 A value that cannot be given is null in JSON, empty in CSV and NaN in NPZ; a quantile among samples that slide to no
 known end is "beyond", "beyond" and infinite.
@@ -11,9 +11,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.optional import optional
 from slipcircle.core import Status
-from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.studies.statistics import BEYOND, Estimate
+from slipcircle.workbench.common.quantities import OUTCOMES, plain
+from slipcircle.workbench.studies.design import RESULTS
+from slipcircle.workbench.studies.statistics import BEYOND, Estimate, distribution
 
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 HEAD = ("table", "output", "input", "at", "value", "low", "high")
@@ -81,7 +83,9 @@ def rows(study: Any) -> list[list[Any]]:
 
 
 def record(study: Any) -> dict[str, Any]:
-    """As JSON holds it: SI units but for inputs."""
+    """Return a study for JSON, in SI units but for inputs."""
+    if study.design.records is not None:
+        return _under_records(study)
     design, groups = study.design, _grouped(study)
     failure = groups.get(("probability of failure", "factor_of_safety"), ())
     return {
@@ -129,9 +133,98 @@ def _output(study: Any, groups: _Groups, name: str) -> dict[str, Any]:
     }
 
 
+def _under_records(study: Any) -> dict[str, Any]:
+    """Return records, axes, results (record, polarity, scale, sample) and their statistics for JSON, in SI units."""
+    design, records = study.design, study.records
+    displacement = study.displacement
+    described = {
+        "scene": study.scene.name,
+        **study.suite.to_dict(),
+        "polarities": records.polarities,
+        "scale_is": "pga_g" if records.to_pga else "factor",
+        "yield_coefficient": study.yield_coefficient,
+        "block_factor": study.block_factor,
+        "seed": design.seed,
+        "method": design.method,
+        "accuracy": design.accuracy,
+        "inputs": [uncertain.record for uncertain in design.drawn.values()],
+        "correlation": design.correlations,
+        "distribution": [
+            {"scale": scale} | distribution(displacement, k)._asdict() for k, scale in enumerate(study.scales.tolist())
+        ],
+        "fragility": [curve.to_dict() for curve in study.fragility()],
+        "exceedance": study.fragility_columns(),
+        "median_record": study.suite.entries[study.median_record(study.own_scale)].name,
+        "warnings": study.warnings,
+    }
+    results = {name: values for name, values in arrays(study).items() if name not in ("record", "polarity", "sample")}
+    return dict(plain(described | results))
+
+
+# --- results ---------------------------------------------------------------------------------------------------------
+
+
+def axes(study: Any) -> dict[str, NDArray[Any]]:
+    """Return the axes of the results by name: keys of a grid, or samples, under records after those of the records."""
+    design = study.design
+    if design.method == "grid":
+        return {number.key: levels for number, levels in zip(design.inputs.values(), design.levels, strict=True)}
+    samples = {"sample": np.arange(design.n)}
+    if design.records is None:
+        return samples
+    names = np.array([entry.name for entry in study.suite])
+    return {"record": names, "polarity": study.polarities, "scale": study.scales} | samples
+
+
+def _along(study: Any) -> dict[str, tuple[tuple[str, ...], NDArray[Any]]]:
+    """Return arrays along some of the axes, with these: factors on records, inputs of samples."""
+    along: dict[str, tuple[tuple[str, ...], NDArray[Any]]] = {}
+    if study.design.records is not None:
+        along = {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
+    if study.design.method == "grid":
+        return along
+    return along | {key: (("sample",), values) for key, values in study.inputs.items()}
+
+
 def arrays(study: Any) -> dict[str, NDArray[Any]]:
-    """Return the samples as arrays by name: inputs by key, results and status."""
-    return {f"sample_{name}": values for name, values in study.samples.items()}
+    """Return axes, inputs (``sample_`` and the key) and results as arrays by name."""
+    levels = axes(study)
+    shape = [len(values) for values in levels.values()]
+    named = {f"sample_{n}" if dims == ("sample",) else n: values for n, (dims, values) in _along(study).items()}
+    return levels | named | {name: values.reshape(shape) for name, values in study.values.items()}
+
+
+def columns(study: Any) -> dict[str, NDArray[Any]]:
+    """Return every scene as one row of columns by name; without records, outcomes are magnitudes."""
+    levels = axes(study)
+    shape = [len(values) for values in levels.values()]
+    places = dict(zip(levels, np.indices(shape).reshape(len(shape), -1), strict=True))
+    found = {name: values[places[name]] for name, values in levels.items()}
+    found |= {name: values[tuple(places[dim] for dim in dims)] for name, (dims, values) in _along(study).items()}
+    found |= {name: study.samples.get(name, values).ravel() for name, values in study.values.items()}
+    status = found.pop("status")
+    words = {"status": [s.name for s in Status], "reason": [s.reason for s in Status]}
+    return found | {name: np.array(of_status)[status] for name, of_status in words.items()}
+
+
+def frame(study: Any) -> Any:
+    """Return the `columns` as a pandas.DataFrame with units in ``attrs``."""
+    found = optional("pandas", "to_pandas").DataFrame(columns(study))
+    if study.design.method != "grid":
+        found = found.set_index([*axes(study)])
+    found.attrs["units"] = {**RESULTS, **{number.key: number.unit for number in study.design.inputs.values()}}
+    return found
+
+
+def dataset(study: Any) -> Any:
+    """Return the results as an xarray.Dataset with units; the numbers of ``status`` are those of `Status`."""
+    levels = axes(study)
+    shape = [len(values) for values in levels.values()]
+    results = {
+        name: ([*levels], values.reshape(shape), {"units": RESULTS.get(name, "")})
+        for name, values in study.values.items()
+    }
+    return optional("xarray", "to_xarray").Dataset(results, {**levels, **_along(study)})
 
 
 def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:

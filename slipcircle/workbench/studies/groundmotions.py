@@ -5,7 +5,7 @@ Samples of records are read where they are solved, so that the memory of a study
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -68,70 +68,31 @@ class GroundMotions:
         return self.shaken(scene, series), flat, shape
 
 
-class OfRecords(NamedTuple):
-    """How records shake a scene.
-
-    Attributes
-    ----------
-    polarities : bool
-        Whether each record also shakes the scene reversed.
-    scales, scale_to_pga : float or array_like
-        Factors on the records; or peak accelerations over gravity to which each is scaled.
-    thresholds : array_like
-        Displacements, m, whose exceedance and fragility are given.
-    strict : bool
-        Whether a file that is no record is an error; otherwise it is a warning of the study.
-    """
-
-    polarities: bool = False
-    scales: Any = None
-    scale_to_pga: Any = None
-    thresholds: Any = None
-    strict: bool = False
-
-
 def ground_motions(
-    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: OfRecords
+    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: Mapping[str, Any]
 ) -> tuple[Scene, GroundMotions]:
-    """Return the scene without its shaking, and the records that shake it.
+    """Return the scene without its shaking, and the records that shake it, by valid settings of an ensemble.
 
     Raises
     ------
     ValueError
-        Lists what is wrong with the scene, the scales and the records.
+        Lists mistakes in the records, and records that do not suit the scene and the scales.
     """
-    scales, to_pga = _scales(settings)
     gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = Suite.of(records, strict=settings.strict, gravity=gravity)
+    suite = Suite.of(records, strict=settings["strict"], gravity=gravity)
     assert isinstance(scene.effects, dict)
     shaking = scene.effects.get("shaking", {})
     still = {effect: given for effect, given in scene.effects.items() if effect != "shaking"}
     two_way = {key: given for key, given in shaking.items() if key == "two_way"}
     replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
-    polarities = (1.0, -1.0) if settings.polarities else (1.0,)
-    thresholds = THRESHOLDS if settings.thresholds is None else _positive("thresholds", settings.thresholds)
-    motions = GroundMotions(suite, polarities, scales, to_pga, two_way, replaces, thresholds)
+    polarities = (1.0, -1.0) if settings["polarities"] else (1.0,)
+    pga, thresholds = settings["scale_to_pga"], settings["thresholds"]
+    scales = pga if pga is not None else 1.0 if settings["scales"] is None else settings["scales"]
+    thresholds = THRESHOLDS if thresholds is None else thresholds
+    scales, thresholds = (np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (scales, thresholds))
+    motions = GroundMotions(suite, polarities, scales, pga is not None, two_way, replaces, thresholds)
     raise_all("ensemble", [*_input_mistakes(inputs), *_record_mistakes(motions)])
     return replace(scene, effects=still, uncertain={}), motions
-
-
-def _scales(settings: OfRecords) -> tuple[Floats, bool]:
-    """The scales, and whether they are peak accelerations."""
-    factors = settings.scales
-    if settings.scale_to_pga is None:
-        return _positive("scales", 1.0 if factors is None else factors), False
-    if factors is not None:
-        raise ValueError("ensemble: scales and scale_to_pga exclude each other; leave one out")
-    return _positive("scale_to_pga", settings.scale_to_pga), True
-
-
-def _positive(name: str, values: Any) -> Floats:
-    """One or more positive numbers."""
-    numbers = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    is_list = numbers.ndim == 1 and numbers.size > 0
-    if not is_list or not np.all((numbers > 0.0) & (numbers < np.inf)):
-        raise ValueError(f"ensemble: {name} = {numbers.tolist()!r}: must be one or more positive numbers")
-    return numbers
 
 
 def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:

@@ -1,73 +1,93 @@
-"""The settings of an ensemble: a sentence for each mistake in them."""
+"""The settings of an ensemble: values that are allowed, and a message for each mistake."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import shown
+from slipcircle.base.checks import array_of, shown
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
-from slipcircle.workbench.studies.groundmotions import OfRecords
 from slipcircle.workbench.studies.searched import search_mistakes
 
 _MOST = 10**12
 _MOST_BASE = 2**22
 _LARGEST = 2**30  # block
 OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
-_Flag = bool | np.bool_ | None  # None where it is not given
 _OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
-def setting_mistakes(
-    scene: Scene, n: Any, confidence: Any, settings: Sequence[Any], correlation: Any, records: Any, shaken: OfRecords
-) -> list[str]:
-    """A sentence for each mistake."""
-    method, points, size, search_each = settings
-    with_records = records is not None
-    flags = {"search_each": search_each, "polarities": shaken.polarities, "strict": shaken.strict}
-    found = _scene_mistakes(scene, search_each, with_records)
-    found += _number_mistakes(n, method, size, confidence) + _sensitivity_mistakes(points, correlation)
-    found += [f"{k} = {v!r}: must be True or False" for k, v in flags.items() if not isinstance(v, _Flag)]
-    if with_records and (search_each or points):
+class Setting(NamedTuple):
+    """A condition on a value, its words, and whether the setting requires records; None is a value not given."""
+
+    is_valid: Callable[[Any], Any]
+    words: str
+    of_records: bool = False
+
+
+def whole(value: Any) -> bool:
+    """Return whether a value is a whole number."""
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+
+
+def _is_flag(value: Any) -> bool:
+    return isinstance(value, bool | np.bool_)
+
+
+def _are_positive(values: Any) -> bool:
+    numbers = array_of(values)
+    is_list = numbers.ndim < 2 and numbers.size > 0 and numbers.dtype.kind in "iuf"
+    return is_list and bool(np.all((numbers > 0.0) & (numbers < np.inf)))
+
+
+def _is_size(value: Any) -> bool:
+    return whole(value) and 4 <= value <= _LARGEST and not int(value) & (int(value) - 1)
+
+
+def _are_pairs(value: Any) -> bool:
+    return isinstance(value, Mapping) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value)
+
+
+_FLAG, _POSITIVE = "must be True or False", "must be one or more positive numbers"
+SETTINGS: Mapping[str, Setting] = {
+    "n": Setting(lambda x: whole(x) and 1 <= x <= _MOST, f"must be a whole number of samples, from 1 to {_MOST:.0e}"),
+    "method": Setting(lambda x: x in METHODS, f"must be one of {', '.join(METHODS)}"),
+    "confidence": Setting(lambda x: isinstance(x, float) and 0.0 < x < 1.0, "must be between 0 and 1"),
+    "size": Setting(_is_size, f"must be a power of two from 4 to {_LARGEST}"),
+    "sensitivity": Setting(
+        lambda x: whole(x) and 0 <= x <= _MOST_BASE and x != 1, f"must be 0, or 2 to {_MOST_BASE} base points"
+    ),
+    "correlation": Setting(_are_pairs, "must be a mapping from pairs of keys to numbers"),
+    "search_each": Setting(_is_flag, _FLAG),
+    "polarities": Setting(_is_flag, _FLAG, True),
+    "strict": Setting(_is_flag, _FLAG, True),
+    "scales": Setting(_are_positive, _POSITIVE, True),
+    "scale_to_pga": Setting(_are_positive, _POSITIVE, True),
+    "thresholds": Setting(_are_positive, _POSITIVE, True),
+}
+
+
+def setting_mistakes(scene: Scene, given: Mapping[str, Any], records: Any) -> list[str]:
+    """Return a message for each mistake in the values of `SETTINGS`, and for settings that exclude each other."""
+    found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
+    if not scene.uncertain and records is None:
+        found.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
+    for name, setting in SETTINGS.items():
+        value = given[name]
+        if value is not None and not setting.is_valid(value):
+            found.append(f"{name} = {shown(value)}: {setting.words}")
+        elif setting.of_records and records is None and value is not None and value is not False:
+            found.append(f"{name} = {shown(value)}: is for records; give records as well")
+    if given["search_each"]:
+        found += search_mistakes(scene)
+    if given["correlation"] and given["sensitivity"]:
+        found.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
+    if records is not None and (given["search_each"] or given["sensitivity"]):
         found.append("search_each and sensitivity do not go with records; leave them out")
-    for name, value in shaken._asdict().items():
-        if not (with_records or value is None or value is False):
-            found.append(f"{name} = {value!r}: is for records; give records as well")
+    if given["scales"] is not None and given["scale_to_pga"] is not None:
+        found.append("scales and scale_to_pga exclude each other; leave one out")
     return found or _truncated(uncertain_numbers(scene))
-
-
-def _scene_mistakes(scene: Scene, search_each: bool, with_records: bool) -> list[str]:
-    mistakes = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
-    if not scene.uncertain and not with_records:
-        mistakes.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    return mistakes + (search_mistakes(scene) if search_each else [])
-
-
-def _number_mistakes(n: Any, method: Any, size: Any, confidence: Any) -> list[str]:
-    """A sentence for each setting out of bounds."""
-    mistakes = []
-    if not (whole(n) and 1 <= n <= _MOST):
-        mistakes.append(f"n = {shown(n)}: must be a whole number of samples, from 1 to {_MOST:.0e}")
-    if method not in METHODS:
-        mistakes.append(f"method = {shown(method)}: must be one of {', '.join(METHODS)}")
-    if not (isinstance(confidence, float) and 0.0 < confidence < 1.0):
-        mistakes.append(f"confidence = {shown(confidence)}: must be between 0 and 1")
-    if size is not None and not (whole(size) and 4 <= size <= _LARGEST and not int(size) & (int(size) - 1)):
-        mistakes.append(f"size = {shown(size)}: must be a power of two from 4 to {_LARGEST}")
-    return mistakes
-
-
-def _sensitivity_mistakes(points: Any, correlation: Any) -> list[str]:
-    mistakes = []
-    if points is not None and not (whole(points) and 0 <= points <= _MOST_BASE and points != 1):
-        mistakes.append(f"sensitivity = {shown(points)}: must be 0, or 2 to {_MOST_BASE} base points")
-    if correlation is not None and not (isinstance(correlation, Mapping) and all(map(_is_pair, correlation))):
-        mistakes.append(f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
-    if correlation and points:
-        mistakes.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
-    return mistakes
 
 
 def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
@@ -82,11 +102,3 @@ def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
                 f"{number.high:g}, where scenes are invalid; use truncated_normal with low and high"
             )
     return found
-
-
-def _is_pair(keys: Any) -> bool:
-    return isinstance(keys, tuple) and len(keys) == 2
-
-
-def whole(value: Any) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)

@@ -15,19 +15,19 @@ from numpy.typing import NDArray
 
 from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
-from slipcircle.base.optional import optional
-from slipcircle.core import Motion, Scene, Status
+from slipcircle.core import Motion, Status
 from slipcircle.words import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.stability.stability import least_of
 from slipcircle.workbench.studies import export
-from slipcircle.workbench.studies.design import FACTOR, NO_RESULT, RESULTS, Design
+from slipcircle.workbench.studies.design import FACTOR, NO_RESULT, Design
 from slipcircle.workbench.studies.engines import engine
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.propagation import Linear, disagreement, propagated
 from slipcircle.workbench.studies.searched import effect_of_searching
+from slipcircle.workbench.studies.shaken import Shaken
 from slipcircle.workbench.studies.statistics import (
     Convergence,
     Estimate,
@@ -45,7 +45,7 @@ from slipcircle.workbench.studies.statistics import (
 _VARYING = ("moves", *OUTCOMES)  # outputs with sensitivity indices
 
 
-class Study(Pictured):
+class Study(Shaken, Pictured):
     """Statistics of solved samples; the confidence of intervals is pointwise, not simultaneous.
 
     Attributes
@@ -55,10 +55,10 @@ class Study(Pictured):
         Repeat the same samples.
     confidence : float
     values : mapping of str to ndarray
-        Results of each sample in SI units, by name: ``run_out``, ``peak_velocity``, ``duration``, ``end_displacement``
-        (permanent), ``rotation`` (at the end), ``slips`` (how often it begins to slide), ``outside_range`` and
-        ``status`` (`Status`), of a grid also factors of safety. They have a sign, are 0 of a mass that does not move,
-        and NaN without a result.
+        Results by name in SI units, of each sample or (record, polarity, scale, sample): ``run_out``,
+        ``peak_velocity``, ``duration``, ``end_displacement`` (permanent), ``rotation`` (at the end), ``slips`` (how
+        often it begins to slide), ``outside_range`` and ``status`` (`Status`), of a grid also factors of safety. They
+        have a sign, are 0 of a mass that does not move, and NaN without a result.
     damaged : int
         Number of blocks of the folder that were damaged and computed again.
     """
@@ -69,8 +69,8 @@ class Study(Pictured):
         self.size = design.size
         self.confidence = confidence
         self.damaged = damaged
-        self.values = {name: array[: design.n] for name, array in values.items()}
-        self._base_values = {name: array[design.n :] for name, array in values.items()}
+        self.values = {name: array[..., : design.n] for name, array in values.items()}
+        self._base_values = {name: array[..., design.n :] for name, array in values.items()}
         self._ordered: dict[str, Ordered] = {}
 
     @cached_property
@@ -80,9 +80,9 @@ class Study(Pictured):
 
     @cached_property
     def samples(self) -> dict[str, NDArray[Any]]:
-        """Inputs, and results as magnitudes where they are finite, by name."""
+        """Inputs, and without records results as magnitudes where they are finite, by name."""
         found: dict[str, NDArray[Any]] = {**self.inputs}
-        for name, values in self.values.items():
+        for name, values in self.values.items() if self.design.records is None else ():
             if values.dtype == np.float64:
                 magnitude = np.abs(values) if name in OUTCOMES else values
                 found[name] = np.where(np.isinf(values), np.nan, magnitude)
@@ -127,28 +127,18 @@ class Study(Pictured):
             turn *= 2
         return found
 
-    @property
-    def scene(self) -> Scene:
-        """The scene whose numbers vary."""
-        return self.design.scene
-
     # -- tables -------------------------------------------------------------------------------------------------------
 
     def __repr__(self) -> str:
-        size = f"{self.design.n} scenes, {self.design.method}"
-        counted = ", ".join(f"{end}: {count}" for end, count in self._counted())
-        summary = [" ".join(words) for words in self._summary()]
-        parts = "; ".join([size, counted, *summary])
-        return f"<Study {self.scene.name}: {parts}>"
+        sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.axes(self).items())
+        parts = [" ".join(words) for words in self._summary()] if self.design.records is None else []
+        return f"<Study {self.scene.name}: {'; '.join([sizes, *parts])}>"
 
     def _repr_html_(self) -> str:
-        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*self._counted(), *self._summary()]))
-
-    def _counted(self) -> list[list[str]]:
-        return [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
+        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table(self._summary()))
 
     def _summary(self) -> list[list[str]]:
-        rows = []
+        rows = [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
         for name, quantity in OUTCOMES.items():
             low, median, high = (value_text(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
             rows.append([words(name), f"{median} ({low} to {high}) {quantity.unit}"])
@@ -171,28 +161,30 @@ class Study(Pictured):
         """
         return export.record(self)
 
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Return every scene as one row of columns by name: its place, inputs, results in SI units, status, reason."""
+        return export.columns(self)
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Return axes, inputs and results as arrays by name."""
+        return export.arrays(self)
+
     def to_pandas(self) -> Any:
-        """The samples as a pandas.DataFrame: inputs by key, results in SI units, the name of the status, the reason."""
-        statuses = [Status(s) for s in self.samples["status"].tolist()]
-        named = {"status": [s.name for s in statuses], "reason": [s.reason for s in statuses]}
-        frame = optional("pandas", "to_pandas").DataFrame({**self.samples, **named})
-        units = {number.key: number.unit for number in self.design.inputs.values()}
-        frame.attrs["units"] = {**units, **RESULTS}
-        return frame
+        """Return `columns` as a pandas.DataFrame, indexed by record, polarity, scale and sample where it has them."""
+        return export.frame(self)
 
     def to_xarray(self) -> Any:
-        """The same as an xarray.Dataset: over the keys of a grid, or over samples with inputs as coordinates."""
-        frame, keys = self.to_pandas(), [u.key for u in self.design.inputs.values()]
-        if self.design.method == "grid":
-            return frame.set_index(keys).to_xarray()
-        return frame.rename_axis("sample").to_xarray().set_coords(keys)
+        """Return the results as an xarray.Dataset over samples, the keys of a grid, or also record, polarity, scale."""
+        return export.dataset(self)
 
     # -- counts and probabilities -------------------------------------------------------------------------------------
 
     @cached_property
     def _replicate(self) -> NDArray[np.int8]:
-        """The replicate of each sample."""
+        """The replicate of each sample; motions under one record have none, as they are not independent."""
         design = self.design
+        if design.records is not None:
+            raise ValueError("Study: motions under records have a distribution by scale; use by_record and fragility")
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
         replicates = np.arange(design.sample_blocks) % design.replicates
         return np.repeat(replicates.astype(np.int8), lengths)
@@ -205,16 +197,14 @@ class Study(Pictured):
         """Return known values of valid samples in increasing order."""
         if name not in self._ordered:
             known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
-            replicates = [known]
-            if self.design.replicates > 1:
-                replicates = [known & (self._replicate == k) for k in range(self.design.replicates)]
+            replicates = [known & (self._replicate == k) for k in range(self.design.replicates)]
             self._ordered[name] = Ordered([values[k] for k in replicates])
         return self._ordered[name]
 
     @cached_property
     def counts(self) -> NDArray[np.int64]:
         """Samples of each `Status`."""
-        return np.bincount(self.values["status"], minlength=len(Status))
+        return np.bincount(self.values["status"].ravel(), minlength=len(Status))
 
     @property
     def n(self) -> int:
@@ -344,10 +334,14 @@ class Study(Pictured):
     @property
     def warnings(self) -> list[str]:
         """Warnings about the results."""
-        found = self._circle_warnings()
-        is_grid, total = self.design.method == "grid", int(self.counts.sum())
-        scenes = "scenes" if is_grid else "samples"
+        is_shaken, is_grid = self.design.records is not None, self.design.method == "grid"
+        found = self._record_warnings() if is_shaken else self._circle_warnings()
+        if self.damaged:
+            found.append(f"{self.damaged} blocks of the folder were damaged, and are computed again")
+        total = int(self.counts.sum())
+        scenes = "motions" if is_shaken else "scenes" if is_grid else "samples"
         counted = "" if is_grid else "; they count as moving and as exceeding every threshold"
+        until = "displacements" if is_shaken else "run-out and duration"
         for status in (s for s in Status if self.counts[s]):
             share = f"{int(self.counts[status])} of {total} {scenes}"
             if status in NO_RESULT:
@@ -355,18 +349,21 @@ class Study(Pictured):
             elif status >= Status.INVALID:
                 found.append(f"{share} are not valid scenes and not counted: {status.reason}")
             elif status is Status.MOVING:
-                found.append(f"{share} still move at their end: run-out and duration are those until then")
-        if self.without_result and not is_grid:
-            found.append("means, standard deviations and indices of outputs are not given: samples without a result")
+                found.append(f"{share} still move at their end: {until} are those until then")
         if self.outside_range:
             found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
+        return found + ([] if is_shaken else self._statistics_warnings())
+
+    def _statistics_warnings(self) -> list[str]:
+        """Return warnings about statistics of samples."""
+        found = []
+        if self.without_result and self.design.method != "grid":
+            found.append("means, standard deviations and indices of outputs are not given: samples without a result")
         if invalid := self.design.base - int(sum(moves[0] for moves, *_ in self._batches)):
             found.append(f"{invalid} of {self.design.base} base points are invalid and not in the indices")
         for name, linear in self.linear.items():
             if difference := disagreement(name, linear, self._sampled(name), self.design.accuracy):
                 found.append(difference)
-        if self.damaged:
-            found.append(f"{self.damaged} blocks of the folder were damaged, and are computed again")
         return found
 
     def _circle_warnings(self) -> list[str]:
@@ -384,3 +381,6 @@ class Study(Pictured):
 def _magnitudes(values: Mapping[str, NDArray[Any]], output: str) -> Floats:
     """Return magnitudes of an output, infinite of what slides without a result; NaN of invalid scenes."""
     return np.where(np.isin(values["status"], NO_RESULT), np.inf, np.abs(values[output]))
+
+
+SuiteStudy = Study  # the name of studies under records

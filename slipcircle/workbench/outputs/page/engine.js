@@ -52,7 +52,25 @@ function solverOf(model, x) {
         rows[row] = sum;
       });
     }
+    if (model.start) begin(rows, model.start);
     return rows;
+  }
+
+  // The root F of F times a number = a sum of series in numbers over F; by its ratio to another root, rows are scaled.
+  function begin(rows, { at, low, high, degree, scaled, factor }) {
+    const [whole, other] = rows.subarray(at, at + 2), first = at + 2 + low.length;
+    let root = 1;
+    for (let last = 0, n = 0; n < 200 && Math.abs(root - last) > 1e-15 * root; n += 1) {
+      last = root;
+      root = low.reduce((sum, from, k) => {
+        const x = 2 * (rows[at + 2 + k] / last - from) / (high[k] - from) - 1, series = first + k * (degree + 1);
+        let next = 0, value = 0;
+        for (let j = degree; j > 0; j -= 1) [value, next] = [rows[series + j] + 2 * x * value - next, value];
+        return sum + rows[series] + x * value - next;
+      }, 0) / whole;
+    }
+    for (const row of scaled) rows[row] *= root * whole / other;
+    rows[factor] = root;
   }
 
   function tables(rows) {
@@ -97,9 +115,19 @@ function solverOf(model, x) {
     return found;
   }
 
-  // Final cells of some lanes, (cells, lanes), and states at times where any are given, (rows, times).
+  // Final cells of some lanes, and states at times. Lanes that turn back too often end at their first standstill.
   function integrate(which, rows, factors, lanes, times) {
+    const found = solved(which, rows, factors, lanes, times, []);
+    const of = (name, k) => entry(found.final, name, k, lanes), { TOO_LONG, MOST_TURNS } = model.codes;
+    const swings = Array.from({ length: lanes }, (_, k) => (
+      of('STATUS', k) === TOO_LONG && of('TURNS', k) > MOST_TURNS && of('END_TIME', k) === Infinity));
+    return swings.includes(true) ? solved(which, rows, factors, lanes, times, swings) : found;
+  }
+
+  // Final cells of some lanes, (cells, lanes), and states at times where any are given, (rows, times).
+  function solved(which, rows, factors, lanes, times, ending) {
     const program = model.programs[which], cells = cellsOf(program, rows, factors, lanes);
+    ending.forEach((one, k) => { if (one) cells[model.entries.FIRST_ONLY * lanes + k] = 1; });
     const orders = cells.subarray(model.entries.ORDER * lanes, (model.entries.ORDER + 1) * lanes);
     orders.forEach((order, k) => { orders[k] = Math.round(order); });
     const count = times.length, height = 4 + Object.keys(program.states).length;

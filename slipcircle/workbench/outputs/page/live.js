@@ -246,9 +246,9 @@ function start(figure, addressed) {
   }
 
   function names(texts, size, height) {
-    let lowest = 0;
+    let lowest = size;
     for (const name of texts) {
-      const line = Number(name.dataset.line), below = !name.matches('.of-water, .of-surcharge');
+      const line = Number(name.dataset.line), below = !name.matches('.of-water, .of-surcharge, .of-pond');
       const room = below && line + 1.4 * size < height;
       const y = Math.max(room ? line + 1.15 * size : line - (below ? 1.8 : 0.5) * size, lowest);
       name.setAttribute('y', y);
@@ -338,7 +338,9 @@ function start(figure, addressed) {
     const hovers = hovered !== null && ['v', 's'].includes(of);
     chart.hover.setAttribute('d', hovers ? `M${x(hovered)} ${box.top}V${box.bottom}` : '');
     const value = () => `${text(at(motion, hovered)[of], chart.high - chart.low)} ${of === 'v' ? 'm/s' : 'm'} at ${text(hovered, longest())} s`;
-    chart.words.textContent = hovers ? value() : { energy: 'work, dissipation, kinetic', stress: 'total, effective' }[of] || '';
+    const keys = { energy: [['', 'work'], ['dissipation', '- - dissipation'], ['kinetic', 'kinetic']], stress: [['', 'total'], ['dissipation', '- - effective']] };
+    chart.words.replaceChildren(...(keys[of] || []).map(([kind, name]) => drawn('tspan', { class: kind, dx: 8 }, name)));
+    if (hovers) chart.words.textContent = value();
   }
 
   // --- what changes it ---

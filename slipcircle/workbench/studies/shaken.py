@@ -1,7 +1,6 @@
-"""Results of studies over records: a scene shaken by each record of a suite, in both polarities, at several scales."""
+"""Statistics of studies under records: displacements, regressions, fragility, and tables by record."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -9,52 +8,52 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.forms import Pictured
 from slipcircle.base.kinds import Floats
-from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
-from slipcircle.core import Motion, Scene, Status, solve
+from slipcircle.core import Motion, Scene, solve
 from slipcircle.tables import Pulse
-from slipcircle.words import OUTSIDE
-from slipcircle.workbench.common.quantities import plain
+from slipcircle.workbench.records.suite import Suite
 from slipcircle.workbench.studies.design import NO_RESULT, RESULTS, Design
 from slipcircle.workbench.studies.fragility import FragilityCurve, fragility_curve
+from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.motions import motions
-from slipcircle.workbench.studies.statistics import distribution, exceedance, exceedance_shares
+from slipcircle.workbench.studies.statistics import exceedance, exceedance_shares
 from slipcircle.workbench.suites.intensities import spectral_acceleration
 from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, comparisons
 
-DIMENSIONS = ("record", "polarity", "scale", "sample")
 
+class Shaken:
+    """The part of a study that belongs to its records."""
 
-class SuiteStudy(Pictured):
-    """Motions of a scene under each record of a suite.
-
-    Attributes
-    ----------
-    design : Design
-    suite : Suite
-    polarities, scales : ndarray
-        1 as recorded and -1 reversed; factors, or peak accelerations over gravity (`design.to_pga`).
-    values : mapping of str to ndarray
-        ``run_out``, ``peak_velocity``, ``duration``, ``end_displacement`` (permanent), ``rotation`` (at the end, rad),
-        ``slips`` (how often it begins to slide), ``outside_range`` and ``status`` (`Status`), each (record, polarity,
-        scale, sample), SI; signed, 0 of what does not move, NaN without a result.
-    samples : mapping of str to ndarray
-        Values of the uncertain numbers by key, in its unit; the same for every record.
-    """
-
-    def __init__(self, design: Design, values: Mapping[str, NDArray[Any]], damaged: int = 0) -> None:
-        assert design.records is not None
-        self.design, self.records, self.suite = design, design.records, design.records.suite
-        self.polarities, self.scales = np.array(self.records.polarities), self.records.scales
-        self.values, self.damaged = values, damaged
-        self.samples = design.samples()
+    design: Design
+    values: dict[str, NDArray[Any]]
 
     @property
     def scene(self) -> Scene:
-        """The scene without shaking."""
+        """The scene whose numbers vary; under records without its shaking."""
         return self.design.scene
+
+    @property
+    def records(self) -> GroundMotions:
+        """The ground motions; a ValueError says that a study has none."""
+        if self.design.records is None:
+            raise ValueError("Study: it has no records; give ensemble(..., records=...)")
+        return self.design.records
+
+    @property
+    def suite(self) -> Suite:
+        """The records."""
+        return self.records.suite
+
+    @property
+    def polarities(self) -> Floats:
+        """1 for records as they are, -1 for reversed ones."""
+        return np.array(self.records.polarities)
+
+    @property
+    def scales(self) -> Floats:
+        """Factors on the records, or peak accelerations over gravity (`records.to_pga`)."""
+        return self.records.scales
 
     @property
     def displacement(self) -> Floats:
@@ -184,29 +183,13 @@ class SuiteStudy(Pictured):
         value = shown(float(self.scales[scale]))
         return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
-    @property
-    def warnings(self) -> list[str]:
-        """Warnings about files and results."""
+    def _record_warnings(self) -> list[str]:
+        """Return warnings about files and about motion without shaking."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
         found += self.suite.warnings
         if bool(np.any(motions(self.scene, {}, self.design.accuracy).moves)):
             found.append("the mass moves without shaking too: displacements are not those of the records alone")
-        statuses = self.values["status"].ravel()
-        for status, count in zip(Status, np.bincount(statuses, minlength=len(Status)), strict=True):
-            share = f"{count} of {statuses.size}"
-            if count and status.reason:
-                found.append(f"{share} motions have no result: {status.reason}")
-            elif count and status is Status.MOVING:
-                found.append(f"{share} still move at their end: displacements are those until then")
-        if count := np.count_nonzero(self.values["outside_range"]):
-            found.append(f"{count} of {statuses.size} motions move {OUTSIDE}")
         return found
-
-    def __repr__(self) -> str:
-        sizes = ", ".join(f"{name}: {n}" for name, n in zip(DIMENSIONS, self.values["status"].shape, strict=True))
-        return f"<SuiteStudy {self.scene.name}: {sizes}>"
-
-    # -- tables -------------------------------------------------------------------------------------------------------
 
     def by_record(self, scale: int = 0) -> dict[str, list[Any]]:
         """A table of the records at one of the scales: columns by their heads, medians over the samples.
@@ -227,73 +210,3 @@ class SuiteStudy(Pictured):
         for name, head in (("peak_velocity", "peak_velocity_m_s"), ("slips", "slips"), ("rotation", "rotation_rad")):
             columns[head] = medians[name].max(axis=1).tolist()
         return columns
-
-    def columns(self) -> dict[str, NDArray[Any]]:
-        """Every motion as one row of columns by name: its record, polarity, scale, sample, inputs, results, status."""
-        statuses = self.values["status"]
-        record, polarity, scale, sample = np.indices(statuses.shape).reshape(len(DIMENSIONS), -1)
-        records = np.array([entry.name for entry in self.suite])
-        words = np.array([status.name for status in Status])
-        columns = {
-            "record": records[record],
-            "polarity": self.polarities[polarity],
-            "scale": self.scales[scale],
-            "sample": sample,
-            "factor": self.factors[record, scale],
-            "pga_g": self.pga[record, scale],
-        }
-        columns |= {key: values[sample] for key, values in self.samples.items()}
-        columns |= {name: self.values[name].ravel() for name in RESULTS}
-        return columns | {"status": words[statuses.ravel()]}
-
-    def to_pandas(self) -> Any:
-        """Every motion as a row of a pandas.DataFrame, indexed by record, polarity, scale and sample."""
-        return optional("pandas", "to_pandas").DataFrame(self.columns()).set_index([*DIMENSIONS])
-
-    def to_xarray(self) -> Any:
-        """An xarray.Dataset over record, polarity, scale and sample, with units."""
-        along = {name: (DIMENSIONS, self.values[name], {"units": unit}) for name, unit in RESULTS.items()}
-        status = {"status": (DIMENSIONS, self.values["status"])}
-        coordinates: dict[str, Any] = {
-            "record": [entry.name for entry in self.suite],
-            "polarity": self.polarities,
-            "scale": self.scales,
-            "factor": (("record", "scale"), self.factors),
-            "pga_g": (("record", "scale"), self.pga),
-        }
-        coordinates |= {key: ("sample", values) for key, values in self.samples.items()}
-        return optional("xarray", "to_xarray").Dataset(along | status, coordinates)
-
-    def arrays(self) -> dict[str, NDArray[Any]]:
-        """The same as plain arrays by name, for NPZ."""
-        named = {f"sample_{key}": values for key, values in self.samples.items()}
-        names = np.array([entry.name for entry in self.suite])
-        axes = {"record": names, "polarity": self.polarities, "scale": self.scales}
-        return axes | {"factor": self.factors, "pga_g": self.pga, **self.values, **named}
-
-    def to_dict(self) -> dict[str, Any]:
-        """The study for JSON: its records, axes and results, (record, polarity, scale, sample), in SI units."""
-        sampling = self.design
-        described = {
-            "scene": self.scene.name,
-            **self.suite.to_dict(),
-            "polarities": self.records.polarities,
-            "scale_is": "pga_g" if self.records.to_pga else "factor",
-            "yield_coefficient": self.yield_coefficient,
-            "block_factor": self.block_factor,
-            "seed": sampling.seed,
-            "method": sampling.method,
-            "accuracy": sampling.accuracy,
-            "inputs": [uncertain.record for uncertain in sampling.drawn.values()],
-            "correlation": sampling.correlations,
-            "distribution": [
-                {"scale": scale} | distribution(self.displacement, k)._asdict()
-                for k, scale in enumerate(self.scales.tolist())
-            ],
-            "fragility": [curve.to_dict() for curve in self.fragility()],
-            "exceedance": self.fragility_columns(),
-            "median_record": self.suite.entries[self.median_record(self.own_scale)].name,
-            "warnings": self.warnings,
-        }
-        results = {name: values for name, values in self.arrays().items() if name not in ("record", "polarity")}
-        return dict(plain(described | results))
