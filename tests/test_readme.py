@@ -90,12 +90,27 @@ def test_scene_file(tmp_path: Path, run: Any, said: Any) -> None:
 
 
 def test_the_earthquake_of_the_readme(run: Any) -> None:
-    """Its scene file runs, and the lines below it are among those that it prints."""
+    """Its scene file runs, and the lines below it are among the printed lines."""
     (scene,) = blocks(TEXT, "toml")
     printed = run(scene)
     shown = {label: cells for block in blocks(TEXT, "") for label, cells in columns(block).items()}
-    assert len(shown) == 4
+    assert len(shown) == 3
     assert {label: "  ".join(cells) for label, cells in shown.items()}.items() <= printed.items()
+
+
+def test_the_commands_of_the_readme(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any) -> None:
+    """From a new file to a run-out and the friction that explains another one: the lines below each are printed."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(pictures, "picture", lambda *_: b"GIF")
+    called, printed = [], [""]
+    for line in blocks(TEXT, "console")[0].splitlines():
+        if line.startswith("$ ./run slipcircle "):
+            words = line.partition("#")[0].removeprefix("$ ./run slipcircle ")
+            called.append(words.partition(" ")[0])
+            printed = said(words).splitlines()
+        else:
+            assert line in printed
+    assert called == ["new", "search", "run", "backanalyse"]
 
 
 def test_the_picture_of_what_accuracy_costs_is_drawn_so_today(monkeypatch: pytest.MonkeyPatch) -> None:
