@@ -127,30 +127,28 @@ def _notes(rows: Sequence["Row"], machine: str, wanted: Mapping[str, float]) -> 
     several = [row for row in rows if row.group != ALONE]
     if len(several) < len(rows):
         yield "A single scene is solved to rounding, whatever accuracy is requested; in ensembles accuracy saves time."
-    names = [row.way.partition(",")[0] for row in several]
-    graded = [
-        row for row, name in zip(several, names, strict=True) if row.way == name and name.startswith(("1e", "best"))
-    ]
-    price = price_of_a_digit(graded)
+    tiers = [row for row in several if re.fullmatch(r"1e-\d+|best", row.way)]
+    price = price_of_a_digit(tiers)
     if not math.isnan(price):
-        first, *_, last = sorted(graded, key=lambda row: -row.error)
+        first, *_, last = sorted(tiers, key=lambda row: -row.error)
         yield f"From {first.way} to {last.way} each digit costs {100 * (price - 1):.0f} %."
     for row in rows:
         if row.bound is not None and row.error > row.bound:
             yield f"The error of {row.way} ({row.group}) is above its bound: a bug, please report it."
     limit = "".join(f" for {name} {text}" for name, text in _shown(wanted))
     chosen = [row for row in rows if row.verdict == RECOMMENDED]
-    if chosen:
-        (row,) = chosen
-        yield f"Recommended{limit}: {row.way} ({time_text(1e9 * row.seconds)}, error {_error(row.error)})."
-    elif limit:
+    yield from (f"Recommended{limit}: {_measured(row)}." for row in chosen)
+    if limit and not chosen:
         fastest = min(several, key=lambda row: row.seconds)
         closest = min(several, key=lambda row: row.error)
-        yield (
-            f"No row{limit}: the fastest is {fastest.way} ({time_text(1e9 * fastest.seconds)}), the most accurate "
-            f"{closest.way} (error {_error(closest.error)}, bound {_error(closest.bound or closest.error)})."
-        )
+        yield f"No row{limit}; the fastest is {_measured(fastest)}, the most accurate {_measured(closest)}."
     yield from (NOTE, f"{machine}.")
+
+
+def _measured(row: "Row") -> str:
+    """Return a row in words."""
+    bound = "" if row.bound is None else f", bound {_error(row.bound)}"
+    return f"{row.way} ({time_text(1e9 * row.seconds)}, error {_error(row.error)}{bound})"
 
 
 def _shown(wanted: Mapping[str, float]) -> Iterator[tuple[str, str]]:
