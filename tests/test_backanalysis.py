@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 from itertools import count
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,8 +12,11 @@ import pytest
 from scipy.optimize import least_squares, minimize_scalar
 
 from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, solve
+from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.files.shipped import find
+from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
 from slipcircle.workbench.studies.roots import solve_exact
 from tests.campaigns.round_trips import outcome
@@ -246,6 +250,65 @@ def test_one_interval_is_met_in_its_middle() -> None:
     )
 
 
+# --- targets and limits --------------------------------------------------------------------------------------------
+
+SLOPE: Any = load("real-slope")
+RESIDUAL = "friction.residual_deg"
+TARGETS = ("toe_x", "crest_drop", "centroid_travel")
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_the_strength_with_which_a_motion_was_computed_is_found_from_its_places(target: str) -> None:
+    """Places are those of points that turn about the centre of the circle."""
+    motion = solve(SLOPE)
+    arc = SLOPE.arc
+    turn = np.exp(1j * arc.facing * motion.run_out / arc.radius)
+    centre = complex(*arc.centre)
+    crest, toe, centroid = (centre + (complex(*p) - centre) * turn for p in (arc.entry, arc.exit, arc.centroid))
+    places = {"toe_x": toe.real, "crest_drop": arc.entry[1] - crest.imag}
+    places["centroid_travel"] = arc.facing * (centroid.real - arc.centroid[0])
+    residual = SLOPE.friction["residual"]
+    found = backanalyse(SLOPE, field="friction.residual", **{target: places[target]})
+    assert found.value == pytest.approx(residual, rel=1e-9)
+    assert (
+        backanalyse(replace(SLOPE, observed={target: places[target]}), field="friction.residual").value == found.value
+    )
+
+
+@pytest.mark.parametrize(("method", "factor"), [("bishop", 1.0), ("paper", 1.0), ("ordinary", 0.9)])
+def test_a_factor_of_safety_by_a_method_is_met_by_strengths_as_entered(method: str, factor: float) -> None:
+    """The slices of statics have it with the strength that is found; no motion is needed."""
+    scene = replace(SLOPE, start=method)
+    found = backanalyse(scene, factor_of_safety=factor, field="cohesion.cohesion")
+    slope = replace(SLOPE.stability.slope, cohesion=found.value)
+    assert at_circle(slope, SLOPE.arc).factors_of_safety[method] == pytest.approx(factor, rel=1e-12)
+    assert found.solutions[0].error_estimate < 1e-13
+    (warning,) = found.warnings
+    assert "search it again" in warning
+    arc: Any = VAIONT.arc
+    assert backanalyse(VAIONT, factor_of_safety=1.0, field="friction").value == pytest.approx(
+        arc.dimensionless.limit_friction, rel=1e-12
+    )
+
+
+def test_a_limit_is_met_by_the_least_friction_beyond_which_it_always_is() -> None:
+    """At the root of a continuous outcome; where it jumps, at the friction of limit equilibrium."""
+    known = SLOPE.friction["residual"]
+    toe = solve(SLOPE).journey.toe_x  # it slides to the left
+    found = backanalyse(SLOPE, toe_x=Interval(toe, math.inf), field="friction.residual")
+    assert found.value == pytest.approx(known, rel=1e-9)
+    for value, side in ((found.value * (1 - 1e-6), False), (found.value * (1 + 1e-6), True), (2 * found.value, True)):
+        assert (solve(with_parameters(SLOPE, {"friction.residual": value})).journey.toe_x > toe) == side
+    reached = backanalyse(VAIONT, run_out=Interval(400.0, math.inf))  # the greatest friction with this run-out
+    assert reached.value == pytest.approx(backanalyse(VAIONT, run_out=400.0).value, rel=1e-12)
+    softens = load("vaiont-softening")
+    arc: Any = softens.arc
+    stops = backanalyse(softens, run_out=Interval(-math.inf, 50.0), field="friction.peak")
+    assert stops.value == pytest.approx(arc.dimensionless.limit_friction, rel=1e-12)
+    assert not stops.motion.moves
+    assert solve(with_parameters(softens, {"friction.peak": stops.value * (1 - 1e-9)})).run_out > 300.0
+
+
 # --- mistakes and the command line ---------------------------------------------------------------------------------
 
 
@@ -272,6 +335,12 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
         ({"run_out": 400.0, "bounds": (1.0, 0.0)}, "the lower one first"),
         ({"run_out": 400.0, "friction": SOFTENING}, "has no single angle; give one of friction.peak_deg, "),
         ({"run_out": (400.0, 5.0), "field": ["friction", "dip"]}, r"2 fields from 1 .*cannot be distinguished"),
+        ({"toe_x": 60.0}, "toe_x: an arc has no position; give toe_rise or centroid_travel"),
+        ({"factor_of_safety": -1.0}, "factor_of_safety = -1.0: must be a positive number"),
+        ({"run_out": Interval(-math.inf, 400.0), "duration": 30.0}, "at most 400: a limit is met by one field alone"),
+        ({"run_out": Interval(-math.inf, 4e3)}, "at most 4000 m: every friction.angle_deg gives it; attainable: 0 m"),
+        ({"run_out": Interval(3e3, math.inf)}, "at least 3000 m: no friction.angle_deg gives it; attainable: 0 m"),
+        ({"factor_of_safety": 50.0}, "factor_of_safety = 50 : no friction.angle_deg gives it; attainable: 0"),
         (TWO | {"field": ["friction", "unit_weight"]}, "unit_weight: does not affect"),
         ({"run_out": (2.0, 1.0), "peak_velocity": (0.5, 0.1), "field": ["friction", "friction"]}, "named twice"),
         (TWO | {"field": ["dip", "theta_1"]}, "turns theta_1 and theta_2"),
@@ -314,6 +383,21 @@ def test_command(said: Any, records: Any, refused: Any) -> None:
     assert f" +- {errors['radius']:.2g}" in out
     assert "correlation of friction and radius" in out
     assert "(observed 400 +- 20)" in out
+
+
+def test_targets_and_limits_on_the_command_line_and_in_a_file(tmp_path: Path, said: Any, refused: Any) -> None:
+    at_most = " ".join(said("backanalyse real-slope --toe-x-m >20 --field", RESIDUAL).split())
+    assert "toe x (m) 20 (limit: at least 20)" in at_most
+    assert "by bisection to the limit" in at_most
+    path = tmp_path / "scene.toml"
+    path.write_text(find("real-slope").read_text("utf-8") + '\n[observed]\ntoe_x_m = ">20"\n', "utf-8")
+    assert " ".join(said("backanalyse", path, "--field", RESIDUAL, "--plot", tmp_path / "a.png").split()) == at_most
+    for method, value in (("bishop", "3.239"), ("paper", "3.928")):
+        argv = "backanalyse real-slope --factor-of-safety 1 --field cohesion.cohesion_kPa --method"
+        assert f"cohesion.cohesion_kPa {value}" in " ".join(said(argv, method).split())
+    assert "the paper's factor alone" in refused("backanalyse vaiont --run-out-m 400 --method bishop")
+    path.write_text(path.read_text("utf-8").replace('">20"', '"=20"'), "utf-8")
+    assert 'observed.toe_x_m = "=20": must be a number, or an interval' in refused("run", path)
 
 
 def test_the_command_says_which_intervals_are_met(said: Any, records: Any) -> None:

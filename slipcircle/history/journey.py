@@ -26,6 +26,7 @@ class Journey(NamedTuple):
     travel: Any
     fall: Any
     travel_angle: Any
+    crest_drop: Any
 
     @property
     def toe_x(self) -> Any:
@@ -56,6 +57,7 @@ def journey(mass: Any, rotation: Any) -> Journey:
     run = sign * from_centre[..., 1]
     return Journey(
         toe=toe,
+        crest_drop=mass.entry[..., 1] - placed(mass, mass.entry, rotation)[..., 1],
         run_out=toe_moved[..., 0] * mass.facing,
         rise=toe_moved[..., 1][()],
         travel=moved[..., 0] * mass.facing,

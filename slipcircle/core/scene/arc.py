@@ -279,7 +279,16 @@ class Arc(Mass, Generic[Numbers]):
     @cached_property
     def exit(self) -> Any:
         """Lower end of the slip surface from the centre, x and y in m."""
-        angle = choose(np.greater(self.facing, 0.0), self.theta_2, self.theta_1)
+        return self._end(self.theta_2, self.theta_1)
+
+    @cached_property
+    def entry(self) -> Any:
+        """Upper end of the slip surface from the centre, x and y in m."""
+        return self._end(self.theta_1, self.theta_2)
+
+    def _end(self, rightward: Any, leftward: Any) -> Any:
+        """Return a point of the arc, by its angle for a mass that slides to the right, and to the left."""
+        angle = choose(np.greater(self.facing, 0.0), rightward, leftward)
         return _point(self.radius, np.sin(angle), np.cos(angle))
 
     @cached_property

@@ -92,7 +92,7 @@ class Mass:
         Whether standing water covers its lower end.
     rotation_range : tuple
         Rotations up-slope and down-slope that limit the range of the method, rad, by convention 30 degrees.
-    centre, exit, centroid : array
+    centre, entry, exit, centroid : array
         Centre of the circle, lower end of the slip surface, and centroid of the mass, x and y in m.
     area : float or array
         Area of the section of the mass, m^2.
@@ -107,6 +107,7 @@ class Mass:
     dimensionless: Any
     moment_coefficients: Any
     centre: Any
+    entry: Any
     exit: Any
     area: Any
     centroid: Any

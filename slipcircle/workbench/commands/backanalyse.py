@@ -1,6 +1,7 @@
 """`slipcircle backanalyse`: numbers of a scene that explain an observed motion, with standard errors."""
 
 import argparse
+from dataclasses import replace
 from functools import partial
 from itertools import combinations
 from typing import Any
@@ -13,21 +14,24 @@ from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
+from slipcircle.workbench.stability.critical import SlopeScene
+from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solution, backanalyse
 
 # The options by outcome; each ends in its unit.
-OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OBSERVABLE.items()}
+OPTIONS = {name: f"--{q.head}".replace("_", "-") for name, q in OBSERVABLE.items()}
 
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
+    forms = "and its standard error: 400+-20; an interval: 300:450; or a limit: '<60'"
     for name, option in OPTIONS.items():
         parser.add_argument(
             option,
             type=values.observed,
             dest=name,
-            metavar="X[+-S]|LOW:HIGH",
-            help=f"observed {OBSERVABLE[name].label}, and its standard error: 400+-20; or an interval: 300:450",
+            metavar="X[+-S]|LOW:HIGH|<X|>X",
+            help=f"observed {OBSERVABLE[name].label}, {forms}",
         )
     parser.add_argument("--reach-m", type=values.removed, help=argparse.SUPPRESS)
     parser.add_argument(
@@ -38,6 +42,8 @@ def options(parser: argparse.ArgumentParser) -> None:
         "file's key, by default friction.angle_deg, and between which values; several for several "
         "observations; a point's coordinate by its number from 0: ground.points_m.3.y",
     )
+    method = "method of the factor of safety, from which the motion starts, too; by default that of the scene"
+    parser.add_argument("--method", choices=METHODS, help=method)
     add_files(parser, "what was observed over the fields")
     add_scene(parser)
 
@@ -48,6 +54,12 @@ def run(options: argparse.Namespace) -> Answer:
     fields = values.by_key("field", options.field or [], form, values.bounds)
     observed = {name: getattr(options, name) for name in OBSERVABLE}
     scene = load(options.scene)
+    if options.method:
+        if not isinstance(scene, SlopeScene):
+            raise ValueError(
+                f"backanalyse: --method {options.method}: an [arc] has the paper's factor alone; leave it out"
+            )
+        scene = replace(scene, start=options.method)
     if not scene.observed and all(value is None for value in observed.values()):
         known = ", ".join(OPTIONS.values())
         raise ValueError(f"backanalyse: nothing observed: give one of {known}, or [observed] in the scene file")
@@ -91,7 +103,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
         weighted = all(sigma for _, sigma in fit.observed.values())
         label = f"chi-square, degrees of freedom {fit.degrees_of_freedom}" if weighted else "misfit"
         cells[label] = f"{solution.chi_square:.3g}"
-    return cells | {"swings": f"{len(motion.phases) - 1}", "numerical error": f"{solution.error_estimate:.1e}"}
+    return cells | {"swings": f"{max(motion.turnings, 0)}", "numerical error": f"{solution.error_estimate:.1e}"}
 
 
 def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
@@ -99,9 +111,9 @@ def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
     if name not in fit.observed:
         return ""
     if name in fit.intervals:
-        low, high = fit.intervals[name]
-        side = "inside" if low <= computed <= high else "outside"
-        return f" ({side} {shown(low, 6)} to {shown(high, 6)})"
+        interval = fit.intervals[name]
+        side = "inside" if interval.low <= computed <= interval.high else "outside"
+        return f" ({side if interval.limit is None else 'limit:'} {interval})"
     value, sigma = fit.observed[name]
     error = f" +- {sigma:.2g}" if sigma else ""
     return f" (observed {shown(value, 6)}{error})"

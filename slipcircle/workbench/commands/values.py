@@ -35,14 +35,16 @@ def count(text: str) -> int:
 
 
 def observed(text: str) -> Observed:
-    """400, 400+-20, or an interval, 300:450."""
+    """Return 400, 400+-20, an interval, 300:450, or a limit, <60, as what is observed."""
+    if (limit := Interval.of_limit(text)).limit is not None:
+        return limit
     value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
     try:
         if ":" in text:
             return Interval(*map(float, text.split(":")))
         return (float(value), float(error[0])) if len(error) == 1 else float(text)
     except (TypeError, ValueError):
-        forms = "a number, or one with its error: 400+-20, or an interval: 300:450, in the unit of the option"
+        forms = "a number, or one with its error: 400+-20, an interval: 300:450, or a limit: '<60'"
         raise argparse.ArgumentTypeError(f"{text}: must be {forms}") from None
 
 

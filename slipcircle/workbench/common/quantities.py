@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, is_dataclass
 from functools import partial
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -164,6 +164,7 @@ JOURNEY: tuple[Quantity, ...] = (
     Quantity("toe_run_out", "m", "horizontal run-out of the toe", "journey.run_out", solved=True),
     Quantity("toe_rise", "m", "rise of the toe", "journey.rise", solved=True),
     Quantity("centroid_travel", "m", "horizontal travel of the centroid", "journey.travel", solved=True),
+    Quantity("crest_drop", "m", "drop of the crest", "journey.crest_drop", solved=True),
     Quantity("fall", "m", "fall of the centroid", "journey.fall", solved=True),
     Quantity(
         "travel_angle",
@@ -220,12 +221,10 @@ def factor_text(factor: float | None) -> str:
 
 # What an ensemble is drawn for and a derivative taken of: `Motion` has them of every scene.
 OUTCOMES: Mapping[str, Quantity] = {q.name: q for q in RESULTS if q.name in ("run_out", "peak_velocity", "duration")}
-# What may be observed: a back-analysis is given it.
-OBSERVABLE: Mapping[str, Quantity] = {
-    q.name: q
-    for q in (*RESULTS, *JOURNEY)
-    if q.name in ("run_out", "end_displacement", "peak_velocity", "duration", "toe_rise")
-}
+# What may be observed or aimed at in a back-analysis.
+_SEEN = "run_out end_displacement peak_velocity duration toe_rise toe_x crest_drop centroid_travel factor_of_safety"
+_BY_NAME = {q.name: q for q in (*RESULTS, *JOURNEY, *POSITION)}
+OBSERVABLE: Mapping[str, Quantity] = {name: _BY_NAME[name] for name in _SEEN.split()}
 
 
 def observable(motion: Any, name: str) -> Any:
@@ -237,7 +236,7 @@ class Interval(NamedTuple):
     """What was observed lies between two values, as likely in one place as in another.
 
     In a back-analysis it counts as its middle with the standard error of a uniform distribution, its width over
-    sqrt(12).
+    sqrt(12). With one infinite end it is a limit, ``Interval(-math.inf, 60.0)``.
 
     Attributes
     ----------
@@ -257,8 +256,26 @@ class Interval(NamedTuple):
         """Of a uniform distribution; negative where the ends are reversed."""
         return (self.high - self.low) / math.sqrt(12.0)
 
+    @classmethod
+    def of_limit(cls, text: str) -> Self:
+        """Return the limit that a text such as "<60" or ">60" gives; another text has none."""
+        try:
+            end = float(text[1:])
+        except ValueError:
+            end = math.nan
+        ends = {"<": (-math.inf, end), ">": (end, math.inf)}
+        return cls(*ends.get(text[:1], (math.nan, math.nan)))
+
+    @property
+    def limit(self) -> float | None:
+        """Finite end of an interval with one infinite end; None for others."""
+        low, high = map(math.isfinite, self)
+        return None if low == high else self.low if low else self.high
+
     def __str__(self) -> str:
-        return f"{shown(self.low)} to {shown(self.high)}"
+        if self.limit is not None:
+            return f"{'at least' if self.limit == self.low else 'at most'} {shown(self.limit, 6)}"
+        return f"{shown(self.low, 6)} to {shown(self.high, 6)}"
 
 
 Observed = float | tuple[float, float] | Interval

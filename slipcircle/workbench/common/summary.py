@@ -8,7 +8,6 @@ from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import range_words, swings_back
 from slipcircle.workbench.common.quantities import (
-    JOURNEY,
     OBSERVABLE,
     OUTCOMES,
     RESULTS,
@@ -34,7 +33,7 @@ def summary(motion: Motion) -> dict[str, str]:
     column = {factor_label(method): factor_text(known[method])}
     observed = scene.observed
     ends = end_words(motion)
-    for quantity in (*RESULTS, *JOURNEY):
+    for quantity in dict.fromkeys((*RESULTS, *OBSERVABLE.values())):
         name = quantity.name
         if quantity.key or name in observed:
             column[quantity.label] = ends.get(quantity.label) or quantity.text(motion)

@@ -90,7 +90,7 @@ class Key(NamedTuple):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
         right = dict.fromkeys(("number", "fixed", "series", "line"), self._number(value)) | {
             "load": self._number(value) or self._pair(value),
-            "seen": self._number(value) or (self._pair(value) and value[0] < value[1]),
+            "seen": self._number(value) or self._limit(value) or (self._pair(value) and value[0] < value[1]),
             "text": isinstance(value, str),
             "name": type(value) in (str, int),
             "flag": isinstance(value, bool),
@@ -108,6 +108,8 @@ class Key(NamedTuple):
         if self.kind == "pair":
             return float(value[0]), float(value[1])
         if self.kind == "seen":
+            if isinstance(value, str):
+                return Interval.of_limit(value)
             return Interval(*map(float, value)) if isinstance(value, list) else float(value)
         if self.kind not in ("number", "fixed", "list", "series", "line", "load"):
             return value.lower() if "|" in self.kind else value
@@ -115,6 +117,9 @@ class Key(NamedTuple):
 
     def _number(self, value: Any) -> bool:
         return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))
+
+    def _limit(self, value: Any) -> bool:
+        return isinstance(value, str) and self._number(Interval.of_limit(value).limit)
 
     def _pair(self, value: Any) -> bool:
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
@@ -244,7 +249,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
         "series": f"{one}, or {many}",
         "line": "a height (m), or a list of two points or more, [[x, y], [x, y], ...] (m)",
         "load": f"{one}, or two of them, [left, right]",
-        "seen": one.replace("a number", "a number, or an interval [low, high], low first,"),
+        "seen": one.replace("a number", 'a number, or an interval [low, high], low first, or a limit "<60",'),
     }
     return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
 
@@ -330,7 +335,7 @@ ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={
 _SEEN = []
 for _q in OBSERVABLE.values():
     _most = LIMITS[_q.unit][1]
-    _least = -5e-324 if _q.unit == "s" else -_most
+    _least = -5e-324 if _q.unit in ("s", "") else -_most
     _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
 OBSERVED = table_of("what was observed of the motion, for `slipcircle backanalyse`", _SEEN)
 REPORT = Table(

@@ -92,7 +92,7 @@ def _schema_of_key(key: Key) -> dict[str, Any]:
         "points": points,
         "line": {"anyOf": [*either, points]},
         "load": {"anyOf": [*either, pair]},
-        "seen": {"anyOf": [number, pair]},
+        "seen": {"anyOf": [number, pair, {"type": "string", "pattern": "^[<>]"}]},
     }
     words = key.kind.split("|")
     choice = {"const": key.kind} if len(words) == 1 else {"enum": words}

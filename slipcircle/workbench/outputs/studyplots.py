@@ -279,6 +279,8 @@ def _draw_observed(ax: Any, observed: tuple[float, float | None], interval: Inte
     """An observed value as a line with its standard error, or an interval, and its label."""
     seen, sigma = observed
     words = "observed"
+    if interval is not None and interval.limit is not None:
+        words, interval = str(interval), None
     band = interval
     if sigma and interval is None:
         band = Interval(seen - sigma, seen + sigma)

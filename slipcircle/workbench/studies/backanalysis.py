@@ -11,24 +11,24 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
-from slipcircle.base.optional import optional
+from slipcircle.base.kinds import Floats, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.studies.fits import fits
+from slipcircle.workbench.studies.fitwarnings import fit_warnings, range_warnings
 from slipcircle.workbench.studies.problem import Bounds, SearchProblem, observations, search_problem
-from slipcircle.workbench.studies.roots import extreme, solve_exact
+from slipcircle.workbench.studies.roots import extreme, limit_value, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
 ROOT = "all roots in the range"
 FITTED = "least squares"
+AT_LIMIT = "bisection to the limit"
 _STARTS = 512  # points a field, of which the best are followed
 _MET = 1e-12  # sum of squares below which all is met exactly
 _NOISE = 1e-7  # relative, of derivatives
 _FAR = 6.0  # standard errors that the nearest fit may miss by: as many could be met exactly
-_UNLIKELY = 1e-3  # probability of so large a misfit, below which there is a warning
-_AT_END = 1e-6  # of a range
 
 
 class Unattainable(ValueError):
@@ -154,6 +154,10 @@ def backanalyse(
     peak_velocity: Observed | None = None,
     duration: Observed | None = None,
     toe_rise: Observed | None = None,
+    toe_x: Observed | None = None,
+    crest_drop: Observed | None = None,
+    centroid_travel: Observed | None = None,
+    factor_of_safety: Observed | None = None,
     field: str | Sequence[str] | None = None,
     bounds: Bounds | Mapping[str, Bounds] | None = None,
 ) -> BackAnalysis:
@@ -165,6 +169,8 @@ def backanalyse(
         Its values of the fields are ignored.
     run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
         Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
+    toe_x, crest_drop, centroid_travel, factor_of_safety : float, tuple of float or Interval, optional
+        The same, m, and by the starting method. An `Interval` with an infinite end is a limit, for one field alone.
         By default ``scene.observed``. A single one is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
@@ -195,26 +201,37 @@ def backanalyse(
     15.2147
     """
     checked(scene, "backanalyse")
-    every = (run_out, end_displacement, peak_velocity, duration, toe_rise)
+    every = [run_out, end_displacement, peak_velocity, duration, toe_rise]
+    every += [toe_x, crest_drop, centroid_travel, factor_of_safety]
     asked = {name: seen for name, seen in zip(OBSERVABLE, every, strict=True) if seen is not None}
     observed, intervals = observations(asked or scene.observed)
-    if scene.shape:
-        raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    problem = search_problem(scene, field, bounds, observed)
+    return _analysed(search_problem(scene, field, bounds, observed, intervals), intervals)
+
+
+def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> BackAnalysis:
+    """Return the values of the fields of a problem that explain its observations."""
+    observed = problem.observed
     units = {f.key: f.unit for f in problem.fields}
     is_exact = len(problem.fields) == len(observed) == 1
     solutions, warnings = _exact(problem) if is_exact else _fitted(problem)
-    method = ROOT if is_exact else FITTED
-    return BackAnalysis(units, observed, tuple(solutions), method, tuple(warnings), intervals)
+    method = AT_LIMIT if problem.limit else ROOT if is_exact else FITTED
+    stability = stability_of(problem.scene)
+    if "factor_of_safety" in observed and stability and stability.method:
+        warnings.append("the circle is the critical one of the strengths as entered; search it again with the result")
+    return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 
 def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     """All values of the one field with the one observation, the fewest swings first, and what to know of them."""
-    solutions = [_solution(problem, [value]) for value in solve_exact(problem)]
+    if problem.limit is None:
+        values = solve_exact(problem)
+    else:
+        values = limit_value(problem)
+    solutions = [_solution(problem, [value]) for value in values]
     if not solutions:
         raise _unattainable(problem)
     solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
-    return solutions, _range_warnings(problem, solutions[0])
+    return solutions, range_warnings(problem, solutions[0])
 
 
 def _unattainable(problem: SearchProblem) -> ValueError:
@@ -235,11 +252,22 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     attainable = f"{from_least} to {to_greatest}"
     if greatest - least <= 1e-9 * abs(greatest):
         attainable = f"only {least:.6g} {unit}, whatever it is"
-    target = float(problem.targets[0])
-    if max(abs(outcome - target) for outcome in outcomes) <= 1e-9 * abs(target):
+    target = float(problem.targets[0] + problem.origins[0])
+    if problem.limit is None and max(abs(outcome - target) for outcome in outcomes) <= 1e-9 * abs(target):
         return _without_effect([field.key], problem)
-    sentence = f"{name} = {target:.10g} {unit}: no {field.key} gives it; attainable: {attainable}"
+    sentence = f"{_wanted(problem, target, outcomes)} {field.key} gives it; attainable: {attainable}"
     return Unattainable(sentence, {name: ((least, low), (greatest, high))})
+
+
+def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) -> str:
+    """Return what was to be reached, and whether no value or every value reaches it."""
+    (name,) = problem.observed
+    unit = OBSERVABLE[name].unit
+    limit = problem.limit
+    if limit is None:
+        return f"{name} = {target:.10g} {unit}: no"
+    inside = [limit.low <= outcome <= limit.high for outcome in outcomes]
+    return f"{name} {limit} {unit}: {'every' if all(inside) else 'no'}"
 
 
 def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
@@ -291,27 +319,40 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     for field, value in zip(problem.fields, values, strict=True):
         by_key[field.key] = float(value)
         si[field.name] = float(field.to_si(value))
-    scene = with_parameters(problem.scene, si)
-    motion = solve(scene)
-    slopes = neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values
+    motion = solve(with_parameters(problem.scene, si))
+    slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)
     residuals = outcomes - problem.targets
     scaled = residuals / problem.scales
     chi_square = float(np.sum(scaled**2))
     covariance = None
-    error = math.inf
+    error = math.inf if problem.limit is None else EPS
     sizes = np.array([abs(v) or 1.0 for v in values])
     jacobian = _jacobian(problem, slopes, values) * sizes  # by relative changes
     if np.all(np.isfinite(jacobian)):
-        _refuse_indistinct(problem, jacobian)
+        if problem.limit is None:
+            _refuse_indistinct(problem, jacobian)
         inverse = np.linalg.pinv(jacobian)
-        numerical = motion.error_estimate * np.abs(outcomes) / problem.scales
-        relative = np.abs(inverse) @ numerical
+        relative = np.abs(inverse) @ _numerical_errors(problem, motion, outcomes)
         error = max(float(np.max(relative)), EPS)
         by_units = inverse * sizes[:, None]
         covariance = _covariance(problem, by_units, chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
+
+
+def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
+    """Return the derivatives of what is observed by the fields; unknown of a mass that only a limit lets stand."""
+    if problem.limit is not None and not motion.moves:
+        return np.full((len(problem.observed), len(si)), np.nan)
+    scene = motion.plan.scene
+    return np.asarray(neighbour_derivatives(scene, problem.seen, free_parameters(scene, si)).values)
+
+
+def _numerical_errors(problem: SearchProblem, motion: Motion, outcomes: Floats) -> Floats:
+    """Return the scaled numerical errors of outcomes; a factor of safety does not need the motion."""
+    errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
+    return errors * np.abs(outcomes) / problem.scales
 
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
@@ -354,41 +395,3 @@ def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     by_field = [f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True)]
     changes = " and ".join(by_field)
     raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be distinguished by it")
-
-
-def _range_warnings(problem: SearchProblem, solution: Solution) -> list[str]:
-    """Which values lie at the ends of the ranges that were searched."""
-    rows = zip(solution.values.items(), problem.ranges, strict=True)
-    return [
-        f"{name} = {value:.6g} lies at the end of the searched range, {low:.6g} to {high:.6g}: a better or "
-        "another one may lie beyond, and its standard error means little"
-        for (name, value), (low, *_, high) in rows
-        if min(value - low, high - value) <= _AT_END * (high - low)
-    ]
-
-
-def fit_warnings(problem: SearchProblem, first: Solution) -> list[str]:
-    """What to know of a fit: values that the observations hardly determine, and misfits too large for their errors."""
-    warnings = _range_warnings(problem, first)
-    for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
-        error = (first.standard_errors or {}).get(name, 0.0)
-        if error > high - low:
-            warnings.append(f"{name} is not determined: {value:.6g} is one of many values that fit equally well")
-        elif error > abs(value):
-            warnings.append(f"{name} = {value:.6g} is poorly determined: its standard error is larger")
-    return warnings + _misfit_warnings(problem, first.chi_square)
-
-
-def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
-    """A sentence where the standard errors, if they are known, do not explain so large a misfit."""
-    free = problem.degrees_of_freedom
-    chance = (
-        float(optional("scipy.special", "back-analysis").chdtrc(free, chi_square)) if free else float(chi_square < 1.0)
-    )
-    if not problem.is_weighted or chance >= _UNLIKELY:
-        return []
-    reason = f"chance {chance:.1g}" if free else "as many unknowns as observations, so that all could be met"
-    return [
-        f"the misfit is larger than the standard errors explain: chi-square {chi_square:.4g} with {free} degrees of "
-        f"freedom ({reason})"
-    ]

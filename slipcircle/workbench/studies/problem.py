@@ -25,6 +25,8 @@ Observations = Mapping[str, tuple[float, float | None]]
 Bounds = tuple[float, float]
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 _PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
+_AT_ONCE = 1e-9  # the same, of motions that only start
+_POSITIVE = ("duration", "factor_of_safety")
 _FINE = 1e-13  # accuracy of motions in a search
 _STEP = 1e-6  # of differences, of a range
 _BLOCK = 256  # motions that are solved at once, and counted
@@ -37,16 +39,26 @@ class SearchProblem:
     """
 
     def __init__(
-        self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats], observed: Observations
+        self,
+        scene: Scene,
+        fields: Sequence[Number],
+        ranges: Sequence[Floats],
+        observed: Observations,
+        limit: Interval | None = None,
     ) -> None:
+        self.limit = limit
         self.scene = scene
         self.fields = fields
         self.ranges = ranges
         self.observed = observed
         pairs = observed.values()
         self.is_weighted = all(sigma is not None for _, sigma in pairs)  # all standard errors, or none
-        self.targets = np.array([value for value, _ in pairs])
-        self.scales = np.array([sigma or abs(value) for value, sigma in pairs])
+        exit = float(np.ravel(scene.arc.exit)[0])  # relative to which a toe moves
+        self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
+        values = np.array([value for value, _ in pairs])
+        self.targets = values - self.origins
+        sigmas = [sigma for _, sigma in pairs]
+        self.scales = np.array([sigma or abs(value) or 1.0 for value, sigma in zip(self.targets, sigmas, strict=True)])
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -72,23 +84,30 @@ class SearchProblem:
         scene = self.scene
         is_open = scene.end_time is None
         if is_open:
-            end_time = _PATIENCE * float(scene.arc.time_scale)
+            patience = _AT_ONCE if {*self.observed} == {"factor_of_safety"} else _PATIENCE
+            end_time = patience * float(scene.arc.time_scale)
             scene = replace(scene, end_time=end_time, uncertain={})
         si = {}
         for field, of_field in zip(self.fields, values, strict=True):
             si[field.name] = field.to_si(of_field)
         motion = motions(scene, si, _FINE)
-        counts = np.isin(motion.status, ANSWERED) & motion.moves
-        counts &= motion.turnings <= MOST_SWINGS
-        if is_open:
-            counts &= motion.status != Status.MOVING
+        outcomes = self.seen(motion)
+        counts = np.isin(motion.status, ANSWERED) & (motion.moves | may_stand(self.observed, self.limit))
+        is_moving = is_open & (motion.status == Status.MOVING)
+        if self.limit is not None:  # the greatest displacement is that of the first swing
+            outcomes = np.where(is_moving & ("duration" in self.observed), np.inf, outcomes)
+        elif not may_stand(self.observed, None):
+            counts &= (motion.turnings <= MOST_SWINGS) & ~is_moving
         kind = 10 * motion.turnings + motion.status
-        outcomes = np.where(counts, self.seen(motion), np.nan)
+        outcomes = np.where(counts, outcomes, np.nan)
         return outcomes, np.where(counts, kind, -1)
 
     def seen(self, motion: Any) -> Floats:
         """What would be observed of a motion, (observations, ...)."""
-        return np.stack([observable(motion, name) for name in self.observed])
+        found = np.stack([observable(motion, name) for name in self.observed])
+        lanes = found.ndim - 1
+        origins = self.origins.reshape(-1, *[1] * lanes)
+        return found - origins
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
@@ -135,13 +154,10 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
     for name, value in asked.items():
         seen, sigma = _observation(value)
         has_error = sigma is None or 0.0 < sigma < math.inf
-        is_duration = name == "duration"
-        is_possible = math.isfinite(seen) and seen != 0.0
-        is_possible &= seen > 0.0 or not is_duration
-        if is_possible and has_error:
+        if _is_possible(name, seen) and has_error:
             found[name] = seen, sigma
         else:
-            allowed = "a positive number" if is_duration else "a number other than 0"
+            allowed = "a positive number" if name in _POSITIVE else "a number other than 0"
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
@@ -153,8 +169,19 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
     return found, {name: value for name, value in asked.items() if isinstance(value, Interval)}
 
 
+def _is_possible(name: str, seen: float) -> bool:
+    """Return whether an outcome may have a value; only the place of a toe may be at 0."""
+    if not math.isfinite(seen):
+        return False
+    if name in _POSITIVE:
+        return seen > 0.0
+    return seen != 0.0 or name == "toe_x"
+
+
 def _observation(given: Any) -> tuple[float, float | None]:
     """A value and its standard error; NaN for what is neither a number nor a pair of them."""
+    if isinstance(given, Interval) and given.limit is not None:
+        return real_number(given.limit), None
     if isinstance(given, Interval):
         ends = Interval(*map(real_number, given))
         return ends.middle, ends.standard_error
@@ -164,8 +191,18 @@ def _observation(given: Any) -> tuple[float, float | None]:
     return real_number(given), None
 
 
-def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations) -> SearchProblem:
-    """The fields over their ranges, in their units."""
+def may_stand(observed: Observations, limit: Interval | None) -> bool:
+    """Return whether a mass that does not move counts: for a limit, and for a factor of safety alone."""
+    is_limit = limit is not None
+    return is_limit or {*observed} == {"factor_of_safety"}
+
+
+def search_problem(
+    scene: Scene, field: Any, bounds: Any, observed: Observations, limits: Mapping[str, Interval]
+) -> SearchProblem:
+    """Return the fields over their ranges, in their units."""
+    if scene.shape:
+        raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     if isinstance(field, str | None):
         field = [field or _default_field(scene)]
     if not isinstance(field, Sequence) or not field or not isinstance(bounds, tuple | Mapping | None):
@@ -176,23 +213,39 @@ def search_problem(scene: Scene, field: Any, bounds: Any, observed: Observations
     by_path = {field[0]: bounds} if isinstance(bounds, tuple) else dict(bounds or {})
     try:
         fields = [number_in(scene, path) for path in field]
-        limits = {number_in(scene, path).key: pair for path, pair in by_path.items()}
+        ends = {number_in(scene, path).key: pair for path, pair in by_path.items()}
     except ValueError as error:
         raise ValueError(f"backanalyse: field: {error}") from error
     mistakes = _field_mistakes(scene, fields, observed)
+    limit = _limit_of(limits)
+    if limit is not None and (len(fields) > 1 or len(observed) > 1):
+        mistakes.append(f"{limit}: a limit is met by one field alone; give one field and nothing else observed")
     first = fields[0].key
     if isinstance(bounds, tuple) and len(fields) > 1:
         mistakes.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{first!r}: {bounds!r}}}")
-    if other := [key for key in limits if key not in [f.key for f in fields]]:
+    if other := [key for key in ends if key not in [f.key for f in fields]]:
         mistakes.append(f"bounds: {', '.join(other)} is none of the fields")
     raise_all("backanalyse", mistakes)
+    is_alone = len(fields) == 1 and not may_stand(observed, limit)
+    ranges = _ranges(scene, fields, ends, is_alone)
+    return SearchProblem(scene, fields, ranges, observed, limit)
+
+
+def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
+    """Return the first of the intervals that is a limit."""
+    limits = [interval for interval in intervals.values() if interval.limit is not None]
+    return limits[0] if limits else None
+
+
+def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Bounds], is_alone: bool) -> list[Floats]:
+    """Return the values of each field that are searched, between its bounds if it has some."""
     ranges = []
     for number in fields:
-        if number.key in limits:
-            ranges.append(_between(number.key, *limits[number.key]))
+        if number.key in ends:
+            ranges.append(_between(number.key, *ends[number.key]))
         else:
-            ranges.append(_range(scene, number, is_alone=len(fields) == 1))
-    return SearchProblem(scene, fields, ranges, observed)
+            ranges.append(_range(scene, number, is_alone))
+    return ranges
 
 
 def _default_field(scene: Scene) -> str:
@@ -218,6 +271,8 @@ def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observatio
         mistakes.append("field: arc.dip_deg turns theta_1 and theta_2 together; leave it or them out")
     if scene.arc.given is not None and (DIP.name in names or ends):
         mistakes.append("field: the arc's coefficients are given, and do not follow its angles")
+    if "toe_x" in observed and "ground" not in scene.arc.quantities:
+        mistakes.append("toe_x: an arc has no position; give toe_rise or centroid_travel")
     if len(fields) > len(observed):
         mistakes.append(
             f"{len(fields)} fields from {len(observed)} of what is observed ({', '.join(observed)}): they "
@@ -304,5 +359,6 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # it moves what would stand
         highest = max(3.0 / limit, 2.0)
+        shares.insert(0, np.zeros(1))
         shares.append(np.linspace(1.0, highest, 81))
     return limit * np.concatenate(shares)

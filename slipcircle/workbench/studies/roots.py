@@ -55,6 +55,37 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
 
 
+def limit_value(problem: SearchProblem) -> list[float]:
+    """Return the value of the one field at which the outcome reaches a limit; none if it does so nowhere.
+
+    The outcome satisfies the limit there and at every greater value of the range or, if it does not at the greatest
+    value, at smaller ones as far as possible. It may jump.
+    """
+    assert problem.limit is not None
+    low, high = (end - problem.origins[0] for end in problem.limit)
+
+    def satisfied(values: Floats) -> NDArray[np.bool_]:
+        outcomes, _ = problem.outcomes(values[None])
+        above = low <= outcomes[0]
+        below = outcomes[0] <= high
+        return above & below
+
+    values = problem.ranges[0]
+    met = satisfied(values)
+    if np.all(met) or not np.any(met):
+        return []
+    for _ in range(_ROUNDS):
+        last = np.flatnonzero(met[:-1] != met[1:])[-1]
+        before, after = met[last : last + 2]
+        values = np.linspace(values[last], values[last + 1], _PARTS + 1)
+        met = satisfied(values)
+        met[[0, -1]] = before, after
+    first, *_, last_value = values.tolist()
+    if met[-1]:
+        return [last_value]
+    return [first]
+
+
 def _apart(left: Floats, right: Floats, least: float) -> NDArray[np.bool_]:
     """Return whether the ends of brackets differ by more than a share of them."""
     magnitude = np.maximum(np.abs(left), np.abs(right))
