@@ -88,7 +88,8 @@ def check() -> int:
         _check_fields(e, e)
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
     _check_names(moments, words | {q.name for q in quantities.QUOTIENTS})
-    own = {str(x) for x in (*SCALES, *BALANCE, *OF_GROWTH, VALUE) if x not in (declared.K_H, declared.K_V)}
+    symbols = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {declared.K_H, declared.K_V}
+    own = set(map(str, symbols))
     of_balance = re.findall(r"\w+", repr(balance))
     _check_cells(effects, own.union(of_balance))
     for law in laws:
@@ -331,7 +332,9 @@ def _check_values(effect: Effect) -> None:
     """A resistance is nowhere negative, and nothing has a pole."""
     if effect in declared.SECTION_EFFECTS:
         return
-    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST)) | {x: _range(p) for x, p in _by_symbol(effect).items()}
+    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
+    for x, p in _by_symbol(effect).items():
+        box[x] = _range(p)
     box |= dict.fromkeys((*MOTION, declared.OMEGA, declared.OMEGA_2, *effect.states), (0.0, STEEPEST))
     formulas = dict(effect.terms)
     for x, p in effect.symbols.items():

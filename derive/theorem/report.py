@@ -91,7 +91,8 @@ def read(texts: Mapping[str, str]) -> dict[str, Interval]:
 
 def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
     """Of quantities that are allowed, at the precision in force."""
-    balls = {name: x.ball() * (arb.pi() / 180 if "deg" in name else 1) for name, x in given.items()}
+    degree = arb.pi() / 180
+    balls = {name: x.ball() * (degree if "deg" in name else 1) for name, x in given.items()}
     peak = balls.get("peak_friction_deg")
     unit_weight = balls.get("unit_weight_kN_m3", arb(1))
     return Slide(
@@ -112,7 +113,11 @@ def pair(x: arb, digits: int) -> list[str]:
     """Decimals below and above all numbers of a ball."""
     middle, radius = fraction(x.mid()), fraction(x.rad())
     ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
-    return [str(Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))) for end, way in ends]
+    texts = []
+    for end, way in ends:
+        quotient = Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))
+        texts.append(str(quotient))
+    return texts
 
 
 class Division(NamedTuple):
@@ -161,7 +166,8 @@ def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[T
             continue
         shares[proof.status] = shares.get(proof.status, 0.0) - part.minus_share
         known = numbers or proof.numbers
-        numbers = {key: x.union(proof.numbers[key]) for key, x in known.items() if key in proof.numbers}
+        shared = known.keys() & proof.numbers.keys()
+        numbers = {key: x.union(proof.numbers[key]) for key, x in known.items() if key in shared}
     undecided = -sum(part.minus_share for part in waiting)
     proved = [f"{status}: {100 * share:.6g} % of the inputs" for status, share in shares.items()]
     status = " or ".join(shares) if shares and not undecided else "undecided"
