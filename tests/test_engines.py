@@ -1,11 +1,11 @@
 """Engines: the same bits from every one, a worker killed in the middle, runs that continue, files that are whole."""
 
+import errno
 import io
 import itertools
 import json
 import os
 import re
-import resource
 import signal
 import socket
 import subprocess
@@ -20,6 +20,7 @@ from multiprocessing import get_context
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, NamedTuple
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -193,11 +194,12 @@ def test_a_run_continues(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     whole = ensemble(SCENE, folder=folder, **MANY)
     lanes = np.load(folder / "run_out.npy", mmap_mode="r+")
     digests = np.load(folder / "digests.npy", mmap_mode="r+")
-    other = np.load(tmp_path / "other" / "run_out.npy")
     places = [whole.design.place(block) for block in range(whole.design.blocks)]
     digests[3] = 0
     lanes[places[5][0].start + 7] = np.nextafter(lanes[places[5][0].start + 7], 0.0)
-    lanes[places[20]] = other[places[20]]
+    for path in folder.glob("*.npy"):
+        place = 20 if path.stem == "digests" else places[20]
+        np.load(path, mmap_mode="r+")[place] = np.load(tmp_path / "other" / path.name)[place]
     digests[7, 31] ^= 1
     del lanes
     again = ensemble(SCENE, folder=folder, **(MANY | {"rng": None}))
@@ -219,16 +221,19 @@ def test_a_run_continues(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert sorted(computed) == [*range(1000 // 128, whole.design.blocks)]
 
 
-def test_a_full_disk_is_said_and_loses_nothing(tmp_path: Path) -> None:
-    """By a limit on the size of files; with room for them the study is computed."""
-    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, limits[1]))
-    try:
-        with pytest.raises(ValueError, match=r"\.npy: cannot be written: File too large; free .* MB, and run it again"):
+def test_a_full_disk_is_said_and_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Before the first block that is missing is computed."""
+    whole = ensemble(SCENE, folder=tmp_path, **MANY)
+    (tmp_path / "slips.npy").unlink()
+    with monkeypatch.context() as full:
+        full.setattr(os, "posix_fallocate", Mock(side_effect=OSError(errno.ENOSPC, "No space left on device")))
+        with pytest.raises(
+            ValueError, match=r"npy: cannot be written: No space left on device; free .* MB, and run it"
+        ):
             ensemble(SCENE, folder=tmp_path, **MANY)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-    same(ensemble(SCENE, **MANY), ensemble(SCENE, folder=tmp_path, **MANY))
+    again = ensemble(SCENE, folder=tmp_path, **MANY)
+    same(whole, again)
+    assert again.damaged == whole.design.blocks
 
 
 def test_large_studies_are_in_memory_mapped_files(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -391,10 +396,17 @@ def test_a_folder_of_searches_is_that_of_their_limits(changed: str, tmp_path: Pa
         ensemble(other, 2, 1, folder=tmp_path, search_each=True, sensitivity=0)
 
 
-@pytest.mark.parametrize("content", ["not json", "[1, 2]", '{"seed": 1, "outcomes": [], "keep": true}'])
-def test_a_folder_that_is_none(tmp_path: Path, content: str) -> None:
+@pytest.mark.parametrize(
+    ("content", "fault"),
+    [
+        ("not json", "is damaged"),
+        ("[1, 2]", "is no study"),
+        ('{"seed": 1, "outcomes": [], "keep": true}', "holds blocks in the format of another version"),
+    ],
+)
+def test_a_folder_that_is_none(tmp_path: Path, content: str, fault: str) -> None:
     (tmp_path / "study.json").write_text(content, "utf-8")
-    with pytest.raises(ValueError, match="give an empty folder"):
+    with pytest.raises(ValueError, match=f"^[^\n]*{fault}[^\n]*; give an empty folder$"):
         ensemble(SCENE, 10, 1, folder=tmp_path)
     with pytest.raises(ValueError, match=r"study\.json: can be no folder"):
         ensemble(SCENE, 10, 1, folder=tmp_path / "study.json")

@@ -169,7 +169,7 @@ def test_names_of_settings_are_checked() -> None:
     """Also those that a call without records ignored."""
     scene = replace(load("vaiont"), uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 9, "std": 1}})
     settings: list[tuple[dict[str, Any], str]] = [
-        ({"scales": [1]}, "is for records; give records"),
+        ({"scales": [1]}, r"scales = \[1\]: is for records; give records"),
         ({"records": [], "polarities": 3}, "polarities = 3: must be True or False"),
         ({"search_each": "no"}, "search_each = 'no': must be True or False"),
     ]
@@ -368,8 +368,16 @@ def test_a_part_without_a_result_ends_the_curve() -> None:
     assert study.quantile("run_out", 1 - share + 5e-4).value == math.inf
 
 
-def test_samples_and_base_points_of_indices_are_drawn_apart() -> None:
-    design = ensemble(ONE, 256, 1, method="sobol", sensitivity=64).design
+@pytest.mark.parametrize("n", [1, 15, 17, 65, 130])
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol"])
+def test_blocks_fill_the_arrays_once(method: str, n: int) -> None:
+    """Whatever the shares of the replicates; and samples and base points of indices are drawn apart."""
+    design = ensemble(ONE, n, 1, method=method, sensitivity=34, size=4).design
+    filled = np.zeros(design.shape, dtype=int)
+    for block in range(design.blocks):
+        filled[design.place(block)] += 1
+    assert filled.size == sum(map(design.scenes, range(design.blocks))) == n + 3 * 34
+    assert np.all(filled == 1)
     streams = [design.piece(block)[0] for block in range(design.blocks)]
     assert not {*streams[: design.sample_blocks]} & {*streams[design.sample_blocks :]}
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from slipcircle import LayeredSection, Scene, Section, Slope, Soil, critical, solve
+from slipcircle import LayeredSection, Scene, Section, Slope, Soil, Status, critical, solve
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
@@ -399,6 +399,22 @@ def test_lanes_in_standing_water_are_their_scenes() -> None:
         assert factors["bishop"][lane] == pytest.approx(factors_of_safety(alone)["bishop"], rel=1e-12)
 
 
+def test_water_that_comes_to_cover_the_whole_mass_is_refused_or_a_status() -> None:
+    """The crest sinks below one of two levels; an earlier end leaves both with a result."""
+    ground = [(-60, 12.0), (0, 12.0), (40, 0.0), (120, 0.0)]
+    levels = np.array([[(-60.0, y), (120.0, y)] for y in (11.5, 4.0)])
+    high, both = (Section(ground, (22, 25), 29.0, 2e4, level=level) for level in (levels[0], levels))
+    with pytest.raises(ValueError, match=r"level: standing water comes to cover the whole mass, .* earlier end_time"):
+        solve(Scene(high, 0.15, TURNING))
+    motion = solve(Scene(both, 0.15, TURNING))
+    assert motion.status.tolist() == [Status.DROWNED, Status.RESTS]
+    assert np.isnan(motion.run_out).tolist() == [True, False]
+    assert motion.count() == {"RESTS": 1, "DROWNED": 1}
+    lanes = solve(Scene(high, np.array([0.15, 0.33]), TURNING))
+    assert lanes.status.tolist() == [Status.DROWNED, Status.STAYS]
+    assert solve(Scene(high, 0.15, TURNING, end_time=0.5)).status == Status.MOVING
+
+
 def test_a_motion_takes_free_water_of_one_level() -> None:
     for ends, words in (
         ((24, 97), r"y = 12 covers the mass, and free water at y = 3 its exit"),
@@ -416,7 +432,8 @@ def test_standing_water_is_told_of(tmp_path: Path, capsys: pytest.CaptureFixture
     printed = capsys.readouterr()
     assert "whose drag and added mass are not included" in printed.err
     assert "below the water level" not in printed.err
-    assert "x = 38 to 80 m, level 1 m" in printed.out
+    assert main(["run", str(tmp_path / "pool.toml"), "--verbose"]) == 0
+    assert "x = 38 to 80 m, level 1 m" in capsys.readouterr().out
 
 
 def test_pages_and_pictures_are_the_same_in_map_coordinates() -> None:

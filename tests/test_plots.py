@@ -24,6 +24,7 @@ from slipcircle.workbench.outputs.report import report
 from slipcircle.workbench.outputs.tables import cell_text, stretches_part
 from slipcircle.workbench.outputs.trace import csv
 from slipcircle.workbench.outputs.trace import drawn as trace
+from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
 from tests.support.motions import from_method
@@ -99,7 +100,7 @@ def test_cohesion_and_layers_show_strengths_in_kilopascals() -> None:
     section = Section(SHORT_GROUND, (26.0, 34.0), 38.0, 19e3)
     clay = solve(Scene(section, 0.0, {**{name: {} for name in TURNING}, "cohesion": {"cohesion": 35e3}}))
     layered = solve(Scene(profile("softening"), effects=TURNING))
-    for m in (clay, layered):
+    for m in (clay, layered, solve(load("real-slope"))):  # the last one with a strength factor
         titles = [ax.get_title("left") for ax in plots.overview(m).draw(canvas((9.0, 12.0))).axes]
         assert "d  Mobilised strength" in titles
         assert "friction" not in " ".join(titles).lower()
@@ -124,6 +125,11 @@ def test_the_picture_of_a_section_shows_its_free_water_and_the_ground_beyond_its
     end = motion("vaiont").plan.scene.arc.radius
     on_circle = np.abs(np.hypot(*arc.T) - end) < 1e-6 * end
     assert arc[on_circle, 0].max() > 1200.0  # beyond the toe, which ends at 808 m
+
+
+def test_fragility_curves_of_few_records_say_that_they_have_no_intervals() -> None:
+    assert interval_note(11) == "no intervals: 11 records, fewer than 12"
+    assert "95 % intervals" in interval_note(12)
 
 
 def test_friction_is_that_of_the_time() -> None:

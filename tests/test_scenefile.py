@@ -137,10 +137,12 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
     def definition(part: dict[str, Any]) -> dict[str, Any]:
         return dict(whole["$defs"][part["$ref"].rpartition("/")[2]])
 
+    def first_needed(condition: dict[str, Any]) -> str:
+        return condition["required"][0] if "required" in condition else first_needed(next(iter(condition.values()))[0])
+
     def table(path: str, part: dict[str, Any]) -> str:
-        choices = [(choice.get("oneOf") or choice["anyOf"])[0]["required"][0] for choice in part.get("allOf", [])]
         lines = [f"[{path}]"]
-        for key in (*part.get("required", []), *choices):
+        for key in map(first_needed, part.get("allOf", [])):
             row = {"type": "number"} | part["properties"][key]
             text = json.dumps(row["const"]) if "const" in row else texts[row["type"]]
             lines.append(f"{key} = {text if key != 'speed_m_s' else '[0.1, 0.5]'}")  # of which the logarithm is taken
@@ -408,7 +410,7 @@ def test_several_mistakes_are_lines_of_their_own(tmp_path: Path, refused: Any) -
     assert refused("run", path).splitlines() == [
         f"slipcircle: {path}: friction.phi_deg = 27: is unknown; did you mean angle_deg?",
         f"slipcircle: {path}: cohesion.c_kPa = 10: is unknown; did you mean cohesion_kPa?",
-        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are law, cohesion_kPa",
+        f"slipcircle: {path}: cohesion.kappa = 2: is unknown; known are law, cohesion_kPa, cohesion_per_m_kPa, datum_m",
     ]
     path.write_text("[arc]\nradius_m = 60\ntheta_1_deg = 280\ntheta_2_deg = 215\nunit_weight_kN_m3 = 19\n[friction]\n"
                     "angle_deg = 12\n[rotation]\n[drag]\nxi_m_s2 = -1\n", "utf-8")  # fmt: skip

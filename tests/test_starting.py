@@ -73,7 +73,9 @@ def test_motions_start_from_the_factor_of_a_method_as_plain_integration_does(see
             assert motion.factor_of_safety == pytest.approx(slope.factor(drawn.start), rel=1e-12)
         further = motion.further_factors
         if further.at_rest_method:
-            at_rest = slope.turned(motion.end.rotation).factor(drawn.start)
+            turned = slope.turned(motion.end.rotation)
+            turned.slip = 2.0 * motion.run_out - motion.end.displacement  # also of one that turned back once
+            at_rest = turned.factor(drawn.start)
             assert (further.at_rest, further.at_rest_method) == (pytest.approx(at_rest, rel=1e-9), drawn.start)
         softened = of_scene(motion.plan.scene)
         softened.slip = np.inf
@@ -271,20 +273,30 @@ def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weig
         at_rest = abs(ratio * np.tan(scene.arc.dip - motion.end.rotation))
         assert motion.further_factors.residual == pytest.approx(residual / scene.arc.dimensionless.limit_friction)
         assert motion.further_factors.at_rest == pytest.approx(residual / at_rest, rel=1e-9)
+    slope: Any = load("real-slope")
+    heat = {"pressurisation": 0.1e6, "heat_capacity": 2.4e6, "thickness": 0.1}
+    heated = solve(replace(slope, effects=slope.effects | {"thermal_pressurisation": heat}, end_time=60.0))
+    assert heated.further_factors.at_rest_method == ""
     linear = Scene(scene.arc, SOFTENING | {"law": "linear"}, ["rotation"], strength_factor=0.5)
     limit = scene.arc.dimensionless.limit_friction
     assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)
 
 
 def test_cohesion_that_softens_starts_from_its_peak_and_has_the_factor_of_its_residual(file: Any) -> None:
-    text = LODALEN.replace("cohesion_kPa = 10", "{}")
+    dry = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n[centripetal]\n"
+    text = dry.replace("cohesion_kPa = 10", "{}").replace("angle_deg = 27", "angle_deg = 18")
     law = 'law = "exponential"\npeak_kPa = 10\nresidual_kPa = 4\nlength_m = 0.5'
     softens, peak, residual = (load(file(text.format(c))) for c in (law, "cohesion_kPa = 10", "cohesion_kPa = 4"))
     circle: Any = {"arc": peak.arc}  # that of the peak is the critical one of softening ground, too
     close(softens, peak)
     further = solve(softens).further_factors
     assert further.residual == pytest.approx(solve(replace(residual, **circle)).factor_of_safety, rel=1e-12)
-    assert further.at_rest_method == ""
+    motion = solve(softens)
+    turned = of_scene(softens).turned(motion.end.rotation)
+    turned.slip = 2.0 * motion.run_out - motion.end.displacement
+    assert motion.arrested
+    assert further.at_rest_method == "bishop"
+    assert further.at_rest == pytest.approx(turned.factor("bishop"), rel=1e-9)
 
 
 def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:

@@ -272,6 +272,11 @@ def test_tables_have_the_record_as_a_dimension() -> None:
     assert float(study.to_xarray()["run_out"].sel(record="b", polarity=-1.0, scale=1.0).isel(sample=2)) == value
     row = study.to_pandas().loc["b", -1.0, 1.0, 2]
     assert (row["run_out"], row["friction.peak"]) == (value, study.samples["friction.peak"][2])
+    assert study.columns()["run_out"].tolist() == study.values["run_out"].ravel().tolist()
+    assert "comes to rest" in study._repr_html_()
+    for ask in (lambda: study.quantile("run_out", 0.5), lambda: study[0], lambda: study.convergence):
+        with pytest.raises(ValueError, match="has records, and not samples alone; use by_record"):
+            ask()
     rows, medians = study.by_record(1), np.median(study.displacement[:, :, 1], axis=-1)
     assert rows["mean_m"] == pytest.approx(medians.mean(axis=1), rel=1e-15)
     assert rows["pga_g"] == pytest.approx([0.7, 0.7], rel=1e-12)

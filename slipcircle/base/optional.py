@@ -7,6 +7,7 @@ EXTRAS = {
     "scipy": "scenes",
     "rich": "scenes",
     "matplotlib": "plot",
+    "ezdxf": "dxf",
     "dask": "dask",
     "distributed": "dask",
     "sympy": "derive",

@@ -93,9 +93,8 @@ def possible_parameters(scene: Scene) -> dict[str, Parameter]:
     every = [*_MOTION]
     every += _parameters_of_arc(scene.arc)
     every += _parameters_of_friction(scene.friction)
-    assert isinstance(scene.effects, dict)
     for name in declared.EFFECTS:
-        given = scene.effects.get(name, {})
+        given = scene.checked_effects.get(name, {})
         every += _scalars(name, declared_parameters(name, given))
     return {parameter.name: parameter for parameter in every}
 
@@ -239,7 +238,6 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
 
 def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     """Return selected lanes of a scene; ``select`` indexes an array of the scene's shape. No checks are repeated."""
-    assert isinstance(scene.effects, dict)
 
     def of_lanes(value: Any, axes: int = 0) -> Any:
         shape = np.shape(value)
@@ -254,7 +252,7 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     for name, value in scene.numbers.items():
         if np.ndim(value):
             chosen[name] = of_lanes(value)
-    shaking = scene.effects.get("shaking", {})
+    shaking = scene.checked_effects.get("shaking", {})
     for name in _OTHER_FACTOR:
         if name not in shaking:  # determined by the other
             chosen.pop(f"shaking.{name}", None)
@@ -262,8 +260,7 @@ def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
     some = replace_unchecked(scene, {"arc": of_lane})
     changed = _fields_with(some, chosen)
     arc = replace_unchecked(of_lane, changed["arc"])
-    factor = of_lanes(scene.strength_factor)
-    factors = {name: factor for name, value in vars(scene).items() if value is scene.strength_factor}
+    factors = {name: of_lanes(vars(scene)[name]) for name in ("strength_factor", "set_by_start") if name in vars(scene)}
     return replace_unchecked(some, changed | factors | {"arc": arc})
 
 
@@ -308,8 +305,7 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
             theta = np.asarray(getattr(scene.arc, end))
             arc[end] = theta + turn
     of_arc = {DIP.name, *scene.arc.numbers_by_name()}
-    assert isinstance(scene.effects, dict)
-    effects = {name: dict(given) for name, given in scene.effects.items()}
+    effects = {name: dict(given) for name, given in scene.checked_effects.items()}
     friction = scene.friction
     others: dict[str, Any] = {}
     for name, value in values.items():

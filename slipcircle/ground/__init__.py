@@ -3,7 +3,14 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.ground.ground import circle_through, circle_touching, continued, simple_slope, slope_errors
+from slipcircle.ground.ground import (
+    circle_through,
+    circle_touching,
+    continued,
+    points_errors,
+    simple_slope,
+    slope_errors,
+)
 
 if TYPE_CHECKING:
     from slipcircle.ground.errors import outside_between
@@ -19,6 +26,7 @@ __all__ = [
     "ends_above",
     "free_water",
     "outside_between",
+    "points_errors",
     "simple_slope",
     "slope_errors",
     "water_fault",

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
 from slipcircle.base.kinds import Effects, Floats
+from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
@@ -106,6 +107,7 @@ class Section(SectionGeometry, Mass):
     rounding: ClassVar[float] = 1e-14
 
     def __post_init__(self) -> None:
+        take_units(self, (*self.quantities, "between", "base", "water_unit_weight", "ponds"))
         freeze(self, self.quantities)
         freeze(self, ("between", "base"))
         errors = section_errors(vars(self), self.quantities)

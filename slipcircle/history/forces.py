@@ -112,6 +112,18 @@ class Forces:
         friction = cells[program.roles["cell_mu"]]
         return balance, friction
 
+    def kept_cohesion(self, states: States) -> Floats:
+        """Return the share of the cohesion at rest that slip has left; 1 without cohesion."""
+        unslipped = [np.zeros_like(values) for values in states.further]
+        fresh = states._replace(further=unslipped)
+        slipped, _ = self._at_rest(states)
+        at_first, _ = self._at_rest(fresh)
+        left = slipped.resisting
+        whole = at_first.resisting
+        is_some = whole > 0.0
+        divisor = np.where(is_some, whole, 1.0)
+        return np.where(is_some, left / divisor, 1.0)
+
     def strengths(self, states: States) -> tuple[Floats, Floats]:
         """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
         (driving, resisting, _), _ = self._at_rest(states)

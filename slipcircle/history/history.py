@@ -201,13 +201,16 @@ class History:
             softened = States(nothing, nothing, nothing, further, lanes)
             residual = self.forces.factor_of_safety(softened)
         at_rest = unknown
+        kept = 1.0
         if not self.shape and self.motion.arrested:
             end = self._states(np.asarray(self.motion.settling_time))
             at_rest = self.forces.factor_of_safety(end)
+            (share,) = self.forces.kept_cohesion(end)
+            kept = float(share)
         of_closure = {"residual": residual, "at_rest": at_rest}
         values, methods = list[Any](), list[str]()
         for quantity, value in of_closure.items():
-            by_start = self.plan.scene.by_start(quantity, self.motion)
+            by_start = self.plan.scene.by_start(quantity, self.motion, kept)
             found, method = by_start or (self.motion._shaped(value), "")
             values.append(found)
             methods.append(method)

@@ -69,7 +69,8 @@ def depths_below(section: Any, top: Any) -> Depths:
     heights = height_integrals(lines, centre, radius)
     at_first = _at_end(line, facing, first, _INWARD)
     at_last = _at_end(line, facing, last, -_INWARD)
-    return Depths(facing, first, last, (at_first, at_last), heights)
+    held = at_first, at_last
+    return Depths(facing, first, last, held, heights)
 
 
 def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> Floats:
@@ -97,14 +98,17 @@ class MeanDepth(NamedTuple):
     def kinks(self) -> Floats:
         """Rotations at which it is not smooth, on a last axis."""
         ends = np.stack([self.depths.first, self.depths.last], axis=1)
-        between = self.depths.kinks[:, :, None] - ends[:, None]
+        directions = self.depths.kinks[:, :, None]
+        between = directions - ends[:, None]
         rotations = between.reshape(len(ends), -1)
         return np.sort(rotations, axis=1)
 
 
 def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
     """Return effects of which the cohesion, or that which softens, grows with depth."""
-    depth = MeanDepth(section, depths_below(section, cohesion.get("datum")))
+    datum = cohesion.get("datum")
+    depths = depths_below(section, datum)
+    depth = MeanDepth(section, depths)
     grown = {**effects}
     for name, given in effects.items():
         if name == "cohesion" and "gradient" in given:

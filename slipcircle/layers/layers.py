@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
 from slipcircle.base.kinds import Effects, Floats, Names, Values
+from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.mass import Farther
@@ -78,6 +79,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     def __post_init__(self) -> None:
         own = ("layers", "surcharge", "rate", "crack")
+        take_units(self, own)
         freeze(self, own)
         errors = layer_mistakes(self.layers, self.surcharge, self.strength, self.foreland)
         if not errors:

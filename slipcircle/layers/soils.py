@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
+from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
 from slipcircle.ground.ground import BOUNDS, points_errors
@@ -57,7 +58,9 @@ class Soil:
     name: str = ""
 
     def __post_init__(self) -> None:
-        freeze(self, (*SOIL_NUMBERS, "friction", "datum"))
+        fields = (*SOIL_NUMBERS, "friction", "datum")
+        take_units(self, fields)
+        freeze(self, fields)
         raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
 
     @property

@@ -17,6 +17,7 @@ _GAUSS = np.polynomial.legendre.leggauss(12)
 _NODES = _GAUSS[0][:, None, None]
 _WEIGHTS = _GAUSS[1][:, None, None]
 _FROM_FIRST = 1.0 + _NODES
+_PLACES = 33  # rotations at which it is checked whether standing water covers a part of a mass
 _TOGETHER = 1 << 14  # vertices times rotations per block
 _UPRIGHT = 1.5  # rad, greatest rotation for which the level is a line above the strips of the mass
 
@@ -179,6 +180,52 @@ def vertex_kinks(section: Any) -> Floats:
     ends = np.stack(section._span, axis=1)
     kinks = [at_vertices - of_ground, -at_vertices - of_ground, at_ends - ends, -at_ends - ends]
     return np.concatenate(kinks, axis=1)
+
+
+def comes_to_cover(section: Any, reached: Any, end: Any) -> Any:
+    """Return whether standing water comes to cover all of the mass, or leaves it, up to rotations, in their shape."""
+    visited = np.stack([reached, end, np.zeros_like(end)])
+    between = np.linspace(visited.min(axis=0), visited.max(axis=0), _PLACES)
+    turns = np.concatenate([visited[2:], between])
+    shape, turned = section._rotations(turns)
+    first, last = section._span
+    entry = first + turned
+    exit_ = last + turned
+    bottom = np.clip(0.0, entry, exit_)
+    heights = section.standing_level
+    lowest = -np.cos(bottom)
+    highest = _highest(section, turned)
+    is_dry = lowest > heights
+    is_covered = highest < heights
+    covered_at_start = is_covered[:1]
+    comes_below = is_covered & ~covered_at_start
+    has_water = np.isfinite(heights)
+    passes = has_water & (is_dry | comes_below)
+    by_rotation = passes.reshape(shape)
+    return by_rotation.any(axis=0)
+
+
+def _highest(section: Any, rotation: Floats) -> Floats:
+    """Return the height of the highest point of the ground over the masses after rotations (M, circles), over R."""
+    highest = np.empty_like(rotation)
+    ends = np.stack(section._span, axis=1)
+    for circle, span in enumerate(ends):
+        x, y = _surface(section, circle).T
+        left, right = np.sin(span)
+        after_entry = x > left
+        before_exit = x < right
+        inside = after_entry & before_exit
+        x = x[inside]
+        y = y[inside]
+        of_ground = np.arctan2(x, -y)
+        distance = np.hypot(x, y)
+        direction = np.concatenate([span, of_ground])
+        radius = np.concatenate([[1.0, 1.0], distance])
+        turned = direction[:, None] + rotation[:, circle]
+        depth = radius[:, None] * np.cos(turned)
+        least_depth = depth.min(axis=0)
+        highest[:, circle] = -least_depth
+    return highest
 
 
 def relieved(level: Floats, first: Floats, last: Floats) -> Floats:

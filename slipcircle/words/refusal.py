@@ -31,6 +31,8 @@ def refusal(motion: Any) -> InputError:
             f"{velocity}, friction: the chord is vertical after {stopped_at:.6g} s and the mass would hang "
             "over, which this method cannot follow; give an earlier {end_time} or a lower velocity"
         )
+    elif status == Status.DROWNED:
+        why = f"{{level}}: {status.reason}; give a level that always covers a part of it, or an earlier {{end_time}}"
     elif not turns and (status == Status.ENDLESS or overflows):
         why = "{end_time}: this slide never rests, as its geometry is frozen; add rotation, or give {end_time} in s"
     elif few_turnings and motion.brake > STRONGEST:

@@ -67,7 +67,7 @@ class Motion(Forms, Generic[Numbers]):
     @cached_property
     def status(self) -> Any:
         """State at the end, a `Status`."""
-        status = statuses(self._final, self.invalid, plain(self.plan.scene.strength_factor))
+        status = statuses(self._final, self.invalid, self.plan.scene)
         return status if self.shape else Status(status)
 
     @property

@@ -9,6 +9,7 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
+from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.scene import Scene
 
 
@@ -46,6 +47,8 @@ class Status(IntEnum):
     )
     #: no result: the starting method gives no factor of safety for its circle
     UNSTARTED = 9, "no starting factor", "the starting method gives this circle no factor of safety"
+    #: no result: standing water comes to cover the whole mass, or leaves it
+    DROWNED = 10, "drowns or emerges", "standing water comes to cover the whole mass, or leaves it, during the motion"
 
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED, Status.CREEPS)
@@ -61,8 +64,8 @@ STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_
 )
 
 
-def statuses(final: Any, invalid: Any, strength_factor: Any) -> Any:
-    """Return the status of each lane, as a number, from its final cells."""
+def statuses(final: Any, invalid: Any, scene: Any) -> Any:
+    """Return the status of each lane of a scene, as a number, from its final cells."""
     ended = final[ix.STATUS]
     has_shape = isinstance(ended, np.ndarray)
     status: Any = STATUS_OF_END[ended.astype(np.intp)] if has_shape else int(STATUS_OF_END[int(ended)])
@@ -73,6 +76,11 @@ def statuses(final: Any, invalid: Any, strength_factor: Any) -> Any:
     still = final[ix.PHASES] == 0.0
     stays = still & (ended != ix.STOPPED)
     status = choose(answered & stays, int(Status.STAYS), status)
+    if scene.arc.in_standing_water:
+        rotations = final[ix.REACH_ROTATION], final[ix.END_ROTATION]
+        drowned = lazy_import("standing").comes_to_cover(scene.arc, *rotations)
+        status = choose(answered & drowned, int(Status.DROWNED), status)
+    strength_factor = scene.strength_factor
     status = choose(strength_factor != strength_factor, int(Status.UNSTARTED), status)
     return choose(invalid, int(Status.INVALID), status)
 

@@ -8,7 +8,6 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
@@ -16,13 +15,12 @@ import numpy as np
 from generated import layout as ix
 from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
-from generated.program import OF_COHESION, Program, Recipe
+from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
-from slipcircle.core.scene.friction import law_paths
 from slipcircle.core.scene.mass import Farther, Mass
 from slipcircle.core.scene.piecewise import Data
 
@@ -33,6 +31,7 @@ STEP = 0.25
 STEP_TO_ROUNDING = math.exp(-2.0)
 LOWEST = 7  # least order, since the radius of convergence is estimated from several coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
+COHESIVE = frozenset(("layered_cohesion", "growing_cohesion"))  # functions of the rotation
 UPLIFT_OF_SOILS = ("layered_lift", "soil_lift")  # followed by the number of a soil
 EVERY = slice(None)  # lane
 
@@ -117,12 +116,15 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     for effect in plan.recipe.effects:
         numbers.add_effect(effect, scene.called[effect])
     farther = numbers.add_rotations(plan, lanes)
-    paths = chain(law_paths(scene.law), repeat("cohesion"))
-    for path, (name, parameters) in zip(paths, scene.laws, strict=False):
-        numbers.add_law(path, name, parameters)
+    strength = numbers.start["strength_factor"]
+    functions = {}
+    for k, (name, parameters) in enumerate(scene.laws):
+        is_rate = k > 0 and OF_SOIL not in name  # which multiplies the law before it
+        numbers.add_law(name, parameters, 1.0 if is_rate or OF_COHESION in name else strength)
+        if "function" in parameters:
+            functions[name] = parameters["function"]
     numbers.add_start(scene.initial_velocity, scene.until)
-    factor = numbers.start["strength_factor"]
-    is_unknown = factor != factor
+    is_unknown = strength != strength
     if invalid is not False or is_unknown is not False:
         failed = np.logical_or(invalid, is_unknown)
         numbers.start["STATUS"] = plain(np.where(failed, float(ix.FAILED), 0.0))
@@ -132,7 +134,6 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    functions = {name: given["function"] for name, given in scene.laws if "function" in given}
     return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther)
 
 
@@ -178,7 +179,6 @@ class Numbers:
         balance = mass.moment_coefficients
         self.start: dict[str, Any] = {name: getattr(balance, name) for name in INPUTS}
         self.start["strength_factor"] = strength_factor
-        self.scales = {**mass.scales, "strength_factor": strength_factor}
         self.tables: dict[str, Data] = {}
 
     def add_table(self, name: str, table: Data, scale: Any = 1.0, factor: Any = 1.0) -> None:
@@ -193,15 +193,16 @@ class Numbers:
         symbols = symbols_of(effect)
         if not symbols:
             return
+        scales = {**self.mass.scales, "strength_factor": self.start["strength_factor"]}
         declared = ALL_EFFECTS[without_soil(effect)].parameters
-        scales = self.scales.copy()
-        for p in declared:
+        given = [p for p in declared if p.name in parameters]
+        for p in given:
             if p.kind == "number":  # a symbol may depend on several
-                scales[p.name] = plain(parameters.get(p.name, 0.0))
-        for p in declared:
+                scales[p.name] = plain(parameters[p.name])
+        for p in given:
             if not p.symbol:
                 continue
-            value = parameters.get(p.name, 0.0)
+            value = parameters[p.name]
             symbol = symbols[p.name]
             if not callable(value):
                 self.start[symbol] = p.dimensionless(plain(value), scales)
@@ -214,6 +215,8 @@ class Numbers:
 
     def add_rotations(self, plan: Plan, lanes: int) -> Farther | None:
         """Add the functions of the rotation of the mass, and return the function that extends them, if needed."""
+        if not plan.recipe.moving:
+            return None
         scene = plan.scene
         velocity = plain(scene.initial_velocity)
         pushed = velocity != 0.0
@@ -224,10 +227,9 @@ class Numbers:
             self.add_table(name, table, factor=self.start[f"{name}.SCALED_BY"])
         return farther
 
-    def add_law(self, path: str, name: str, parameters: Parameters) -> None:
-        """Add a law as a table or as dimensionless numbers. Laws of speed and of cohesion are factors."""
+    def add_law(self, name: str, parameters: Parameters, strength: Any) -> None:
+        """Add a law times a factor of strength as a table or as dimensionless numbers."""
         law = without_soil(name)
-        strength = 1.0 if path in ("friction.rate", "cohesion") else self.start["strength_factor"]
         units = {
             "": 1.0 / strength,
             "m": self.radius,
@@ -268,7 +270,7 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
 
     Such a mass is integrated to its first standstill.
     """
-    swings, lifts, pressures = _swing_of(recipe)
+    swings, lifts, pressures, laws = _swing_of(recipe)
     if not swings:
         return 0.0
     frictionless = False
@@ -278,17 +280,17 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
     swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
     cohesion = start.get("cohesion", 0.0)
     cohesion = cohesion + start.get("layered_cohesion", 0.0)
-    for law in recipe.laws:
-        if OF_COHESION in law:  # what remains of it; a table or a function is followed in any case
-            cohesion = cohesion + start.get(f"{law}.residual", 1.0)
+    for law in laws:  # what remains of it; a table or a function is followed in any case
+        cohesion = cohesion + start.get(f"{law}.residual", 1.0)
     return choose(cohesion > 0.0, 0.0, swings)
 
 
 @lru_cache(maxsize=256)
-def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names]:
-    """Return whether a mass may swing on, whether water may always lift it, and the cells of pressures that may."""
+def _swing_of(recipe: Recipe) -> tuple[bool, bool, Names, Names]:
+    """Return whether a mass may swing on, whether water always lifts it, cells of pressures, and laws of cohesion."""
     effects = recipe.effects
-    swings = rotates(effects) and "layered_cohesion" not in (*effects, *recipe.moving)
+    swings = rotates(effects) and COHESIVE.isdisjoint(recipe.moving)
+    laws = tuple(law for law in recipe.laws if OF_COHESION in law)
     of_soils = [f"{name}{soil_number(effect)}" for effect in effects for name in UPLIFT_OF_SOILS]
     varies = any(name.startswith(UPLIFT_OF_SOILS) for name in recipe.moving)
-    return swings, varies or not UPLIFT.isdisjoint(effects), tuple(of_soils)
+    return swings, varies or not UPLIFT.isdisjoint(effects), tuple(of_soils), laws

@@ -24,6 +24,7 @@ from slipcircle.base.checks import (
     two_sum,
 )
 from slipcircle.base.kinds import Array, Numbers, cached_property
+from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
 
@@ -115,6 +116,8 @@ class Arc(Mass, Generic[Numbers]):
             object.__setattr__(self, "__class__", lazy_import("given").GivenArc)
             self.__post_init__()
             return
+        if not self.has_plain_numbers:
+            take_units(self, ARC_BOUNDS)
         raise_all("Arc", self._mistakes())
         if not self.has_plain_numbers:
             freeze(self, ARC_BOUNDS)

@@ -23,6 +23,7 @@ from slipcircle.base.checks import (
     shape_mistakes,
 )
 from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
+from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
@@ -145,6 +146,7 @@ class Scene(Generic[Numbers]):
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
+        take_units(self, ("effects", "friction", *START, *END))
         effects, faults = named(self.effects)
         object.__setattr__(self, "effects", effects)
         mass: Any = self.arc
@@ -211,6 +213,12 @@ class Scene(Generic[Numbers]):
                 faults.append(f"{name} = {value!r}: must be a mapping {which}")
         return faults
 
+    @property
+    def checked_effects(self) -> dict[str, Parameters]:
+        """Effects by name, each with its parameters."""
+        effects: dict[str, Parameters] = self.effects  # type: ignore[assignment]
+        return effects
+
     @cached_property
     def law(self) -> Any:
         """Friction of the scene, or of the soils of its mass."""
@@ -219,8 +227,7 @@ class Scene(Generic[Numbers]):
     @cached_property
     def laws(self) -> tuple[Law, ...]:
         """Laws of friction, whose product is the friction, and of cohesion, each with its parameters."""
-        assert isinstance(self.effects, dict)
-        return (*law_parts(self.law), *self.arc.cohesion_laws(self.effects.get("cohesion", {})))
+        return (*law_parts(self.law), *self.arc.cohesion_laws(self.checked_effects.get("cohesion", {})))
 
     @property
     def until(self) -> Any:
@@ -230,10 +237,9 @@ class Scene(Generic[Numbers]):
     @cached_property
     def called(self) -> Effects:
         """Effects by name with their parameters, including the water level of a section."""
-        assert isinstance(self.effects, dict)
-        return self.arc.effects_with_own(self.effects)
+        return self.arc.effects_with_own(self.checked_effects)
 
-    def by_start(self, quantity: str, motion: Any) -> Any:
+    def by_start(self, quantity: str, motion: Any, kept: float = 1.0) -> Any:
         """Return a result by the starting method and the name of the method, or None for the closure."""
 
     @cached_property
@@ -247,11 +253,10 @@ class Scene(Generic[Numbers]):
             numbers["strength_factor"] = self.strength_factor
         if self.end_time is not None:
             numbers["end_time"] = self.end_time
-        assert isinstance(self.effects, dict)
-        shaking = self.effects.get("shaking", {})
+        shaking = self.checked_effects.get("shaking", {})
         if callable(shaking.get("horizontal")):
             numbers |= lazy_import("forcing").record_numbers(shaking)
-        for effect, given in self.effects.items():
+        for effect, given in self.checked_effects.items():
             for p in declared_parameters(effect, given):
                 if p.name in given and p.kind in ("number", "series"):
                     value = given[p.name]
@@ -265,8 +270,7 @@ class Scene(Generic[Numbers]):
         friction = self.friction
         values: list[Any] = [self.initial_velocity, self.end_time, self.strength_factor]
         values += friction.values() if isinstance(friction, dict) else [friction]
-        assert isinstance(self.effects, dict)
-        for parameters in self.effects.values():
+        for parameters in self.checked_effects.values():
             values += parameters.values()
         return self.arc.has_plain_numbers and PLAIN.issuperset(map(type, values))
 

@@ -37,7 +37,7 @@ def method_of(scene: Scene[Any]) -> str:
 def starts(motion: Motion) -> tuple[Start, Start] | None:
     """Return the start of a single motion and the alternative; None where both are equal or none is chosen."""
     scene = motion.plan.scene
-    if not isinstance(scene, SlopeScene) or scene.strength_factor is not scene.set_by_start:
+    if not isinstance(scene, SlopeScene) or not scene.starts_by_method:
         return None
     other = "bishop" if scene.start == OF_CLOSURE else OF_CLOSURE
     try:

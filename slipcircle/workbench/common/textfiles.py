@@ -44,7 +44,7 @@ def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds
     count = np.count_nonzero(is_blank[1:] & ~is_blank[:-1])
     if count > most_numbers:
         raise ValueError(f"{name}: holds {count:.2g} numbers: must be at most {most_numbers:.2g}; cut or resample it")
-    text = _decoded(data)
+    text = decoded(data)
     if "\0" in text[:4096]:
         raise ValueError(f"{name}: is not text; save the record as {kinds}")
     if not text.strip():
@@ -52,7 +52,7 @@ def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _decoded(data: bytes) -> str:
+def decoded(data: bytes) -> str:
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return data.decode("utf-16", "replace")
     try:

@@ -1,4 +1,4 @@
-"""Units of accelerations, pressures and times, and their spellings in files."""
+"""Units: their sizes, the suffixes that they give to keys of scene files, and their spellings in record files."""
 
 import re
 from collections.abc import Mapping
@@ -9,16 +9,28 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.tables import STRONGEST
 
+# The international foot is 0.3048 m and the pound 0.45359237 kg (yard and pound agreement of 1959), standard gravity
+# 9.80665 m/s^2 (CGPM 1901); the US survey foot is 1200/3937 m (Mendenhall order of 1893).
+_FOOT = 0.3048
+_POUND = 0.45359237 * 9.80665  # N, of force
+_PSF = _POUND / _FOOT**2
+LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "ft": _FOOT, "in": 0.0254, "us_ft": 1200 / 3937}
+STRESSES = {"kPa": 1e3, "Pa": 1.0, "MPa": 1e6, "psf": _PSF, "ksf": 1e3 * _PSF, "psi": 144 * _PSF}
+UNITS_OF_KEYS: Mapping[str, Mapping[str, float]] = {  # by SI unit; the first is that of published keys
+    "m": LENGTHS,
+    "m/s": {f"{length}/s": size for length, size in LENGTHS.items()},
+    "m/s^2": {f"{length}/s2": size for length, size in LENGTHS.items()},
+    "Pa": STRESSES,
+    "N/m^3": {"kN/m3": 1e3, "pcf": _POUND / _FOOT**3},
+    "Pa/m": {f"{s}/{d}": size / depth for d, depth in LENGTHS.items() for s, size in STRESSES.items()},
+}
+US_UNITS = {"m": "ft", "m/s": "ft/s", "m/s^2": "ft/s2", "Pa": "psf", "N/m^3": "pcf", "Pa/m": "psf/ft"}
 GRAVITIES = {"g": 1.0, "%g": 1e-2, "mg": 1e-3}  # units that follow the scene's own gravity
 UNITS = {  # m/s^2
     "g": 9.81,
-    "m/s2": 1.0,
-    "cm/s2": 1e-2,
-    "mm/s2": 1e-3,
-    "ft/s2": 0.3048,
-    "in/s2": 0.0254,
     "%g": 0.0981,
     "mg": 9.81e-3,
+    **{unit: UNITS_OF_KEYS["m/s^2"][unit] for unit in ("m/s2", "cm/s2", "mm/s2", "ft/s2", "in/s2")},
     "mgal": 1e-5,
 }
 _PER_S2 = r"(?:/s/s|/\(?s[.*]?s\)?|/\(?s2\)?|[._]?s-2|_s_?2)"
@@ -55,15 +67,60 @@ ACCELERATION = Quantity(
 )
 PORE_PRESSURE = Quantity(
     "pore pressure",
-    {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "ratio": 1.0},
-    {"Pa": "pa", "kPa": "kpa|kn/m2", "MPa": "mpa", "ratio": "ratio|r_?u|-"},
-    "Pa, kPa, MPa, ratio",
+    STRESSES | {"ratio": 1.0},
+    {"Pa": "pa", "kPa": "kpa|kn/m2", "MPa": "mpa", "psf": "psf", "ksf": "ksf", "psi": "psi", "ratio": "ratio|r_?u|-"},
+    "Pa, kPa, MPa, psf, ksf, psi, ratio",
     "pressure",
 )
 TIME = Quantity(
     "time", {"s": 1.0, "ms": 1e-3, "us": 1e-6}, {"s": "s", "ms": "m(?:illi)?s", "us": "(?:u|µ|μ|micro)s"}, "s, ms, us"
 )
+LENGTH = Quantity(
+    "length",
+    LENGTHS,
+    {
+        "m": "m|met(?:er|re)s?",
+        "cm": "cm|centimet(?:er|re)s?",
+        "mm": "mm|millimet(?:er|re)s?",
+        "ft": "ft|feet|foot|internationalfeet",
+        "in": "in|inch(?:es)?",
+        "us_ft": "(?:us(?:survey)?|survey)[-_]?(?:ft|feet|foot)|ftus",
+    },
+    ", ".join(LENGTHS),
+    "x",
+)
 _TYPED = str.maketrans({"²": "2", "⁻": "-", "−": "-", "–": "-", "·": ".", "⋅": ".", "’": "'", "′": "'"})
+
+
+def suffix(unit: str) -> str:
+    """Return the end of a key with a unit: ``per_m_kPa`` for kPa/m, ``ft_s2`` for ft/s2."""
+    of, _, per = unit.partition("/")
+    return f"per_{per}_{of}" if per in LENGTHS else unit.replace("/", "_")
+
+
+_PUBLISHED = {  # by suffix, the longest first: the unit, the published suffix, and the ratio of both units
+    suffix(unit): (unit, suffix(next(iter(units))), size / next(iter(units.values())))
+    for units in UNITS_OF_KEYS.values()
+    for unit, size in units.items()
+}
+_SUFFIX = re.compile(f"_({'|'.join(sorted(_PUBLISHED, key=len, reverse=True))})$")
+
+
+def published(key: str) -> tuple[str, str, float]:
+    """Return the published spelling of a key, the unit at its end, and the unit's size in that of the spelling."""
+    found = _SUFFIX.search(key)
+    if found is None:
+        return key, "", 1.0
+    unit, end, ratio = _PUBLISHED[found[1]]
+    return key[: found.start() + 1] + end, unit, ratio
+
+
+def spelt_like(typed: str, key: str) -> str:
+    """Return a published key with the unit of another one, where both have the same quantity."""
+    spelling, unit, _ = published(typed)
+    end = suffix(unit)
+    of_published = spelling[len(typed) - len(end) :]
+    return key.removesuffix(of_published) + end if unit and key.endswith(f"_{of_published}") else key
 
 
 def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:

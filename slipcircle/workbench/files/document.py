@@ -6,15 +6,19 @@ names the key that was probably meant, which is then not reported as missing.
 
 import json
 import math
+import re
 from collections.abc import Mapping
 from difflib import get_close_matches
+from itertools import chain
 from typing import Any
 
+from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
+from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
 from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
 from slipcircle.workbench.files.numbers import numbers
 
-_UNITS = ("_deg", "_kPa", "_m_s2", "_m_s", "_s", "_m")  # at the end of a key
+_UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 
 
 class Document:
@@ -62,14 +66,14 @@ class Document:
 
     def _put_in_order_of_samples(self) -> None:
         """Sort the distributions, and put mistakes in them first."""
-        uncertain = {}
-        odd = []
-        for key in numbers(self._tables):
-            if key in self.uncertain:
-                uncertain[key] = self.uncertain[key]
-            odd += self._odd_distributions.get(key, [])
-        self.uncertain = uncertain
-        self.mistakes = odd + self.mistakes
+        order = [*numbers(self._tables)]
+
+        def place(key: str) -> int:
+            return order.index(published(key)[0])
+
+        self.uncertain = {key: self.uncertain[key] for key in sorted(self.uncertain, key=place)}
+        odd = chain.from_iterable(self._odd_distributions[key] for key in sorted(self._odd_distributions, key=place))
+        self.mistakes = [*odd, *self.mistakes]
 
     def _read_table(self, path: str, content: Mapping[str, Any]) -> None:
         """Read a table with those inside it."""
@@ -77,24 +81,47 @@ class Document:
         table = self._tables[path]
         if table.is_of_unknown_law:
             content = {"law": content["law"]}
+        spelt: dict[str, str] = {}  # keys as typed, by their published spelling
         for name, value in content.items():
             full = joined(path, name)
-            if name in table.tables and isinstance(value, dict):
+            known, *_ = published(name)
+            if known not in table.keys:
+                known = name
+            if known in spelt:
+                self._report(full, f"{joined(path, spelt[known])} and {full}: are one quantity; remove one")
+            elif name in table.tables and isinstance(value, dict):
                 self._read_table(full, value)
             elif name in table.tables:
-                title = self._tables[full].title
-                self._report(full, f"{full} = {shown(value)}: must be {self._heading(full)}: {title}")
-            elif name in table.keys:
-                key = table.keys[name]
-                self.typed[joined(path, key.name)] = full
-                arguments[key.name] = self._argument(full, key, value, content, table)
+                self._report(full, f"{full} = {shown(value)}: must be {self._described(full)}")
+            elif known in table.keys:
+                key = table.keys[known]
+                self.typed[joined(path, key.name)] = joined(path, known)
+                arguments[key.name] = self._argument(full, key.spelt(name), value, content, table)
             else:
                 meant, advice = _advice(path, name, self._tables)
                 self._meant.add(meant)
                 self._report(full, f"{full} = {shown(value)}: is unknown; {advice}")
-        self._note_missing(path, content)
-        self._check_sets(path, content)
-        self._check_choices(path, content)
+            spelt.setdefault(known, name)
+        self._report_mixed_units(path, table, spelt)
+        self._note_missing(path, spelt)
+        self._check_sets(path, spelt)
+        self._check_choices(path, spelt)
+
+    def _report_mixed_units(self, path: str, table: Table, spelt: Mapping[str, str]) -> None:
+        """Report a quantity that a table has in several units."""
+        units: dict[str, dict[str, str]] = {}
+        for known, name in spelt.items():
+            if known in table.keys:
+                quantity = units.setdefault(table.keys[known].number.si, {})
+                quantity.setdefault(published(name)[1], joined(path, name))
+        for typed in units.values():
+            if len(typed) > 1:
+                words = " and ".join(f"{key} in {unit}" for unit, key in typed.items())
+                self._report(path, f"{words}: are mixed units in one table; give both in one unit")
+
+    def _described(self, path: str) -> str:
+        """Return the heading of a table with its title."""
+        return f"{self._heading(path)}: {self._tables[path].title}"
 
     def _heading(self, path: str) -> str:
         """Heading of a table of a file, or of each table in a list."""
@@ -117,6 +144,8 @@ class Document:
         for place, entry in key.wrong(value):
             advice = _question(key, entry, table)
             wrong.append(f"{full}{place} = {shown(entry)}: must be {key.allowed}{advice}")
+        if key.kind == "points" and not wrong:
+            wrong += points_errors(full, value, many=False)
         if key.kind == "series" and isinstance(value, list) and "time_s" not in content:
             needs = "is a list, which needs its times beside it, time_s; or give one number"
             wrong.append(f"{full} = {shown(value)}: {needs}")
@@ -207,6 +236,8 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
     In the same table a similar key or the only one with that unit; in other tables only an almost identical one.
     """
+    typed = unknown
+    unknown, _, _ = published(typed)
     if unknown == "reach_m":
         return "", "use run_out_m, which is the greatest displacement"
     within = {path: list(table.keys) for path, table in tables.items()}
@@ -220,11 +251,11 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
         return f"{path}.{here[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
     key = _similar(unknown, here, tables[path])
     if key:
-        return joined(path, key), f"did you mean {key}?"
+        return joined(path, key), f"did you mean {spelt_like(typed, key)}?"
     for table in tables:
         for key in get_close_matches(unknown, within[table], 1, 0.9):
             place = f" in [{table}]" if table else " above the first table"
-            return joined(table, key), f"did you mean {key}{place}?"
+            return joined(table, key), f"did you mean {spelt_like(typed, key)}{place}?"
     if not here:
         return "", "this table has no keys"
     return "", f"known are {', '.join(here)}"
@@ -232,8 +263,8 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
 def _similar(unknown: str, here: list[str], table: Table) -> str:
     """The key or table that is most like an unknown key, or the only one with its unit; "" if there is none."""
-    unit = next((u for u in _UNITS if unknown.endswith(u)), "_")
-    of_unit = [key for key in here if key.endswith(unit)]
+    units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
+    of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]
     similar = get_close_matches(unknown, here, 1)
     if not similar:
         return of_unit[0] if len(of_unit) == 1 else ""

@@ -17,10 +17,10 @@ from slipcircle.base import SCENE_FORMAT
 from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.given import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
+from slipcircle.workbench.common.units import published
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
-_UNITS = {"Pa/m": "kPa/m"}  # of files, where a key does not show it in this order
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,11 @@ class Number:
         """The number with its name and unit in the scene."""
         low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
         return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
+
+    def in_unit(self, key: str, unit: str, ratio: float) -> "Number":
+        """Return the number by another key, in a unit of which ``ratio`` is the size in that of its key."""
+        low, high = self.low / ratio, self.high / ratio
+        return replace(self, key=key, unit=unit, low=low, high=high, per_unit=self.per_unit * ratio)
 
     def to_si(self, values: Any) -> Any:
         """Values in the key's unit converted to SI units of the scene."""
@@ -101,19 +106,32 @@ class Key(NamedTuple):
         is_word = isinstance(value, str) and value.lower() in self.kind.split("|")
         return [] if right.get(self.kind, is_word) else [("", value)]
 
+    def spelt(self, name: str) -> "Key":
+        """Return the key by another spelling, in the unit at its end."""
+        _, unit, ratio = published(name)
+        if unit in ("", self.number.unit):
+            return self
+
+        def bound(words: re.Match[str]) -> str:
+            return f"{words[1]} {float(words[2]) / ratio:.6g}"
+
+        allowed = re.sub(r"(above|below|least|most) ([-+.e\d]*\d)", bound, self.allowed)
+        allowed = allowed.replace(f"({self.number.unit})", f"({unit})")
+        return self._replace(allowed=allowed, number=self.number.in_unit(name, unit, ratio))
+
     def convert(self, value: Any) -> Any:
         """A valid value as an argument, in SI units."""
-        if self.kind == "points" or (self.kind == "line" and isinstance(value, list)):
-            return np.array(value)
-        if self.kind == "pair":
-            return float(value[0]), float(value[1])
-        if self.kind == "seen":
-            if isinstance(value, str):
-                return Interval.of_limit(value)
-            return Interval(*map(float, value)) if isinstance(value, list) else float(value)
-        if self.kind not in ("number", "fixed", "list", "series", "line", "load"):
+        if self.kind == "seen" and isinstance(value, str):
+            value = Interval.of_limit(value)
+        if self.kind not in (*VARYING, "fixed", "list", "pair", "points", "seen"):
             return value.lower() if "|" in self.kind else value
-        return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
+        values = self.number.to_si(np.array(value, dtype=np.float64))
+        if self.kind == "points" or (self.kind == "line" and values.ndim):
+            return values
+        plain = values.tolist()
+        if isinstance(plain, list) and self.kind in ("pair", "seen"):
+            return Interval(*plain) if self.kind == "seen" else tuple(plain)
+        return plain
 
     def _number(self, value: Any) -> bool:
         return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))
@@ -123,6 +141,9 @@ class Key(NamedTuple):
 
     def _pair(self, value: Any) -> bool:
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
+
+
+LENGTH = Number(unit="m", si="m")  # of points
 
 
 class Table(NamedTuple):
@@ -280,11 +301,12 @@ def _keys(p: Parameter) -> dict[str, Key]:
     if not p.unit and p.key.endswith("_deg"):
         angle = _number(p, f"{p.help}, as an angle", "deg", tangent=True)
         return {p.key: angle, p.name: _number(p, p.help)}
-    unit = p.unit
-    if p.per_unit != 1.0:  # the key tells it, such as kN_m3 for N/m^3, but not what stands between
+    _, known, _ = published(p.key)
+    unit = known if p.per_unit != 1.0 else p.unit
+    if not unit and p.unit:  # the key tells it, such as MPa_K for Pa/K, but not what stands between
         between = iter(re.findall("[/ ]", p.unit))
         tail = p.key.removeprefix(f"{p.name}_")
-        unit = _UNITS.get(p.unit) or re.sub("_", lambda _: next(between, " "), tail)
+        unit = re.sub("_", lambda _: next(between, " "), tail)
     return {p.key: _number(p, p.help, unit, not p.optional)}
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
+from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
 from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, WITH_ONE_SOIL
 
@@ -54,9 +55,11 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
             listed = name in whole.tables and whole.tables[name].repeats == "numbered"
             known[name] = _numbered(value) if listed else value
     ground = known.get("ground")
-    if layered and isinstance(ground, dict) and "unit_weight_kN_m3" in ground:
-        known["ground"] = {k: value for k, value in ground.items() if k != "unit_weight_kN_m3"}
-        mistakes.append(f"ground.unit_weight_kN_m3: {_BY_SOILS}: unit_weight_kN_m3 in [soils.NAME]; leave it out")
+    whole_ground = ground if layered and isinstance(ground, dict) else {}
+    for k in whole_ground:
+        if published(k)[0] == "unit_weight_kN_m3":
+            known["ground"] = {name: value for name, value in whole_ground.items() if name != k}
+            mistakes.append(f"ground.{k}: {_BY_SOILS}: {k} in [soils.NAME]; leave it out")
     return Layout(fitted(whole, known), known, mistakes, on_slope, layered)
 
 

@@ -25,6 +25,7 @@ from slipcircle.workbench.common.distributions import (
     distribution_mistakes,
     distribution_of,
 )
+from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
 from slipcircle.workbench.files.keys import Number as Number
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS
@@ -115,6 +116,12 @@ def number_in(scene: Any, path: str) -> Number:
     path = only[0] if len(only) == 1 else path  # of an effect with one number
     if path in known:
         return known[path]
+    parts = path.split(".")
+    for k, part in enumerate(parts):
+        key, unit, ratio = published(part)
+        spelling = ".".join([*parts[:k], key, *parts[k + 1 :]])
+        if spelling in known:
+            return known[spelling].in_unit(path, unit, ratio)
     for n in known.values():
         if n.name == path and not n.tangent:  # a friction has two keys, its angle and itself
             return n.plain

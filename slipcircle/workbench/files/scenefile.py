@@ -20,6 +20,7 @@ from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
+from slipcircle.workbench.files.points import with_points
 from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
@@ -203,6 +204,10 @@ def _parts(
 
     Unless ``moving``, tables that only factors of safety use are allowed, and a slope has no arc.
     """
+    try:
+        content = with_points(content, Path(file).parent)
+    except InputError as error:
+        raise ValueError(error.worded(str, file)) from error
     document, keys, arc, slope, friction, mistakes = _read(content, moving)
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))

@@ -4,11 +4,38 @@ from collections.abc import Mapping
 from typing import Any
 
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
-_WEIGHT = {"required": ["unit_weight_kN_m3"]}
+_OTHER_UNIT = {"type": ["number", "array", "object"], "title": "the number or numbers in another unit"}
+_FILED = ("points", "line")  # kinds of keys whose points may be in a file
+
+
+def _present(name: str, key: Key) -> dict[str, Any]:
+    """Return the condition that a key is present, in any unit or as a file."""
+    units = [*map(suffix, UNITS_OF_KEYS.get(key.number.si, ()))]
+    stem = name.removesuffix(units[0]) if units else name
+    others = [stem + end for end in units[1:] + ["file"] * (key.kind in _FILED)]
+    conditions = [{"required": [spelling]} for spelling in (name, *others)]
+    return {"anyOf": conditions} if others else conditions[0]
+
+
+def _other_units(keys: Mapping[str, Key]) -> dict[str, Any]:
+    """Return the patterns of keys in other units than the published ones, and of points in files."""
+    patterns = {}
+    for name, key in keys.items():
+        first, *others = map(suffix, UNITS_OF_KEYS.get(key.number.si, ("",)))
+        stem = name.removesuffix(first)
+        if others:
+            patterns[f"^{stem}({'|'.join(others)})$"] = {"$ref": "#/$defs/other_unit"}
+        if key.kind in _FILED:
+            patterns[f"^{stem}file(_unit)?$"] = {"type": "string"}
+    return {"patternProperties": patterns} if patterns else {}
+
+
+_WEIGHT = _present("unit_weight_kN_m3", WITH_ONE_SOIL.tables["ground"].keys["unit_weight_kN_m3"])
 _OF_GROUND: tuple[dict[str, Any], ...] = ({}, {"ground": _WEIGHT}, {"ground": {"not": _WEIGHT}})
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
 
@@ -23,6 +50,7 @@ def schema() -> dict[str, Any]:
         )
         for name, kind in DISTRIBUTIONS.items()
     }
+    defs["other_unit"] = _OTHER_UNIT
     forms = (WITH_ARC, WITH_ONE_SOIL, WITH_LAYERS)
     ground = WITH_ONE_SOIL.tables["ground"]
     any_ground = ground._replace(keys={k: key._replace(required=False) for k, key in ground.keys.items()})
@@ -52,12 +80,13 @@ def _schema_of_table(table: Table, name: str, defs: dict[str, Any]) -> dict[str,
         one = _schema_of_table(inner, f"{name}_{inside}".lstrip("_"), defs)
         many = {"named": {"type": "object", "additionalProperties": one}, "numbered": {"type": "array", "items": one}}
         properties[inside] = many[inner.repeats] | {"title": inner.title} if inner.repeats else one
-    schema = _object(properties, table.title, [k for k, key in table.keys.items() if key.required])
-    needs = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
-    if table.any_of:
-        needs.append({"anyOf": [{"required": [k]} for k in table.any_of]})
+    schema = _object(properties, table.title, []) | _other_units(table.keys)
+    present = {k: _present(k, key) for k, key in table.keys.items()}
+    needs: list[Any] = [present[k] for k, key in table.keys.items() if key.required]
+    needs += [{"oneOf": [present[k] for k in pair]} for pair in table.one_of]
+    needs += [{"anyOf": [present[k] for k in table.any_of]}] if table.any_of else []
     if table.sets:
-        needs.append({"oneOf": [{"required": list(keys)} for keys in table.sets]})
+        needs.append({"oneOf": [{"allOf": [present[k] for k in keys]} for keys in table.sets]})
     if needs:
         schema["allOf"] = needs
     return schema

@@ -12,6 +12,7 @@ from slipcircle.workbench.files.keys import (
     EFFECT_TABLES,
     FRICTION,
     FURTHER,
+    LENGTH,
     OF_SOIL,
     RATE_OF_SOILS,
     TOP,
@@ -37,11 +38,12 @@ def _weight(help: str, optional: bool = False) -> Parameter:
 
 def _points(name: str, title: str) -> dict[str, Key]:
     key = "points_m" if name == "ground" else f"{name}_m"
-    return {key: Key(name, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", kind="points")}
+    words = "a list of two points or more, [[x, y], [x, y], ...] (m)"
+    return {key: Key(name, title, words, kind="points", number=LENGTH)}
 
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
-    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair")}
+    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair", number=LENGTH)}
 
 
 def _place(name: str, help: str) -> Parameter:

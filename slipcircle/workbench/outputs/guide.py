@@ -19,6 +19,13 @@ table is not computed and costs nothing. In place of [arc], [ground] and [circle
 slope, [water] its water level, [soils.NAME] and [[layers]] its soils, then without [friction],
 [cohesion] and [pore_pressure]. Vaiont has an [arc], as no citable profile is available.
 
+Other units are accepted in place of the one at the end of a key: _ft, _in, _us_ft, _cm and _mm for
+_m (also in _m_s, _m_s2 and _per_m_kPa), _psf, _ksf, _psi, _Pa and _MPa for _kPa, _pcf for _kN_m3:
+radius_ft, speed_ft_s, cohesion_per_ft_psf. A table has one unit for each quantity. points_file of
+[ground], level_file of [water] and top_file of [[layers]] name a file of points, relative to the
+scene file: a spreadsheet (CSV) with columns x and y, "section.csv", or the lines on a layer of a
+drawing (DXF), "section.dxf#GROUND". Its unit is in its header, or in points_file_unit = "ft", ...
+
 The dimensionless balance of momentum (times over sqrt(R/g), stresses over sigma_ref = unit weight
 R (1 - cos alpha); numbers in brackets are equations and figures of the paper):
 

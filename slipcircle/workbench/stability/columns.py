@@ -130,7 +130,7 @@ class SlopeArrays:
 
     def _kinks(self) -> Floats:
         """Return x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any), sorted."""
-        kinks = [line[:, 1:-1, 0] for line in self.lines]
+        kinks = [line[:, 1:-1, 0] for line in (*self.lines, *self._datum_lines)]
         for one, other in combinations(self.lines, 2):
             kinks.append(line_crossings(one, other))
         for x1, x2, *_ in self.surcharge:

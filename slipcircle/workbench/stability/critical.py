@@ -205,7 +205,7 @@ class SlopeScene(Scene[Numbers]):
     set_by_start: Any = AS_ENTERED
 
     def __post_init__(self) -> None:
-        if self.strength_factor is self.set_by_start:
+        if self.starts_by_method:
             self._start_with(AS_ENTERED)  # until all fields are known to be valid
         super().__post_init__()
         self.start_anew()
@@ -213,16 +213,22 @@ class SlopeScene(Scene[Numbers]):
             raise InputError("", [_NO_START.format(self.start)])
 
     def start_anew(self) -> None:
-        if self.strength_factor is self.set_by_start:
+        if self.starts_by_method:
             self._start_with(strength_factor(self, self.start))
+
+    @property
+    def starts_by_method(self) -> bool:
+        """Whether the starting method has set the strength factor."""
+        factor = np.asarray(self.strength_factor)
+        return factor.dtype.kind == "f" and np.array_equal(factor, np.asarray(self.set_by_start, float), equal_nan=True)
 
     def _start_with(self, factor: Any) -> None:
         """Set the strength factor."""
         for name in ("strength_factor", "set_by_start"):
             object.__setattr__(self, name, factor)
 
-    def by_start(self, quantity: str, motion: Motion) -> Any:
-        if quantity not in _BY_START or self.start == OF_CLOSURE or self.strength_factor is not self.set_by_start:
+    def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
+        if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
         if quantity == "yield_coefficient":  # under shaking the strength factor has made it that of the closure
             found = None if "shaking" in self.called else yield_by(self, self.start)
@@ -234,22 +240,14 @@ class SlopeScene(Scene[Numbers]):
             return None
         else:
             friction = float(motion.friction_at(motion.settling_time))
-            found = at_rest_by(self, self.start, motion.end.rotation, friction)
+            found = at_rest_by(self, self.start, motion.end.rotation, friction, kept)
         return None if found is None or np.all(np.isnan(found)) else (found, self.start)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """Return the fields, and whether the start sets the strength factor: a copy has another number object."""
-        return vars(self) | {"set_by_start": self.strength_factor is self.set_by_start}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        factor = state["strength_factor"] if state["set_by_start"] else None
-        vars(self).update(state | {"set_by_start": factor})
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """Numbers that may be arrays. The strength factor follows from the others unless it is explicit."""
         numbers = super().numbers
-        if self.strength_factor is not self.set_by_start:
+        if not self.starts_by_method:
             return numbers
         return {name: value for name, value in numbers.items() if name != "strength_factor"}
 

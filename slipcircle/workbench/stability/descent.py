@@ -15,7 +15,7 @@ _SHRINK_SMOOTH = 0.2  # where a parabola describes it
 _GROWTH = 2.0  # of steps while the best neighbour is on the rim
 _GAIN = 1e-6  # relative; by less, a step counts as none
 _TIE = 1e-10  # relative; factors as near as this are equal, so that no rounding decides the course of a search
-_FINEST = 1e-4  # step at which a valley is done, over its first
+FINEST = 1e-4  # step at which a valley is done, over its first
 _HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
 _OFFSETS = np.array(list(product([-1.0, 0.0, 1.0], repeat=3)))
 _MIDDLE = len(_OFFSETS) // 2
@@ -26,10 +26,11 @@ _SUBSETS = np.array(_NONE_AND_SUBSETS[1:])
 class Descent:
     """Circles (n, 4) as in `family`, each with the steps of its grid, and the least value so far."""
 
-    def __init__(self, q: Floats, step: Floats, greatest_length: float) -> None:
+    def __init__(self, q: Floats, step: Floats, greatest_length: float, finest: float = FINEST) -> None:
         self.q = q.copy()
         self.best = np.full(len(q), np.inf)
         self._first_step = step
+        self._finest = finest
         self._step = step.copy()
         self._leaps = np.zeros((len(q), len(_SUBSETS), 3))
         self._greatest = np.array([greatest_length, greatest_length, 1.0])
@@ -37,7 +38,7 @@ class Descent:
     @property
     def unfinished(self) -> Any:
         """Return the numbers of circles whose steps are not yet small."""
-        is_coarse = self._step > _FINEST * self._first_step
+        is_coarse = self._step > self._finest * self._first_step
         return np.flatnonzero(np.any(is_coarse, axis=1))
 
     def proposals(self) -> Floats:

@@ -6,8 +6,11 @@ touches from above in the place of that share, -1 of most circles, which touch n
 begins to cut a layer, so that the least may stand there.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
+from copy import copy
 from itertools import pairwise
 from typing import Any
 
@@ -18,7 +21,8 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.bases import angle_from_below
-from slipcircle.workbench.stability.descent import Descent, in_order
+from slipcircle.workbench.stability.columns import SlopeArrays
+from slipcircle.workbench.stability.descent import FINEST, Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
 from slipcircle.workbench.stability.slices import NODES
 from slipcircle.workbench.stability.stability import Slope
@@ -28,14 +32,14 @@ _LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between w
 _FEW_EDGES = 12
 _MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-COARSE_NODES, _FINE_NODES = 4, 6  # of Gauss' rule
+COARSE_NODES, FINE_NODES = 4, 6  # of Gauss' rule
 _VALLEYS = 12  # that are refined
 _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
 _KEPT = 3  # of refined valleys
-_TOGETHER = 1 << 13  # ground vertices times circles at a time: what fits into the caches
-_NONE = -1.0  # no edge is touched
+_TOGETHER = 1 << 14  # ground vertices times circles at a time: what fits into the caches
+NONE = -1.0  # no edge is touched
 _JUST_BELOW = 1 - 1e-12
 
 
@@ -78,6 +82,12 @@ def _touching_half_angle(left: Floats, right: Floats, edge: Floats) -> Floats:
         return np.where(is_above, np.arctan2(half, centre), np.nan)
 
 
+def _lengths_along(line: Floats) -> Floats:
+    """Return the lengths along a line (V, 2) up to its vertices."""
+    lengths = _length(np.diff(line, axis=0))
+    return np.append(0.0, np.cumsum(lengths))
+
+
 class Search:
     """Slope, method to minimise, limits, and all circles evaluated so far."""
 
@@ -87,18 +97,28 @@ class Search:
         self.method = method
         self.depth = depth
         self.limits = {"entry": entry, "exit": exit}
-        self.ground = np.asarray(slope.ground)
-        lengths = _length(np.diff(self.ground, axis=0))
-        self.along = np.append(0.0, np.cumsum(lengths))
-        self.rounding = 1e-9 * float(self.along[-1])
+        self.rounding = 1e-9 * float(_lengths_along(np.asarray(slope.ground))[-1])
+        self.centres: list[Floats] = []
+        self.values: list[Floats] = []
+        self._set_lines(self.arrays)
+
+    def on_lines(self, arrays: SlopeArrays) -> Search:
+        """Return a search of the same slope on other lines, of which its map has the circles too."""
+        other = copy(self)
+        other._set_lines(arrays)
+        return other
+
+    def _set_lines(self, arrays: SlopeArrays) -> None:
+        """Search on the lines of these arrays."""
+        self.arrays = arrays
+        (self.ground,) = arrays.ground
+        self.along = _lengths_along(self.ground)
         edges = [np.empty((0, 2, 2))]
-        for (top,) in self.arrays.tops:
+        for (top,) in arrays.tops:
             starts = top[:-1]
             ends = top[1:]
             edges.append(np.stack([starts, ends], axis=1))
         self.boundary_edges = np.concatenate(edges)
-        self.centres: list[Floats] = []
-        self.values: list[Floats] = []
 
     def points(self, lengths: Floats) -> Floats:
         """Return points of the ground at lengths along it."""
@@ -112,24 +132,32 @@ class Search:
         left = self.points(q[:, 0])
         right = self.points(q[:, 1])
         half_chord = _length(right - left) / 2
-        greatest = self._greatest_half_angle(left, right)
-        share = q[:, 2]
-        touched = q[:, 3]
-        half_angle = share * greatest
-        touching = np.flatnonzero(touched != _NONE)
-        if touching.size:
-            number = touched[touching].astype(np.int64)
-            edge = self.boundary_edges[number]
-            half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
-        most = greatest * (1 + 1e-9)
-        valid = (half_angle > 0.0) & (half_angle <= most)
+        half_angle = self.half_angles(q)
+        valid = np.isfinite(half_angle)
         some_angle = np.where(valid, half_angle, 1.0)
         radius = half_chord / np.sin(some_angle)
         centre, radius = circle_through(left, right, radius=radius)
         radius = np.where(valid, radius, np.nan)
         return centre, radius, left, right
 
-    def _greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
+    def half_angles(self, q: Floats) -> Floats:
+        """Return half the openings of arcs, NaN where an edge is not touched or the arc is steeper than upright."""
+        left = self.points(q[:, 0])
+        right = self.points(q[:, 1])
+        greatest = self.greatest_half_angle(left, right)
+        share = q[:, 2]
+        touched = q[:, 3]
+        half_angle = share * greatest
+        touching = np.flatnonzero(touched != NONE)
+        if touching.size:
+            number = touched[touching].astype(np.int64)
+            edge = self.boundary_edges[number]
+            half_angle[touching] = _touching_half_angle(left[touching], right[touching], edge)
+        most = greatest * (1 + 1e-9)
+        valid = (half_angle > 0.0) & (half_angle <= most)
+        return np.where(valid, half_angle, np.nan)
+
+    def greatest_half_angle(self, left: Floats, right: Floats) -> Floats:
         """Return half the opening of circles that are vertical at an end, or touch the base between two points."""
         run, rise = (right - left).T
         upright = np.arctan2(run, np.abs(rise)) * _JUST_BELOW
@@ -249,14 +277,14 @@ class Search:
                 positions.append(within)
         return np.unique(np.concatenate(positions))
 
-    def coarse_family(self) -> tuple[Floats, Floats]:
+    def coarse_family(self, touching: bool = True) -> tuple[Floats, Floats]:
         """Return circles between all pairs of positions, with all openings and tangent to boundaries, and steps."""
         ends = self._positions()
         shape = len(ends), len(ends), len(_SHARES)
         numbers = np.indices(shape).reshape(3, -1)
         in_order = numbers[0] < numbers[1]
         left, right, share = numbers[:, in_order]
-        no_edge = np.full(len(share), _NONE)
+        no_edge = np.full(len(share), NONE)
         q = np.column_stack([ends[left], ends[right], _SHARES[share], no_edge])
         spacing = np.gradient(ends)
         share_spacing = np.gradient(_SHARES)[share]
@@ -265,35 +293,37 @@ class Search:
         pairs = share == 0
         families = [q]
         families_steps = [steps]
-        for edge in range(len(self.boundary_edges)):
-            touching = q[pairs]
-            touching[:, 3] = edge
-            families.append(touching)
+        for edge in range(len(self.boundary_edges) * touching):
+            family = q[pairs]
+            family[:, 3] = edge
+            families.append(family)
             families_steps.append(steps[pairs])
         return np.concatenate(families), np.concatenate(families_steps)
 
-    def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
-        """Return the best circles of the coarse family without better neighbours, and their steps."""
-        q, steps = self.coarse_family()
+    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
+        """Return the best circles of a family without better neighbours, and their steps."""
         values = self.evaluate(q, COARSE_NODES)
         if not np.any(np.isfinite(values)):
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
-        valleys = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
+        found = valleys_of(q, values, steps, _VALLEYS, _VALLEYS_ON_EDGE)
+        valleys = np.array(found)[in_order(values[found])]
         least = np.nanmin(values)
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
 
-    def refined(self, q: Floats, step: Floats) -> tuple[Floats, Floats]:
+    def refined(
+        self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = FINE_NODES
+    ) -> tuple[Floats, Floats]:
         """Return the best circles in order after descent from all of them, and their first steps."""
-        descent = Descent(q, step, self.along[-1])
+        descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:
             for _ in range(_STEPS):
                 progress(len(q) - descent.unfinished.size - progress.done)
                 if progress.done == len(q):
                     break
                 near = descent.proposals()
-                values = self.evaluate(near.reshape(-1, 4), _FINE_NODES)
+                values = self.evaluate(near.reshape(-1, 4), nodes)
                 values = np.nan_to_num(values, nan=np.inf)
                 descent.move(near, values.reshape(near.shape[:2]))
         order = in_order(descent.best)[:_KEPT]
@@ -320,7 +350,7 @@ def valleys_of(q: Floats, values: Floats, steps: Floats, most: int, most_on_edge
     order = order[np.isfinite(values[order])]
     for edge in np.unique(touched):
         rest = order[touched[order] == edge]
-        count = most if edge == _NONE else most_on_edge
+        count = most if edge == NONE else most_on_edge
         while count and rest.size:
             best = rest[0]
             valleys.append(int(best))

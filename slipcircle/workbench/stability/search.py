@@ -11,6 +11,7 @@ import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats
+from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import Critical, circle_of
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.family import Search
@@ -56,16 +57,14 @@ def critical(
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
-    best, step = search.coarse(tell)
-    for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
-        best, step = search.refined(best, share * step)
+    best = least(search, tell)
     circle = circle_of(slope, *search.circles(best[:1]))
-    least = circle.yield_coefficient if method == YIELD else circle.factors_of_safety[method]
-    least = np.inf if least is None else least
+    factor = circle.yield_coefficient if method == YIELD else circle.factors_of_safety[method]
+    factor = np.inf if factor is None else factor
     if entry is None and exit is None:
-        _refuse_bottomless(slope, least, shaken=method == YIELD or slope.k_h > 0.0)
+        _refuse_bottomless(slope, factor, shaken=method == YIELD or slope.k_h > 0.0)
     _refuse_skin(slope, circle)
-    tell(f"{least_of(method)}: {least:.6g}")
+    tell(f"{least_of(method)}: {factor:.6g}")
     warnings = [circle.warning, *_reached_ends(search, circle), *_reached_limits(search, best[:1], circle)]
     values = np.concatenate(search.values)
     return replace(

@@ -1,7 +1,4 @@
-"""Factors of safety of a slope on given circles by the paper's method, the ordinary method and Bishop's.
-
-`slices` has the numerics; here are the slope as users give it, the methods' names and words, and scenes of arrays.
-"""
+"""Factors of safety of a slope on given circles by three methods: fields of slopes, and scenes of arrays."""
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
@@ -15,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, freeze, raise_all
 from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.base.units import take_units
 from slipcircle.core import cohesion_mistakes, law_mistakes
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
@@ -80,8 +78,7 @@ class Slope:
     base : float, optional
         y of a firm layer, m: no circle goes below.
     layers : sequence of pairs, optional
-        Soils from the ground down, each with its top, as for a `LayeredSection`; in place of cohesion, friction, unit
-        weight and pore ratio.
+        Soils from the ground down, each with its top, as for a `LayeredSection`, in place of the numbers of one soil.
     surcharge : sequence of (x1, x2, q1, q2)
         Pressures on the ground, Pa, linear from x1 to x2.
     confined : bool
@@ -124,6 +121,7 @@ class Slope:
     datum: float | None = None
 
     def __post_init__(self) -> None:
+        take_units(self, vars(self))
         mistakes = self._field_mistakes()
         if not mistakes:
             freeze(self, ("cohesion", "friction"))

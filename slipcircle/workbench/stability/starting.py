@@ -83,8 +83,8 @@ def factor_of(scene: Any, method: str, slipped: bool = False) -> Any:
     return _of_scene(scene, lambda driven: factor_by(method, driven), slipped)
 
 
-def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> float | None:
-    """Return the factor of safety by a method after a rotation, with the friction coefficient that is left.
+def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: float) -> float | None:
+    """Return the factor of safety by a method after a rotation, with the friction and share of cohesion that are left.
 
     Of single masses of one soil whose water does not change with time or cover the turned ground; otherwise None.
     """
@@ -93,12 +93,12 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     cohesion = scene.effects.get("cohesion", {})
     changes = [
         isinstance(section, LayeredSection),
-        "heating" in scene.effects,
+        "thermal_pressurisation" in scene.effects,
+        "datum" in cohesion,
         "record" in water,
         "time" in water,
         callable(water.get("ratio")),
         callable(water.get("pressure")),
-        *section.cohesion_laws(cohesion),
     ]
     if any(changes):
         return None
@@ -114,7 +114,9 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float) -> flo
     left = turned[:1]
     right = turned[-1:]
     rest = np.full_like(slope.soils.friction, friction)
-    soils = slope.soils._replace(friction=rest)
+    soils = slope.soils
+    cohesion, growth = soils.cohesion * kept, soils.cohesion_gradient * kept
+    soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
     ground = turned[None]
     moved = replace(slope, ground=ground, soils=soils)
     driven = driven_slices(moved, centre, radius, left, right, _PIECES)

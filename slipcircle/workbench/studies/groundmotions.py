@@ -52,8 +52,7 @@ class GroundMotions:
 
     def shaken(self, scene: Scene, record: Series | LaneSeries | Pulse) -> Scene:
         """Return the scene that a record shakes, or one record of each lane."""
-        assert isinstance(scene.effects, dict)
-        return replace(scene, effects=scene.effects | {"shaking": {**self.shaking, "horizontal": record}})
+        return replace(scene, effects=scene.checked_effects | {"shaking": {**self.shaking, "horizontal": record}})
 
     def lanes(
         self, scene: Scene, si: Mapping[str, Floats], samples: int
@@ -80,9 +79,8 @@ def ground_motions(
     """
     gravity = float(np.ravel(scene.arc.gravity)[0])
     suite = Suite.of(records, strict=settings["strict"], gravity=gravity)
-    assert isinstance(scene.effects, dict)
-    shaking = scene.effects.get("shaking", {})
-    still = {effect: given for effect, given in scene.effects.items() if effect != "shaking"}
+    shaking = scene.checked_effects.get("shaking", {})
+    still = {effect: given for effect, given in scene.checked_effects.items() if effect != "shaking"}
     two_way = {key: given for key, given in shaking.items() if key == "two_way"}
     replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
     polarities = (1.0, -1.0) if settings["polarities"] else (1.0,)

@@ -86,8 +86,7 @@ class Shaken:
         if not 0.0 < self.yield_coefficient < math.inf:
             return math.nan
         pulse = Pulse("rectangular", self.yield_coefficient + 0.1, 0.0, 1e-3)
-        assert isinstance(self.scene.effects, dict)
-        shaken = replace(self.scene, effects=self.scene.effects | {"shaking": {"horizontal": pulse}})
+        shaken = replace(self.scene, effects=self.scene.checked_effects | {"shaking": {"horizontal": pulse}})
         gravity = float(np.ravel(self.scene.arc.gravity)[0])
         return float(solve(shaken).outcomes["peak_velocity"]) / (0.1 * gravity * 1e-3)
 

@@ -117,11 +117,11 @@ class Study(Shaken, Pictured):
     def convergence(self) -> list[Convergence]:
         """Convergence of the median and of the 95 % quantile of the run-out, after 1, 2, 4, ... turns of replicates."""
         found = []
-        blocks, turn = self.design.sample_blocks, self.design.replicates
-        while turn < 2 * blocks and self.design.method != "grid":
-            (lanes,) = self.design.place(min(turn, blocks) - 1)
-            design = replace(self.design, n=lanes.stop, base=0)
-            first = Study(design, self.confidence, self.values)
+        design = self._sampling
+        blocks, turn = design.sample_blocks, design.replicates
+        while turn < 2 * blocks and design.method != "grid":
+            (lanes,) = design.place(min(turn, blocks) - 1)
+            first = Study(replace(design, n=lanes.stop, base=0), self.confidence, self.values)
             median, upper = (first.quantile("run_out", p) for p in (0.5, 0.95))
             found.append(Convergence(first.n, first.moving, median, upper))
             turn *= 2
@@ -131,7 +131,7 @@ class Study(Shaken, Pictured):
 
     def __repr__(self) -> str:
         sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.axes(self).items())
-        parts = [" ".join(words) for words in self._summary()] if self.design.records is None else []
+        parts = [" ".join(words) for words in self._summary()]
         return f"<Study {self.scene.name}: {'; '.join([sizes, *parts])}>"
 
     def _repr_html_(self) -> str:
@@ -139,7 +139,7 @@ class Study(Shaken, Pictured):
 
     def _summary(self) -> list[list[str]]:
         rows = [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
-        for name, quantity in OUTCOMES.items():
+        for name, quantity in OUTCOMES.items() if self.design.records is None else ():
             low, median, high = (value_text(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
             rows.append([words(name), f"{median} ({low} to {high}) {quantity.unit}"])
         return rows
@@ -152,7 +152,8 @@ class Study(Shaken, Pictured):
 
     def __getitem__(self, index: int) -> Motion:
         """Return the motion of one sample, solved again; a ValueError says why it is no scene."""
-        si = {name: number.to_si(self.inputs[number.key][[index]]) for name, number in self.design.inputs.items()}
+        inputs = self._sampling.inputs
+        si = {name: number.to_si(self.inputs[number.key][[index]]) for name, number in inputs.items()}
         return motions(self.scene, si, self.design.accuracy)[0]
 
     def to_dict(self) -> dict[str, Any]:
@@ -177,14 +178,19 @@ class Study(Shaken, Pictured):
         """Return the results as an xarray.Dataset over samples, the keys of a grid, or also record, polarity, scale."""
         return export.dataset(self)
 
+    @property
+    def _sampling(self) -> Design:
+        """The design of independent samples; under records a ValueError, as motions under one record are not."""
+        if self.design.records is not None:
+            raise ValueError("Study: has records, and not samples alone; use by_record, fragility or motions_of")
+        return self.design
+
     # -- counts and probabilities -------------------------------------------------------------------------------------
 
     @cached_property
     def _replicate(self) -> NDArray[np.int8]:
-        """The replicate of each sample; motions under one record have none, as they are not independent."""
-        design = self.design
-        if design.records is not None:
-            raise ValueError("Study: motions under records have a distribution by scale; use by_record and fragility")
+        """The replicate of each sample."""
+        design = self._sampling
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
         replicates = np.arange(design.sample_blocks) % design.replicates
         return np.repeat(replicates.astype(np.int8), lengths)
@@ -316,7 +322,7 @@ class Study(Shaken, Pictured):
         if self.without_result and self.design.drawn:
             return {}, f"{self.without_result} samples move without a result"
         try:
-            return propagated(self.design), ""
+            return propagated(self._sampling), ""
         except ValueError as error:
             return {}, str(error)
 

@@ -1,0 +1,216 @@
+"""Points of a profile from spreadsheets (CSV) and drawings (DXF), which a scene file names in place of a list."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from csv import reader
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.checks import raise_all
+from slipcircle.base.optional import optional
+from slipcircle.ground import points_errors
+from slipcircle.workbench.common.textfiles import decoded
+from slipcircle.workbench.common.units import LENGTH, unit_of
+
+_PLACES = {"ground": "points", "water": "level", "layers": "top"}
+_COLUMNS = {"x": "x|station|chainage|distance|offset", "y": "y|z|elevation|level|height"}
+_MOST_BYTES = 10**7
+_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?", re.IGNORECASE)
+_TYPES = "LINE LWPOLYLINE POLYLINE"
+_DRAWING_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 21: "us_ft"}  # $INSUNITS
+_TOGETHER = 1e-6  # of the size of a drawing: as near to one another, ends of lines are joined
+Points = list[tuple[float, float]]
+
+
+def with_points(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """Return the content of a scene file with the points of files, relative to its folder, in the place of their names.
+
+    Raises
+    ------
+    ValueError
+        Lists a sentence for each file that cannot be read.
+    """
+    tables = dict(content)
+    mistakes: list[str] = []
+    for name, key in _PLACES.items():
+        given = content.get(name)
+        if isinstance(given, dict):
+            tables[name] = _with_points(given, name, key, folder, mistakes)
+        elif isinstance(given, list) and all(isinstance(one, dict) for one in given):
+            tables[name] = [_with_points(one, f"{name}.{k}", key, folder, mistakes) for k, one in enumerate(given, 1)]
+    raise_all("", mistakes)
+    return tables
+
+
+def _with_points(table: Mapping[str, Any], path: str, key: str, folder: Path, mistakes: list[str]) -> dict[str, Any]:
+    """Return a table with the points of its file; mistakes are added to the list."""
+    found = dict(table)
+    file = found.pop(f"{key}_file", None)
+    if file is None:
+        return found
+    stated = found.pop(f"{key}_file_unit", "")
+    try:
+        if not isinstance(file, str):
+            raise ValueError("must be the name of a CSV or DXF file")
+        unit = unit_of(stated, LENGTH) if isinstance(stated, str) else None
+        if stated and unit is None:
+            raise ValueError(f"{key}_file_unit = {stated!r} must be one of {LENGTH.choice}")
+        points, unit = read_points(folder, file, unit or "", f"{key}_file_unit")
+        spelling = f"{key}_{unit}"
+        other = next((k for k in found if k.startswith(f"{key}_")), "")
+        if other:
+            raise ValueError(f"and {other} are one quantity; remove one")
+        found[spelling] = [list(point) for point in points]
+    except (ValueError, ImportError) as error:
+        mistakes.append(f"{path}.{key}_file = {str(file)!r}: {error}")
+    return found
+
+
+def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, str]:
+    """Return points from left to right and their unit, which the file or the key states.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read, its unit is not known, or its points do not lead from left to right.
+    """
+    name, _, layer = file.partition("#")
+    path = folder / name
+    if not path.is_file():
+        raise ValueError("there is no such file; give a path relative to the scene file")
+    if path.stat().st_size > _MOST_BYTES:
+        raise ValueError(f"must be at most {_MOST_BYTES / 1e6:g} MB")
+    if path.suffix.lower() == ".dxf":
+        points, of_file = _drawing(path, layer)
+        of_file = unit or of_file
+    else:
+        points, of_file = _sheet(decoded(path.read_bytes()))
+        if unit and of_file and unit != of_file:
+            raise ValueError(f"its header says {of_file}, and {key} is {unit}; remove one")
+        of_file = unit or of_file
+    if not of_file:
+        raise ValueError(f'states no unit; add {key} = "m", or another of {LENGTH.choice}')
+    points = [point for k, point in enumerate(points) if not k or point != points[k - 1]]
+    if len(points) > 1 and points[0][0] > points[-1][0]:
+        raise ValueError("its points lead from right to left; sort its rows by x")
+    raise_all("", points_errors("points", points, many=False))
+    return points, of_file
+
+
+# --- spreadsheets ----------------------------------------------------------------------------------------------------
+
+
+def _sheet(text: str) -> tuple[Points, str]:
+    """Return the points of a spreadsheet and the unit that its header states."""
+    filled = [line for line in text.splitlines() if line.strip()]
+    separator = next((mark for mark in ";\t" if mark in "".join(filled[-1:])), ",")
+    sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
+    lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
+    rows = [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")]
+    either = "|".join(_COLUMNS.values())
+    head = next((k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row)), -1)
+    columns, unit = (0, 1), ""
+    if head >= 0:
+        columns, unit = _columns(rows[head][1])
+    else:
+        width = max((k for _, row in rows for k, cell in enumerate(row, 1) if cell), default=0)
+        if width != 2:
+            raise ValueError(f"has {width} columns and no header; name the columns x and y, or leave two")
+    numbers = [cell for _, row in rows for cell in row if _NUMBER.fullmatch(cell)]
+    decimal = "," if separator != "," and any("," in cell for cell in numbers) else "."
+    return [_point(line, row, columns, decimal) for line, row in rows[head + 1 :]], unit
+
+
+def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> tuple[float, float]:
+    """Return the numbers of a row in two columns."""
+    cells = [row[k] if k < len(row) else "" for k in columns]
+    for cell in cells:
+        marks = set(cell) & {".", ","}
+        if not _NUMBER.fullmatch(cell) or not marks <= {decimal}:
+            words = f"must be a number with decimal {'commas' if decimal == ',' else 'points'}"
+            raise ValueError(f"line {line}, {cell!r}: {words} and no thousands separators")
+    x, y = (float(cell.replace(",", ".")) for cell in cells)
+    return x, y
+
+
+def _column(cell: str, names: str) -> list[str]:
+    """Return the unit in the name of a column, "" where it has none; an empty list for other columns."""
+    parts = re.fullmatch(rf"({names})(?:[\s_,]*[(\[{{]?([^()\[\]{{}}]+)[)\]}}]?)?", cell, re.IGNORECASE)
+    unit = unit_of(parts[2], LENGTH) if parts and parts[2] else ""
+    return [unit] if parts and unit is not None else []
+
+
+def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
+    """Return the numbers of the columns of x and y in a header, and their unit."""
+    found = []
+    units = set()
+    for axis, names in _COLUMNS.items():
+        fits = [(k, unit) for k, cell in enumerate(head) for unit in _column(cell, names)]
+        if len(fits) != 1:
+            columns = ", ".join(head[k] for k, _ in fits) or "none"
+            allowed = names.replace("|", ", ")
+            raise ValueError(f"needs one column for {axis} ({allowed}), and has {columns} of {', '.join(head)}")
+        found.append(fits[0][0])
+        units.add(fits[0][1])
+    if len(units) > 1:
+        raise ValueError(f"has mixed units in its header, {', '.join(head)}; give both columns the same")
+    x, y = found
+    return (x, y), units.pop()
+
+
+# --- drawings --------------------------------------------------------------------------------------------------------
+
+
+def _drawing(path: Path, layer: str) -> tuple[Points, str]:
+    """Return the points of the connected lines on a layer of a drawing, from left to right, and the drawing's unit."""
+    ezdxf = optional("ezdxf", "profiles from drawings")
+    make_path = optional("ezdxf.path", "profiles from drawings").make_path
+    try:
+        drawing = ezdxf.readfile(path)
+    except (OSError, ezdxf.DXFError, ValueError) as error:
+        raise ValueError(f"is not a drawing in DXF: {error}") from error
+    lines: dict[str, list[Points]] = {}
+    for entity in drawing.modelspace().query(_TYPES):
+        vertices = make_path(entity).flattening(_TOGETHER)
+        lines.setdefault(entity.dxf.layer, []).append([(float(v.x), float(v.y)) for v in vertices])
+    chosen = [name for name in lines if name.lower() == layer.lower()] if layer else [*lines]
+    if len(chosen) != 1:
+        fault = f"has no lines on layer {layer}" if layer else "needs the name of a layer"
+        known = ", ".join(lines) or "none"
+        raise ValueError(f"{fault}; give one after #, layers with lines are {known}")
+    joined = _joined(lines[chosen[0]])
+    unit = _DRAWING_UNITS.get(drawing.header.get("$INSUNITS", 0), "")
+    return joined if joined[0][0] <= joined[-1][0] else joined[::-1], unit
+
+
+def _joined(lines: Iterable[Points]) -> Points:
+    """Return lines with common ends as one.
+
+    Raises
+    ------
+    ValueError
+        If a line is left over.
+    """
+    first, *rest = lines
+    near = _TOGETHER * float(np.ptp(np.concatenate([first, *rest]), axis=0).max())
+    while rest:
+        found = next(_connected(first, rest, near), None)
+        if found is None:
+            x, y = first[-1]
+            words = f"has a gap between its lines, of which one ends at ({x:g}, {y:g})"
+            raise ValueError(f"{words}; join them, or put others on another layer")
+        k, first = found
+        del rest[k]
+    return first
+
+
+def _connected(line: Points, others: Sequence[Points], near: float) -> Iterator[tuple[int, Points]]:
+    """Yield the number of each other line that begins or ends at an end of a line, and both as one."""
+    for k, other in enumerate(others):
+        for one in (line, line[::-1]):
+            for second in (other, other[::-1]):
+                if np.abs(np.subtract(one[-1], second[0])).max() <= near:
+                    yield k, [*one, *second[1:]]

@@ -1,0 +1,239 @@
+"""The search for the best circles, on lines of few vertices and with few soils where the slope has many.
+
+Surveyed profiles have a thousand vertices, which take time in proportion. A condensed line has few of them, whose
+heights are fitted by least squares, so that areas and moments are preserved. Results are those of the whole lines.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.workbench.stability.columns import SoilArrays
+from slipcircle.workbench.stability.descent import FINEST, in_order
+from slipcircle.workbench.stability.family import COARSE_NODES, FINE_NODES, NONE, Search
+
+MANY_VERTICES = 48  # of a line; one with more is condensed
+MANY_SOILS = 20  # with more, the coarse family is screened with merged soils
+_ROUGH, _DEVIATION = 14, 1e-3  # vertices of a line in the coarse family, and others' distance over its size
+_ROUGHLY = 0.02  # step at which a valley of the rough lines is done, over its first
+_FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, besides those on either side of their ends
+_STEPS = (0.5, 3), (0.1, 2)  # of these refinements, over those of the coarse family, and how many circles
+_FOLLOWED = 24  # valleys of rough lines, at most
+_ROUGH_NODES = 2  # of Gauss' rule, between the kinks of many layers
+_MERGED = 16  # soils in their place
+_SCREENED, _TOUCHING = 500, 20  # best circles of the coarse family, and those of which all boundaries are tried
+_NEGLIGIBLE = 1e-9  # distance of vertices without effect, as a share of the size of their line
+
+
+def least(search: Search, tell: Callable[[str], None]) -> Floats:
+    """Return the best circles, the best first, after descents from the valleys of a coarse family."""
+    arrays = search.arrays
+    many_soils = len(arrays.tops) >= MANY_SOILS
+    lines = [*arrays.lines, *arrays.datums.values()]
+    vertices = [line.shape[1] for line in lines]
+    few_vertices = max(vertices) <= MANY_VERTICES + 2  # with both ends of continued lines
+    if few_vertices and not many_soils:
+        best, step = search.valleys(*search.coarse_family(), tell)
+        for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
+            best, step = search.refined(best, share * step)
+        return best
+    rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
+    family = _screened(rough) if many_soils else rough.coarse_family()
+    best, step = rough.valleys(*family, tell)
+    followed = slice(_FOLLOWED)
+    best, step = rough.refined(best[followed], step[followed], _ROUGHLY, COARSE_NODES)
+    best = _on_whole_lines(search, rough, kept, best)
+    return _on_fine_lines(search, best, step, COARSE_NODES if many_soils else FINE_NODES)
+
+
+def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Floats:
+    """Return the best of some circles, the best first, after descents on lines with all vertices near their ends."""
+    fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
+    along = search.along[kept]
+    ends = best[:, :2]
+    best[:, :2] = np.interp(ends, along, fine.along)
+    for share, count in _STEPS:
+        first = best[:count]
+        first_step = share * step[:count]
+        best, step = fine.refined(first, first_step, FINEST, nodes)
+    best = _on_whole_lines(search, fine, kept, best)
+
+    values = search.evaluate(best)
+    finite = np.isfinite(values)
+    if np.any(finite):
+        order = in_order(values)
+        return best[order]
+    best, _ = search.refined(best, step)
+    return best
+
+
+def _screened(search: Search) -> tuple[Floats, Floats]:
+    """Return the best of the coarse family with merged soils, some touching each boundary, and the steps."""
+    arrays = search.arrays
+    soils, firsts = merged(arrays.soils, _MERGED)
+    tops = tuple(arrays.tops[k - 1] for k in firsts[1:])
+    layers = [*arrays.datums]
+    groups = np.searchsorted(firsts, layers, side="right") - 1
+    datums = dict(zip(groups.tolist(), arrays.datums.values(), strict=True))
+    few = search.on_lines(replace(arrays, soils=soils, tops=tops, datums=datums))
+    q, steps = few.coarse_family(touching=False)
+    values = few.evaluate(q, _ROUGH_NODES)
+    best = in_order(values)[:_SCREENED]
+    ends = best[:_TOUCHING]
+    count = len(search.boundary_edges)
+    edges = np.arange(count)
+    repeated = np.repeat(ends, count)
+    touching = q[repeated]
+    every_edge = np.resize(edges, len(repeated))
+    touching[:, 3] = every_edge
+    chosen = np.append(best, repeated)
+    of_openings = q[best]
+    family = np.concatenate([of_openings, touching])
+    return family, steps[chosen]
+
+
+def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:
+    """Return a search on condensed lines, and the numbers of the vertices of the ground.
+
+    Vertices near some lengths along the ground, and those of upright parts, stay where they are.
+    """
+    ground = search.ground
+    arrays = search.arrays
+    x = ground[:, 0]
+    after = x[1:]
+    upright = after[after == x[:-1]]
+    exact = np.isin(x, upright)
+    exact[[0, -1]] = True
+    numbers = np.searchsorted(search.along, ends.ravel())
+    for number in numbers:
+        before = number - _BESIDE
+        first = max(before, 0)
+        last = number + _BESIDE
+        exact[first:last] = True
+    kept = np.arange(len(ground))
+    if len(ground) > MANY_VERTICES:
+        chosen = salient(ground, most, deviation)
+        fixed = np.flatnonzero(exact)
+        kept = np.union1d(chosen, fixed)
+        ground = condensed(ground, kept, exact)
+    level = None if arrays.level is None else _few(arrays.level, most)
+    tops = tuple(_few(top, most) for top in arrays.tops)
+    datums = {layer: _few(line, most) for layer, line in arrays.datums.items()}
+    condensed_arrays = replace(arrays, ground=ground[None], level=level, tops=tops, datums=datums)
+    return search.on_lines(condensed_arrays), kept
+
+
+def _few(line: Floats, most: int) -> Floats:
+    """Return a line (1, V, 2) by few of its vertices."""
+    if line.shape[1] <= MANY_VERTICES:
+        return line
+    (points,) = line
+    kept = salient(points, most, _NEGLIGIBLE)
+    return line[:, kept]
+
+
+def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats) -> Floats:
+    """Return circles of a search on condensed lines as circles on the whole lines."""
+    found = q.copy()
+    if len(condensed.boundary_edges) != len(search.boundary_edges):  # which have other numbers
+        left = condensed.points(q[:, 0])
+        right = condensed.points(q[:, 1])
+        greatest = condensed.greatest_half_angle(left, right)
+        found[:, 2] = condensed.half_angles(q) / greatest
+        found[:, 3] = NONE
+    ends = q[:, :2]
+    along = search.along[kept]
+    found[:, :2] = np.interp(ends, condensed.along, along)
+    return found
+
+
+def salient(line: Floats, most: int, deviation: float) -> Integers:
+    """Return the numbers of vertices that represent a line (V, 2), at most so many.
+
+    Vertices farthest from the line through those chosen before are chosen first (Ramer 1972, Douglas and Peucker 1973),
+    until none is farther than ``deviation`` times the size of the line.
+    """
+    size = np.ptp(line, axis=0)
+    near = deviation * size.max()
+    every = np.arange(len(line))
+    kept = every[[0, -1]]
+    while len(kept) < most:
+        edge = _edges(kept, len(line))
+        knots = line[kept]
+        start = knots[edge]
+        along = knots[edge + 1] - start
+        from_start = line - start
+        run, rise = along.T
+        x, y = from_start.T
+        across = run * y - rise * x
+        distance = np.abs(across) / np.hypot(run, rise)
+        farthest = int(distance.argmax())
+        if distance[farthest] <= near:
+            break
+        more = np.append(kept, farthest)
+        kept = np.sort(more)
+    return kept
+
+
+def _edges(kept: Integers, count: int) -> Any:
+    """Return the number of the edge between kept vertices at each of so many vertices."""
+    every = np.arange(count)
+    edge = np.searchsorted(kept, every, side="right") - 1
+    return np.minimum(edge, len(kept) - 2)
+
+
+def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
+    """Return the line through some vertices, whose heights are fitted to all by least squares unless they are exact.
+
+    The fit preserves areas and moments, so that forces on a mass below it are nearly the same.
+    """
+    x, y = line.T
+    edge = _edges(kept, len(line))
+    knots = x[kept]
+    start = knots[edge]
+    run = knots[edge + 1] - start
+    divisor = np.where(run > 0.0, run, 1.0)
+    share = (x - start) / divisor
+    share[kept[-1]] = 1.0
+    weights = np.zeros((len(line), len(kept)))
+    every = np.arange(len(line))
+    weights[every, edge] = 1.0 - share
+    weights[every, edge + 1] = share
+    height = y[kept].copy()
+    fitted = ~exact[kept]
+    known = np.where(fitted, 0.0, height)
+    missing = y - weights @ known
+    breadth = np.gradient(x)
+    root = np.sqrt(breadth)
+    matrix = weights[:, fitted] * root[:, None]
+    right = missing * root
+    height[fitted], *_ = np.linalg.lstsq(matrix, right)
+    return np.stack([knots, height], axis=1)
+
+
+def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
+    """Return so many soils, means of neighbours that differ least, and the number of the first layer of each."""
+    rows = np.stack(soils)
+    size = rows.max(axis=1, keepdims=True)
+    divisor = np.where(size > 0.0, size, 1.0)
+    relative = rows / divisor
+    steps = np.diff(relative, axis=1)
+    by_number = np.abs(steps)
+    by_lane = by_number.sum(axis=0)
+    contrast = by_lane.max(axis=-1)
+    order = np.argsort(-contrast, kind="stable")
+    greatest = order[: most - 1]
+    kept = np.sort(greatest)
+    firsts = np.append(0, kept + 1)
+    ends = np.append(firsts, rows.shape[1])
+    layers = np.diff(ends)[:, None]
+
+    def mean(values: Floats) -> Floats:
+        sums: Floats = np.add.reduceat(values, firsts)
+        return sums / layers
+
+    means = map(mean, soils)
+    return SoilArrays(*means), firsts

@@ -1,0 +1,266 @@
+"""Units of keys and of quantities, and profiles from spreadsheets and drawings."""
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from slipcircle import Arc, Scene, Section, Slope, Soil, load
+from slipcircle.workbench.files.document import Document
+from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
+from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
+from slipcircle.workbench.files.points import read_points
+from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
+from tests.campaigns import profiles
+
+# Sizes in the units of published keys: NIST Special Publication 811, appendix B.8, to all digits stated there,
+# and quotients of these.
+SIZES = {
+    "m": {"ft": 0.3048, "in": 0.0254, "us_ft": 0.3048006, "cm": 0.01, "mm": 0.001},
+    "m/s": {"ft_s": 0.3048, "in_s": 0.0254},
+    "m/s^2": {"ft_s2": 0.3048, "in_s2": 0.0254},
+    "Pa": {"psf": 0.04788026, "ksf": 47.88026, "psi": 6.894757, "Pa": 1e-3, "MPa": 1e3},
+    "N/m^3": {"pcf": 0.04788026 / 0.3048},
+    "Pa/m": {"per_ft_psf": 0.04788026 / 0.3048, "per_ft_psi": 6.894757 / 0.3048},
+}
+PUBLISHED = {"m": "m", "m/s": "m_s", "m/s^2": "m_s2", "Pa": "kPa", "N/m^3": "kN_m3", "Pa/m": "per_m_kPa"}
+VALUES = {"points": [[1, 2], [3, 4.5]], "pair": [1, 2], "list": [1, 2.5], "line": [[1, 2], [3, 4]], "seen": [1, 2]}
+
+
+def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Table, str, Key]]:
+    """Every key of a scene file that has a unit: the path of its table, the table with its law, and its name."""
+    for law in table.laws.values() if table.laws else [table]:
+        yield from ((path, law, name, key) for name, key in law.keys.items() if key.number.si in SIZES)
+        for name, inner in law.tables.items():
+            yield from keys_of(inner, (*path, *([name, "1"] if inner.repeats else [name])))
+
+
+def argument(whole: Table, path: tuple[str, ...], table: Table, key: Key, name: str, value: Any) -> Any:
+    """What a document with one key is read as."""
+    content: dict[str, Any] = {name: value} | ({"law": table.keys["law"].kind} if "law" in table.keys else {})
+    for part in reversed(path):
+        content = {part: content}
+    return Document(content, fitted(whole, content)).arguments[".".join(path)][key.name]
+
+
+@pytest.mark.parametrize("whole", [WITH_ARC, WITH_ONE_SOIL, WITH_LAYERS])
+def test_every_key_in_every_unit(whole: Table) -> None:
+    """One value in both units, of every key of the schema with a unit."""
+    found = list(keys_of(whole))
+    assert len(found) > 40
+    for path, table, name, key in found:
+        number = key.number
+        middle = min(max(number.low, 0.5), number.high / 2) if number.low > -math.inf else 0.5
+        value = VALUES.get(key.kind, 1.5 * middle)
+        stem = name.removesuffix(PUBLISHED[number.si])
+        published = argument(whole, path, table, key, name, value)
+        assert published is not None, (path, name)
+        for unit, size in SIZES[number.si].items():
+            typed = (np.array(value) / size).tolist()
+            other = argument(whole, path, table, key, stem + unit, typed)
+            np.testing.assert_allclose(other, published, rtol=2e-7, err_msg=f"{path} {stem}{unit}")
+
+
+FEET = """[ground]
+points_ft = [[0, 60], [60, 60], [140, 20], [180, 20]]
+unit_weight_pcf = 120
+[circle]
+centre_ft = [120, 90]
+radius_ft = 80
+[friction]
+angle_deg = 12
+[cohesion]
+cohesion_psf = { distribution = "uniform", low = 200, high = 250 }
+"""
+PSF = 0.45359237 * 9.80665 / 0.3048**2  # the definitions of pound, standard gravity and foot
+
+
+def scene_of(folder: Path, text: str) -> Scene[float]:
+    file = folder / "scene.toml"
+    file.write_text(text, "utf-8")
+    return load(file)
+
+
+def test_a_slope_in_feet(tmp_path: Path) -> None:
+    """It is the slope in metres, by factors from definitions; its numbers are called by keys in any unit."""
+    scene = scene_of(tmp_path, FEET)
+    arc: Any = scene.arc
+    expected = [0.3048 * np.array(x) for x in ([[0, 60], [60, 60], [140, 20], [180, 20]], [120, 90], 80)]
+    for found, value in zip((arc.ground, arc.centre, arc.radius), expected, strict=True):
+        np.testing.assert_allclose(found, value, rtol=1e-15)
+    assert arc.unit_weight == pytest.approx(120 * PSF / 0.3048, rel=1e-14)
+    effects: Any = scene.effects
+    assert effects["cohesion"]["cohesion"] == pytest.approx(225 * PSF, rel=1e-14)
+    uncertain = uncertain_numbers(scene)["cohesion.cohesion"]
+    assert uncertain.key == "cohesion.cohesion_psf"
+    assert uncertain.number.to_si(uncertain.moments[0]) == pytest.approx(225 * PSF, rel=1e-12)
+    for key, size in (
+        ("circle.radius_in", 0.0254),
+        ("ground.points_ft.3.y", 0.3048),
+        ("cohesion.cohesion_ksf", 1e3 * PSF),
+    ):
+        assert number_in(scene, key).to_si(2.0) == pytest.approx(2.0 * size, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("radius_ft = 80", "radius_m = 24", "centre_ft in ft and circle.radius_m in m: are mixed units in one table"),
+        ("radius_ft = 80", "radius_ft = 80\nradius_m = 24", "circle.radius_ft and circle.radius_m: are one quantity"),
+        ("radius_ft = 80", "radus_ft = 80", "circle.radus_ft = 80: is unknown; did you mean radius_ft?"),
+        ("radius_ft = 80", "radius_ft = -8", "circle.radius_ft = -8: must be a number above 0 (ft)"),
+        ("points_ft = [[0,", "points_ft = [[100,", "ground.points_ft[1] = [60.0, 60.0]: lies left of the point before"),
+        ("low = 200", "low = -200", "cohesion.cohesion_psf: reaches down to -200"),
+    ],
+)  # fmt: skip
+def test_mistakes_name_the_unit_of_the_file(tmp_path: Path, old: str, new: str, said: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(said)):
+        scene_of(tmp_path, FEET.replace(old, new))
+
+
+def test_quantities_of_pint() -> None:
+    units = pytest.importorskip("pint").get_application_registry()
+    q = units.Quantity
+    arc = Arc(q(4897, "ft"), q(215.2, "deg"), 4.833, q(127.3, "lbf/ft^3"))
+    plain = Arc(4897 * 0.3048, math.radians(215.2), 4.833, 127.3 * PSF / 0.3048)
+    assert arc.polar_moment == pytest.approx(plain.polar_moment, rel=1e-14)
+    scene = Scene(arc, q(0.17, ""), {"cohesion": {"cohesion": q(600, "lbf/ft^2")}}, end_time=q(1, "min"))
+    effects: Any = scene.effects
+    assert effects["cohesion"]["cohesion"] == pytest.approx(600 * PSF, rel=1e-9)
+    assert (scene.friction, scene.end_time) == (0.17, 60)
+    points = [[0.0, 60], [60, 60], [140, 20], [180, 20]]
+    section: Any = Section(q(points, "ft"), [q(120, "ft"), q(90, "ft")], q(80, "ft"), 19e3)
+    assert section.radius == pytest.approx(24.384, rel=1e-12)
+    slope: Any = Slope(q(points, "ft"), q(12, "kPa"), 0.3, q(19, "kN/m^3"))
+    np.testing.assert_allclose(slope.ground, section.ground, rtol=1e-12)
+    assert slope.cohesion == pytest.approx(12e3, rel=1e-12)
+    law = {"law": "exponential", "peak": q(5, "kPa"), "residual": 1e3, "length": q(2, "ft")}
+    soil: Any = Soil(19e3, law)
+    assert soil.cohesion["length"] == pytest.approx(0.6096, rel=1e-12)
+    for make, said in (
+        (lambda: Arc(q(3, "s"), 3.7, 4.8, 2e4), r"radius = 3 second: must be m, or another unit"),
+        (lambda: Scene(plain, q(20, "deg")), "friction = 20 degree: must be a number without unit"),
+        (lambda: Soil(q(19, "")), "unit_weight = 19 dimensionless: must be N/m"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            make()
+
+
+# --- points of files -------------------------------------------------------------------------------------------------
+
+LINE = [(-40.0, 0.0), (0.0, 0.0), (0.0, 1.5), (25.5, 12.0)]
+SHEETS = [
+    ("x,y\n-40,0\n0,0\n0,1.5\n25.5,12\n", "m", "m"),
+    ("\ufeffStation (ft);Elevation (ft)\r\n-40,0;0,0\r\n0,0;0,0\r\n0,0;0,0\r\n;\r\n0,0;1,5\r\n25,5;12,0\r\n", "", "ft"),
+    ('No,"Height [m]","Chainage [m]"\n1,0,-40\n2,0,0\n3,1.5,0\n4,12,2.55E1\n', "", "m"),
+    ("# survey\nProfile A\t\ndistance_ft\tz_ft\n-40\t0\n0\t0\n\n0\t1,5\n25,5\t12\n", "", "ft"),
+    ("-40;0\n0;0\n0;1.5\n25.5;12\n", "us_ft", "us_ft"),
+]
+
+
+@pytest.mark.parametrize(("text", "unit", "found"), SHEETS)
+def test_spreadsheets(tmp_path: Path, text: str, unit: str, found: str) -> None:
+    (tmp_path / "sheet.csv").write_bytes(text.encode())
+    assert read_points(tmp_path, "sheet.csv", unit, "points_file_unit") == (LINE, found)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "said"),
+    [
+        ("x,y\n0,0\n1,1\n", "", 'states no unit; add points_file_unit = "m"'),
+        ("0,0,1\n1,1,1\n", "m", "has 3 columns and no header; name the columns x and y, or leave two"),
+        ("x,y\n10,0\n1,1\n", "m", "its points lead from right to left; sort its rows by x"),
+        ("x,y\n0,0\n3,1\n2,1\n4,2\n", "m", "points[2] = [2.0, 1.0]: lies left of the point before it"),
+        ("x (ft),y (m)\n0,0\n1,1\n", "", "has mixed units in its header"),
+        ("x (ft),y (ft)\n0,0\n1,1\n", "m", "its header says ft, and points_file_unit is m; remove one"),
+        ('x,y\n0,"1,234.5"\n1,1\n', "m", "line 2, '1,234.5': must be a number with decimal points and no thousands"),
+        ("x;y\n0,5;1.234,5\n1;1\n", "m", "line 2, '1.234,5': must be a number with decimal commas and no thousands"),
+        ("x;y\n0,5;1.5\n1;1\n", "m", "line 2, '1.5': must be a number with decimal commas"),
+        (
+            "x,y,z\n0,0,0\n1,1,1\n",
+            "m",
+            "needs one column for y (y, z, elevation, level, height), and has y, z of x, y, z",
+        ),
+        ("x,y\n0,\n1,1\n", "m", "line 2, '': must be a number"),
+        ("x,y\n", "m", "must be a list of at least two points"),
+    ],
+)
+def test_spreadsheets_that_are_refused(tmp_path: Path, text: str, unit: str, said: str) -> None:
+    (tmp_path / "sheet.csv").write_text(text, "utf-8")
+    with pytest.raises(ValueError, match=re.escape(said)):
+        read_points(tmp_path, "sheet.csv", unit, "points_file_unit")
+
+
+def test_drawings(tmp_path: Path) -> None:
+    """Polylines and lines, drawn in any order and direction, joined by their ends; the unit is the drawing's."""
+    ezdxf = pytest.importorskip("ezdxf")
+    drawing = ezdxf.new(units=21)
+    space = drawing.modelspace()
+    space.add_line(LINE[2], LINE[3], {"layer": "Ground"})
+    space.add_lwpolyline([LINE[2], LINE[1]], dxfattribs={"layer": "Ground"})
+    space.add_polyline2d([LINE[0], LINE[1]], dxfattribs={"layer": "Ground"})
+    space.add_line((0, 0), (1, 1), {"layer": "gap"})
+    space.add_line((2, 2), (3, 3), {"layer": "gap"})
+    drawing.saveas(tmp_path / "a.dxf")
+    points, unit = read_points(tmp_path, "a.dxf#GROUND", "", "points_file_unit")
+    np.testing.assert_allclose(points, LINE, atol=1e-12)
+    assert unit == "us_ft"
+    assert read_points(tmp_path, "a.dxf#ground", "ft", "points_file_unit")[1] == "ft"
+    for layer, said in (("#clay", "has no lines on layer clay; give one after #, layers with lines are Ground, gap"),
+                        ("", "needs the name of a layer"), ("#gap", "has a gap between its lines")):  # fmt: skip
+        with pytest.raises(ValueError, match=said):
+            read_points(tmp_path, f"a.dxf{layer}", "", "points_file_unit")
+
+
+def test_a_slope_from_files(tmp_path: Path) -> None:
+    """Ground, water level and top of a layer from files beside the scene file, each in its own unit."""
+    (tmp_path / "ground.csv").write_text("x (ft),y (ft)\n0,60\n60,60\n140,20\n180,20\n", "utf-8")
+    (tmp_path / "flat.csv").write_text("x;y\n0,0;3,0\n54,864;3,0\n", "utf-8")
+    text = """[ground]
+points_file = "ground.csv"
+[circle]
+critical = "bishop"
+[water]
+level_file = "flat.csv"
+level_file_unit = "m"
+[soils.clay]
+unit_weight_pcf = 120
+cohesion_psf = 400
+[soils.clay.friction]
+angle_deg = 15
+[[layers]]
+soil = "clay"
+[[layers]]
+soil = "clay"
+top_file = "flat.csv"
+top_file_unit = "ft"
+"""
+    arc: Any = scene_of(tmp_path, text).arc
+    np.testing.assert_allclose(arc.ground, 0.3048 * np.array([[0, 60], [60, 60], [140, 20], [180, 20]]))
+    np.testing.assert_allclose(arc.level, np.array([[0, 3], [54.864, 3]]))
+    np.testing.assert_allclose(arc.layers[1][1], 0.3048 * np.array([[0, 3], [54.864, 3]]))
+    for old, new, said in (
+        ('"ground.csv"', '"rock.csv"', "ground.points_file = 'rock.csv': there is no such file"),
+        (
+            '"ground.csv"',
+            '"ground.csv"\npoints_m = [[0, 1], [2, 0]]',
+            "points_file = 'ground.csv': and points_m are one",
+        ),
+        ('_unit = "ft"', '_unit = "yd"', "layers.2.top_file = 'flat.csv': top_file_unit = 'yd' must be one of m, cm"),
+    ):
+        with pytest.raises(ValueError, match=re.escape(said)):
+            scene_of(tmp_path, text.replace(old, new))
+
+
+# --- profiles of many points -----------------------------------------------------------------------------------------
+
+
+def test_profiles_of_many_points() -> None:
+    """A sample of ``python -m tests.campaigns.profiles``: as low a factor as on all vertices."""
+    *_, (_, slope, method) = profiles.profiles(3, 100, np.random.default_rng(7))
+    above, _ = profiles.excess(slope, method)
+    assert above < 1e-6
