@@ -1,6 +1,7 @@
 """Back-analysis against round trips, the tilted pendulum, and simulated observations."""
 
 import math
+import re
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
@@ -19,6 +20,7 @@ from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
 from slipcircle.workbench.studies.roots import solve_exact
+from slipcircle.workbench.studies.standstill import standstills
 from tests.campaigns.round_trips import outcome
 
 VAIONT = load("vaiont")
@@ -307,6 +309,25 @@ def test_a_limit_is_met_by_the_least_friction_beyond_which_it_always_is() -> Non
     assert stops.value == pytest.approx(arc.dimensionless.limit_friction, rel=1e-12)
     assert not stops.motion.moves
     assert solve(with_parameters(softens, {"friction.peak": stops.value * (1 - 1e-9)})).run_out > 300.0
+
+
+def test_numbers_at_which_a_mass_would_stay_have_a_factor_of_one(said: Any) -> None:
+    """By the closed form of an arc, and by the slices of statics on the circle; not where it is shaken or pushed."""
+    arc: Any = VAIONT.arc
+    stops = standstills(VAIONT, {"friction": 0.2, "gravity": 9.81}.items())
+    assert stops == {"friction": pytest.approx(arc.dimensionless.limit_friction, rel=1e-7)}
+    stops = standstills(SLOPE, {"cohesion.cohesion": 3e3, "friction.residual": 0.2}.items())
+    assert [*stops] == ["cohesion.cohesion"]
+    slope = replace(SLOPE.stability.slope, cohesion=stops["cohesion.cohesion"])
+    assert at_circle(slope, SLOPE.arc).factor_of_safety == pytest.approx(1.0, rel=1e-7)
+    assert standstills(load("shaken-slope"), {"cohesion.cohesion": 3e3}.items()) == {}
+    assert standstills(replace(VAIONT, initial_velocity=1.0), {"friction": 0.2}.items()) == {}
+    table = " ".join(said("sensitivity layered-slope").split())
+    assert "soils.clay.cohesion_kPa 2 4.229 +2.2" in table
+    assert re.search(r"ground.points_m.1.y, of 8 coordinates 25 25.5\d \+0.5", table)
+    assert table.count("points_m") == 2  # of two blocks of columns
+    assert "jump: a change to one side changes the outcome at once" in table
+    assert "10 most important of 24 numbers" in table
 
 
 # --- mistakes and the command line ---------------------------------------------------------------------------------

@@ -202,15 +202,19 @@ KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40
 
 def test_the_command_is_per_unit_of_the_keys(said: Any) -> None:
     """Per degree and per kPa: against differences of scenes that differ in that key of their file."""
-    cells = {line.split()[0]: line.split() for line in said("sensitivity wet-slope").splitlines() if "." in line}
+    cells: dict[str, list[str]] = {}  # columns that do not fit follow below the others
+    for line in said("sensitivity wet-slope").splitlines():
+        if "." in line and line.split():
+            key, *rest = line.split()
+            cells.setdefault(key, [key]).extend(rest)
     for key, value in KEYS.items():
         step = 1e-4 * value
         samples = grid(load("wet-slope"), {key: [value - step, value + step]}).samples
         assert float(cells[key][1]) == value
         for k, output in enumerate(EXACT):
             slope, mean = np.diff(samples[output])[0] / (2 * step), np.mean(samples[output])
-            assert float(cells[key][2 + 2 * k]) == pytest.approx(slope, rel=1e-3)
-            assert float(cells[key][3 + 2 * k].strip("()")) == pytest.approx(slope * value / mean, rel=0.06)
+            assert float(cells[key][4 + 2 * k]) == pytest.approx(slope, rel=1e-3)
+            assert float(cells[key][5 + 2 * k].strip("()")) == pytest.approx(slope * value / mean, rel=0.06)
 
 
 def test_the_command_for_machines(said: Any, records: Any) -> None:

@@ -93,7 +93,7 @@ def test_a_newer_scene_file_is_refused(tmp_path: Path, said: Any, refused: Any) 
 
 RECORD = "import numpy as np; t = np.arange(500) * 0.01; np.savetxt('q.csv', np.c_[t, np.sin(9 * t)], "
 RECORD += "delimiter=',', header='time_s,a_m_s2', comments='')"
-DISTRIBUTED = "sweep vaiont --samples 64 --uncertain friction.angle_deg=uniform:9:10 --engine dask"
+DISTRIBUTED = "sweep vaiont --samples 64 --uncertain friction.angle_deg=uniform:9:10 --scheduler tcp://127.0.0.1:1"
 NEEDED = [
     ("scipy", "scenes", "sweep vaiont --samples 64 --uncertain friction.angle_deg=normal:10:1"),
     ("scipy", "scenes", "sweep newmark-pulse --records q.csv"),

@@ -7,8 +7,10 @@ from slipcircle.core import solve
 from slipcircle.workbench.commands.common import add_files, add_scene
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.files.scenefile import load
-from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.influence import important, sensitivity_part
 from slipcircle.workbench.outputs.tables import Answer
+from slipcircle.workbench.studies.standstill import standstills
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -23,7 +25,10 @@ def run(options: argparse.Namespace) -> Answer:
     derivatives, name = motion.sensitivity(), motion.plan.scene.name
     known = by_name(motion.plan.scene)
     keys = {parameter: known[parameter].key for parameter in derivatives.parameters}
-    record = vars(derivatives) | {"scene": name} | {"keys": keys, "elasticities": derivatives.elasticities}
+    names = important(derivatives)
+    stops = standstills(motion.plan.scene, names.items())
+    further = {"keys": keys, "elasticities": derivatives.elasticities, "standstills": stops}
+    record = vars(derivatives) | {"scene": name} | further
     warnings = [f"{name}: {warning}" for warning in derivatives.warnings]
     drawn = {"plot": partial(pictures.picture, "sensitivity", derivatives)}
-    return Answer(lambda: [record], [tables.sensitivity_part(derivatives, name)], warnings, drawn)
+    return Answer(lambda: [record], [sensitivity_part(derivatives, stops, names, name)], warnings, drawn)

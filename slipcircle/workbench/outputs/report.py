@@ -32,7 +32,6 @@ from slipcircle.workbench.outputs.tables import (
     Part,
     beside,
     cell_text,
-    interval,
     motion_groups,
     stability_columns,
     stretches_part,
@@ -361,30 +360,28 @@ def _quantile_notes(study: Study) -> Iterator[str]:
 
 
 def study_report(study: Study, file: bytes, command: str) -> str:
-    """A report on an ensemble of samples as HTML; the seed is added to the command if missing."""
+    """Return a report on an ensemble of samples as HTML."""
+    return study_page("Uncertain slide", study, _of_study(study, file), export.record(study), file, command)
+
+
+def study_page(title: str, study: Study, parts: Iterable[Part | Raw], record: Any, file: bytes, command: str) -> str:
+    """Return a page on a study as HTML; the seed is added to the command if missing."""
     name = study.scene.name or "scene"
-    way = plan(study.scene, study.design.accuracy)
     if "--seed" not in command:
-        command += f" --seed {study.seed}"
-    contents = _of_study(study, way, file)
-    of_study = chapter(way, study.warnings, contents, export.record(study), "", file)
-    return page(f"Uncertain slide: {name}", of_study, [(name, file)], command)
+        command += f" --seed {study.design.seed}"
+    of_study = chapter(plan(study.scene, study.design.accuracy), study.warnings, parts, record, "", file)
+    return page(f"{title}: {name}", of_study, [(name, file)], command)
 
 
-def _of_study(study: Study, way: Plan, file: bytes) -> Iterable[Part | Raw]:
+def _of_study(study: Study, file: bytes) -> Iterable[Part | Raw]:
     """The chapter of a study: the picture, its parts, inputs and their distributions, method and accuracy."""
     design = study.design
     caption = "Exceedance probability of run-out and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."
     yield figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
-    numbers = {"probability of moving": study.moving}
-    for name, quantity in OUTCOMES.items():
-        numbers[f"median {words(name, quantity.unit)}"] = study.quantile(name, 0.5)
-    key_numbers = terms((name, interval(estimate)) for name, estimate in numbers.items())
-    yield Raw(f'<dl class="facts">{key_numbers}</dl>')
     yield from slope_parts(study.scene)
     yield from parts(study)
-    yield from input_parts(way, file)
+    yield from input_parts(plan(study.scene, design.accuracy), file)
     yield from uncertain_part(design)
     ends = [f"{count} {Status(status).words}" for status, count in enumerate(study.counts) if count]
     method = [

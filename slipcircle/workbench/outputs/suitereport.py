@@ -8,7 +8,7 @@ from slipcircle.core import plan
 from slipcircle.workbench.common.markup import Raw, terms
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.provenance import uncertain_part
-from slipcircle.workbench.outputs.report import chapter, figure, input_parts, page, slope_parts
+from slipcircle.workbench.outputs.report import figure, input_parts, slope_parts, study_page
 from slipcircle.workbench.outputs.tables import Part
 from slipcircle.workbench.studies.statistics import distribution, value_text
 from slipcircle.workbench.studies.study import Study
@@ -22,12 +22,8 @@ _CAPTION = (
 
 
 def suite_report(study: Study, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
-    """A report on a suite of records as HTML; the seed is added to the command if missing."""
-    name, way = study.scene.name or "scene", plan(study.scene, study.design.accuracy)
-    if "--seed" not in command:
-        command += f" --seed {study.design.seed}"
-    of_suite = chapter(way, study.warnings, _contents(study, [*tables], file), record, "", file)
-    return page(f"Shaken slope: {name}", of_suite, [(name, file)], command)
+    """Return a report on a suite of records as HTML."""
+    return study_page("Shaken slope", study, _contents(study, [*tables], file), record, file, command)
 
 
 def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Part | Raw]:

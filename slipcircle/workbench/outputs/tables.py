@@ -29,7 +29,6 @@ from slipcircle.workbench.common.records import foreland_words, stretch_records
 from slipcircle.workbench.common.starting import starts
 from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
@@ -37,7 +36,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
 if TYPE_CHECKING:
-    from slipcircle.derivatives import Sensitivity
+    pass
 
 WIDTH = 100  # of a table in files and pipes
 WIDEST = 120  # of a table in a terminal
@@ -267,32 +266,6 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
         )
     head = ["effect added", "time", *(words(q.name) for q in outcomes), "rests", "differs"]
     return Part(head, rows, name)
-
-
-# --- derivatives -----------------------------------------------------------------------------------------------------
-
-
-def sensitivity_part(sensitivity: "Sensitivity", name: str) -> Part:
-    """Derivatives as a table, per unit of the key of each parameter."""
-    rows: list[list[Any]] = [["", "", *(sensitivity.at[output] for output in sensitivity.outputs)]]
-    keys = by_name(sensitivity.scene)
-    for parameter in sensitivity.parameters:
-        key = keys[parameter]
-        value = key.from_si(sensitivity.at[parameter])
-        cells = []
-        for output in sensitivity.outputs:
-            at = sensitivity.at[output]
-            per_unit = float(sensitivity.derivative(output, parameter) * key.slope(value))
-            if abs(sensitivity.derivative(output, parameter)) <= sensitivity.error(output, parameter):
-                per_unit = 0.0
-            relative = per_unit * value / at if at else 0.0
-            in_brackets = f" ({relative:+.2g})" if relative and per_unit == per_unit else ""
-            kind = sensitivity.kind(output, parameter)
-            note = "" if kind == "smooth" else f" {kind}"
-            cells.append(shown(per_unit) + in_brackets + note)
-        rows.append([key.key, shown(value, 6), *cells])
-    head = ["by", "value", *(words(n, unit) for n, unit in sensitivity.outputs.items())]
-    return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------

@@ -1,0 +1,100 @@
+"""Table of `slipcircle sensitivity`: the most important numbers of a scene, and where its mass stays at rest."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.text import shown
+from slipcircle.derivatives import Sensitivity
+from slipcircle.workbench.common.quantities import words
+from slipcircle.workbench.files.numbers import Number, by_name, lengths
+from slipcircle.workbench.outputs.tables import Part
+
+_MOST = 10  # rows
+_TERMS = {
+    "kink": "kink: the slopes to both sides differ, and their mean is given",
+    "jump": "jump: a change to one side changes the outcome at once, and the slope is that to the other side",
+    "one side": "one side: there is no scene to the other side",
+    "unresolved": "unresolved: no derivative is known",
+}
+
+
+def important(table: Sensitivity) -> dict[str, float]:
+    """Return the sizes of the numbers with the greatest effect on the run-out, in order, in SI units.
+
+    An effect is that of a change by a share of the size: of places the depth of the mass, of the ends of an arc half
+    its angle, of other numbers their value. Of all points of the geometry the most important coordinate is listed.
+    """
+    arc: Any = table.scene.arc
+    effects = dict[str, float]()
+    sizes = dict[str, float]()
+    for name in table.parameters:
+        sizes[name] = abs(table.at[name]) or 1.0
+        if name in lengths(arc):
+            sizes[name] = float(arc.depth)
+        elif name.startswith("theta_"):
+            sizes[name] = float(arc.half_angle)
+        slope = np.nan_to_num(table.derivative("run_out", name))
+        effects[name] = abs(slope) * sizes[name]
+    ranked = sorted(effects, key=lambda name: -effects[name])
+    points = [name for name in ranked if _is_point(name)]
+    rows = [name for name in ranked if name not in points[1:]]
+    return {name: sizes[name] for name in rows[:_MOST]}
+
+
+def _is_point(name: str) -> bool:
+    """Return whether a number is a coordinate of the geometry."""
+    return name.startswith(("ground.", "level.", "centre."))
+
+
+def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str) -> Part:
+    """Return a table of derivatives per unit of the key of each number, with the value at which the mass would stay."""
+    rows: list[list[Any]] = [["", "", "", "", *(table.at[output] for output in table.outputs)]]
+    keys = by_name(table.scene)
+    for parameter in names:
+        key = keys[parameter]
+        value = float(key.from_si(table.at[parameter]))
+        limit = ["-", "-"]
+        if parameter in stops:
+            stop = float(key.from_si(stops[parameter]))
+            limit = [shown(stop, 4), f"{stop - value:+.2g}"]
+        cells = [_cell(table, output, parameter, key) for output in table.outputs]
+        rows.append([_label(table, key), shown(value, 6), *limit, *cells])
+    head = ["by", "value", "F = 1 at", "distance"]
+    head += [words(output, unit) for output, unit in table.outputs.items()]
+    return Part(head, rows, name, _note(table, names))
+
+
+def _label(table: Sensitivity, key: Number) -> str:
+    """Return the key of a number, of a coordinate with the number of coordinates."""
+    count = sum(map(_is_point, table.parameters))
+    if count > 1 and _is_point(key.name):
+        return f"{key.key}, of {count} coordinates"
+    return key.key
+
+
+def _cell(table: Sensitivity, output: str, parameter: str, key: Number) -> str:
+    """Return a derivative per unit of a key, in brackets in per cent per per cent, and its kind unless it is smooth."""
+    at = table.at[output]
+    value = float(key.from_si(table.at[parameter]))
+    per_si = table.derivative(output, parameter)
+    is_noise = abs(per_si) <= table.error(output, parameter)
+    per_unit = 0.0 if is_noise else float(per_si * key.slope(value))
+    text = shown(per_unit)
+    if at and per_unit * value and per_unit == per_unit:
+        text += f" ({per_unit * value / at:+.2g})"
+    kind = table.kind(output, parameter)
+    return text if kind == "smooth" else f"{text} {kind}"
+
+
+def _note(table: Sensitivity, names: Mapping[str, float]) -> str:
+    """Return what the columns and the terms in a table mean, and how many numbers it leaves out."""
+    notes = ["change per unit of the key, and in brackets in per cent per per cent of it"]
+    notes.append("F = 1 at: the nearest value at which the mass begins or ceases to slide on this circle")
+    kinds = {table.kind(output, parameter) for output in table.outputs for parameter in names}
+    notes += [text for kind, text in _TERMS.items() if kind in kinds]
+    every = len(table.parameters)
+    if every > len(names):
+        notes.append(f"{len(names)} most important of {every} numbers; --json has all")
+    return ". ".join(notes)

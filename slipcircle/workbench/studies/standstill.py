@@ -1,0 +1,60 @@
+"""Values of the numbers of a scene at which its mass would just stay at rest."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.kinds import Floats
+from slipcircle.core import Scene
+from slipcircle.derivatives import parameter_value
+from slipcircle.workbench.common.starting import method_of
+from slipcircle.workbench.studies.motions import factors_at_start
+
+_ACCURACY = 1e-9  # of lanes whose motion is not computed
+_SHARES = np.geomspace(1e-4, 3.0, 48)  # of the size of a number, to both sides of its value
+_PARTS = 16  # into which a bracket is divided
+_ROUNDS = 7
+
+
+def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, float]:
+    """Return by name the nearest value of each number at which the factor of safety at the start is 1, in SI units.
+
+    The factor is by the starting method and of one circle. Numbers without such a value are absent, as are all where
+    the start does not depend on the factor alone: with shaking, an initial velocity or water that changes with time.
+    """
+    water = scene.called.get("pore_pressure", {})
+    given = {name: value for name, value in water.items() if name not in ("level", "standing")}
+    in_time = {"record", "time"} & {*given} or any(map(callable, given.values()))
+    if in_time or "shaking" in scene.called or np.any(scene.initial_velocity):
+        return {}
+    found = {}
+    for name, size in sizes:
+        value = parameter_value(scene, name)
+        if value is None:
+            continue
+        ends = [_nearest(scene, name, value, side * size) for side in (-1.0, 1.0)]
+        distances = [end - value for end in ends if end is not None]
+        if distances:
+            found[name] = value + min(distances, key=abs)
+    return found
+
+
+def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None:
+    """Return the nearest value to one side at which the excess of the factor over 1 changes its sign."""
+    places = value + size * np.append(0.0, _SHARES)
+    for _ in range(_ROUNDS):
+        excess = _excess(scene, name, places)
+        changes = np.flatnonzero(excess[:-1] * excess[1:] <= 0.0)
+        if not changes.size:
+            return None
+        first = changes[0]
+        places = np.linspace(places[first], places[first + 1], _PARTS + 1)
+    return float(places.mean())
+
+
+def _excess(scene: Any, name: str, values: Floats) -> Floats:
+    """Return the factor of safety less 1 for values of a number."""
+    by_method = factors_at_start(scene, {name: values}, _ACCURACY)
+    first = next(iter(by_method.values()))
+    return np.asarray(by_method.get(method_of(scene), first)) - 1.0
