@@ -58,7 +58,8 @@ def of_kernel(name: str) -> list[Row]:
     rows = []
     for way, taken in zip(every, seconds, strict=True):
         exact = reference(name, way.kind)
-        errors = exact.errors(way.function(exact.points.astype(way.kind)))
+        results = way.function(exact.points.astype(way.kind))
+        errors = exact.errors(results)
         rows.append(Row(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE, accuracy=way.bound))
     return judged(rows)
 

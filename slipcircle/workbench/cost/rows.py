@@ -121,9 +121,13 @@ def recommended(rows: Sequence[Row], accuracy: float | None = None, budget: floa
         meeting = [row for row in rows if row.seconds <= budget]
         best = min(meeting, key=lambda row: (row.error, row.seconds), default=None)
     else:
-        meeting = [row for row in rows if max(row.error, row.bound or 0.0) <= (accuracy or 0.0)]
+        required = accuracy or 0.0
+        meeting = [row for row in rows if max(row.error, row.bound or 0.0) <= required]
         best = min(meeting, key=lambda row: row.seconds, default=None)
-    return [replace(row, verdict=RECOMMENDED) if row is best else row for row in rows]
+    marked = list(rows)
+    if best is not None:
+        marked[marked.index(best)] = replace(best, verdict=RECOMMENDED)
+    return marked
 
 
 def price_of_a_digit(rows: Sequence[Row]) -> float:
@@ -134,4 +138,7 @@ def price_of_a_digit(rows: Sequence[Row]) -> float:
     least = max(finite, key=lambda row: row.error)
     most = min(finite, key=lambda row: row.error)
     digits = math.log10(least.error / most.error)
-    return (most.seconds / least.seconds) ** (1.0 / digits) if digits >= 1.0 else math.nan
+    if digits < 1.0:
+        return math.nan
+    ratio = most.seconds / least.seconds
+    return ratio ** (1.0 / digits)

@@ -60,19 +60,26 @@ def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
 
 def _ranges(scene: Scene, vary: Mapping[str, tuple[float, float]]) -> Ranges:
     """Return the ranges of an ensemble in SI units by name, and whether all its numbers rise together."""
+    ranges: dict[str, tuple[float, ...]] = {}
     if vary:
-        numbers = [(number_in(scene, key), ends) for key, ends in vary.items()]
-        return {number.name: tuple(map(number.to_si, ends)) for number, ends in numbers}, False
+        for key, ends in vary.items():
+            number = number_in(scene, key)
+            ranges[number.name] = tuple(map(number.to_si, ends))
+        return ranges, False
     if scene.uncertain:
-        uncertain = uncertain_numbers(scene)
-        return {name: tuple(u.number.to_si(u.drawn(p)) for p in QUANTILES) for name, u in uncertain.items()}, False
+        for name, uncertain in uncertain_numbers(scene).items():
+            quantiles = map(uncertain.drawn, QUANTILES)
+            ranges[name] = tuple(map(uncertain.number.to_si, quantiles))
+        return ranges, False
     strengths = {}
     for name, parameter in parameters(scene).items():
         value = parameter_value(scene, name)
         if value and name.startswith(_STRENGTH) and parameter.unit in _UNITS:
             strengths[name] = value
     varied = strengths or {"gravity": float(np.asarray(scene.arc.gravity))}
-    return {name: ((1.0 - SPREAD) * value, (1.0 + SPREAD) * value) for name, value in varied.items()}, True
+    for name, value in varied.items():
+        ranges[name] = ((1.0 - SPREAD) * value, (1.0 + SPREAD) * value)
+    return ranges, True
 
 
 def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
@@ -82,7 +89,8 @@ def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
     values = {}
     for place, (name, (low, high)) in enumerate(by_name.items()):
         if place and not together:
-            shares = np.modf(np.arange(cases) * np.sqrt(_PRIMES[place % len(_PRIMES)]))[0]
+            irrational = np.sqrt(_PRIMES[place % len(_PRIMES)])
+            shares, _ = np.modf(irrational * np.arange(cases))
         values[name] = low + shares * (high - low)
     return with_parameter_arrays(scene, values)
 
