@@ -1,4 +1,4 @@
-"""From a definition to source text: SymPy derives, simplifies, approximates and writes the package `generated`.
+"""Compiler from definitions to source text: SymPy derives, simplifies and approximates, and `generated` is written.
 
 Nothing here is imported at run time. A claim that does not hold raises a `ProofError` with the claim, the computed and
 the required value, and stops the run; docstrings do not repeat this. The folders, each of which imports only those

@@ -1,4 +1,4 @@
-"""The extension modules of `generated`, compiled in place: `python -m derive.build`, and at install time.
+"""Compilation of the extension modules of `generated` in place: `python -m derive.build`, and at install time.
 
 The compiler is the machine's, or else that of the package index (``pip install ziglang``). Flags of the environment are
 ignored: the proofs of the kernels hold for the operations as they are written.
@@ -41,7 +41,7 @@ SHARED = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin"
 
 
 class NoBinaryError(Exception):
-    """Why there is no binary, in one line; NumPy serves without one."""
+    """Reason for a missing binary in one line. NumPy is used instead."""
 
 
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
@@ -77,25 +77,25 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
 
 
 def imported_binary(folder: Path, name: str) -> Path:
-    """The binary that an import takes, of this machine or of a wheel; where there is none, the one to make."""
+    """Return the path of the binary that an import uses, or of the binary to be compiled."""
     candidates = (folder / f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES)
     return next((path for path in candidates if path.is_file()), folder / f"{name}{SUFFIX}")
 
 
 def is_made_of(binary: Path, source: str) -> bool:
-    """Whether a binary is of this C text: it carries the digest in the text's header."""
+    """Return whether a binary was compiled from this C text, by the digest in the text's header."""
     return source.split('"', 2)[1].encode() in binary.read_bytes()
 
 
 def has_binary_alone(name: str, source: str, folder: Path = FOLDER) -> bool:
-    """Whether a C text is missing where its binary is, as in a wheel."""
+    """Return whether a binary exists without its C text, as in a wheel."""
     binary = imported_binary(folder, name.removesuffix(".c"))
     missing = name.endswith(".c") and not (folder / name).is_file()
     return missing and binary.is_file() and is_made_of(binary, source)
 
 
 def parts(name: str, machine: str) -> Parts:
-    """Flags of every object of a module: the integrator has one for each kind of processor of a machine."""
+    """Return the flags of every object of a module. The integrator has one object per kind of processor."""
     if name == "_kernels":
         return ((),)
     kinds = KINDS if machine in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}
@@ -103,7 +103,7 @@ def parts(name: str, machine: str) -> Parts:
 
 
 def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Sequence[str]) -> None:
-    """Compile the objects of a module, and link them; what else a linker leaves beside its binary goes."""
+    """Compile the objects of a module, link them, and delete other files that the linker leaves."""
     with tempfile.TemporaryDirectory() as folder:
         objects = [str(Path(folder) / f"{k}.o") for k in range(len(parts))]
         linked = Path(folder) / target.name
@@ -116,14 +116,14 @@ def make(source: Path, target: Path, compiler: list[str], parts: Parts, link: Se
 
 
 def _fault(done: subprocess.CompletedProcess[str]) -> str:
-    """The first error that a command printed, or else its status."""
+    """Return the first error that a command printed, or its status."""
     lines = done.stderr.splitlines()
     errors = [line for line in lines if "rror" in line]
     return next(iter(errors or lines), f"nothing is written, status {done.returncode}")
 
 
 def c_compiler() -> list[str]:
-    """``CC`` of the environment, or else the compiler of Python, of the machine, or of the package index."""
+    """Return ``CC`` of the environment, or the compiler of Python, of the machine, or of the package index."""
     try:
         asked = shlex.split(os.environ.get("CC", ""))
     except ValueError as error:
@@ -141,13 +141,13 @@ def c_compiler() -> list[str]:
 
 
 def _accepts(compiler: list[str], flags: tuple[str, ...]) -> bool:
-    """Whether a compiler knows flags, without a warning."""
+    """Return whether a compiler accepts flags without a warning."""
     command = [*compiler, "-Werror", *flags, "-fsyntax-only", "-x", "c", os.devnull]
     return not subprocess.run(command, capture_output=True, check=False).returncode
 
 
 def build_all(folder: Path = FOLDER) -> tuple[list[Path], str]:
-    """Compile modules with outdated binaries, side by side; returns the binaries, and a line on what is in use."""
+    """Compile modules with outdated binaries in parallel, and return the binaries and a line of status."""
     with ThreadPoolExecutor() as pool:
         builds = [pool.submit(build, folder, name=name) for name in MODULES]
     binaries, outcome = [], []

@@ -1,4 +1,4 @@
-"""At install time: binaries of kernels and integrator if they can be compiled, otherwise a pure Python wheel."""
+"""Build hook: binaries of kernels and integrator if they can be compiled, otherwise a pure Python wheel."""
 
 import os
 import sys
@@ -9,10 +9,10 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
 class KernelsHook(BuildHookInterface[Any]):
-    """Called by Hatchling for wheels; an editable install uses the binary in place."""
+    """Hook called by Hatchling for wheels. An editable install uses the binaries in place."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Compile, and mark the wheel as one for this platform.
+        """Compile the modules, and mark the wheel as specific to this platform.
 
         ``SLIPCIRCLE_BINARIES`` is a folder of binaries that are there already, by the name of their platform: they
         stand in place of their C text, which `python -m derive` writes again.
@@ -28,7 +28,7 @@ class KernelsHook(BuildHookInterface[Any]):
             self.build_config.target_config["exclude"].append("generated/*.c")
 
     def _compiled(self) -> list[Path]:
-        """Binaries of this Python on this machine, as far as they can be had."""
+        """Return the available binaries of this Python on this machine."""
         sys.path.insert(0, self.root)
         from derive.build import MODULES, build_all
 

@@ -1,4 +1,4 @@
-"""Faults of declarations, in one line each, before anything is derived: names, symbols, units, domains and sources."""
+"""Checks of declarations before the derivation, with one-line faults: names, symbols, units, domains and sources."""
 
 import builtins
 import keyword
@@ -106,7 +106,7 @@ def _claim(e: Declaration, what: str) -> str:
 
 
 def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") -> None:
-    """Each field, of the parameters too, is of its type, and no text is blank."""
+    """Check that each field, including those of parameters, has its type, and that no text is blank."""
     for f in fields(of):
         value = getattr(of, f.name)
         blank = isinstance(value, str) and not value.strip() and (value or f.name in ("help", "symbol"))
@@ -121,7 +121,7 @@ def _check_fields(e: Declaration, of: Declaration | Parameter, where: str = "") 
 
 
 def _fits(value: object, kind: Any) -> bool:
-    """Whether a value is of the type of a field; an expression is looked at where its symbols are."""
+    """Return whether a value has the type of a field. Expressions are checked later."""
     if get_origin(kind) is UnionType:
         return any(_fits(value, x) for x in get_args(kind))
     if get_origin(kind) is not tuple:
@@ -135,7 +135,7 @@ def _fits(value: object, kind: Any) -> bool:
 
 
 def _check_names(entries: Sequence[Declaration], taken: set[str]) -> None:
-    """Names that are new and may stand in Python and scene files; an equation of the paper or a source."""
+    """Check that names are new and valid in Python and scene files, and that a source exists."""
     for e in entries:
         names = [e.name]
         if isinstance(e, Moment) and e.amplitude:
@@ -162,7 +162,7 @@ def _check_name(claim: str, name: str, taken: Collection[str]) -> None:
 
 
 def _check_parameters(e: Law | Effect, units: Collection[str]) -> None:
-    """Names, kinds, bounds, units and keys."""
+    """Check names, kinds, bounds, units and keys."""
     taken = {*KEYS.split()}
     formula: tuple[str, ...] = NUMBERS
     if isinstance(e, Law):
@@ -197,7 +197,7 @@ def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
 
 
 def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
-    """The symbols of a formula that is a number without a dimension."""
+    """Check the symbols of a formula that must be dimensionless."""
     if not isinstance(e, sp.Expr) or e.has(sp.I, sp.nan, sp.oo, sp.zoo):
         raise ProofError(claim, repr(e), "an expression of SymPy in real numbers")
     found = dimension(e, units, claim)
@@ -248,7 +248,7 @@ def _check_law(law: Law) -> None:
 
 
 def _check_functions(claim: str, formula: sp.Expr) -> None:
-    """Those that series have, and minima and maxima of two."""
+    """Check that only functions with series occur, and minima and maxima of two arguments."""
     for function in sorted(formula.atoms(sp.Function, sp.Min, sp.Max), key=str):
         if isinstance(function, sp.Min | sp.Max):
             are_polynomials = [x.is_polynomial(SLIP) for x in function.args]
@@ -259,12 +259,12 @@ def _check_functions(claim: str, formula: sp.Expr) -> None:
 
 
 def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:
-    """Parameters by the symbols of their names."""
+    """Return parameters by the symbols of their names."""
     return {sp.Symbol(p.name, real=True): p for p in e.parameters}
 
 
 def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
-    """The domain of a law, within what may be expected; the first parameter of a unit is 1."""
+    """Return the domain of a law within plausible numbers, where the first parameter of a unit is 1."""
     box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
     first = {p.unit: p for p in reversed(law.parameters)}
     for x, p in _by_symbol(law).items():
@@ -275,7 +275,7 @@ def _box(law: Law) -> dict[sp.Symbol, tuple[float, float]]:
 
 
 def _range(p: Parameter) -> tuple[float, float]:
-    """Numbers to be expected of a parameter."""
+    """Return the plausible range of a parameter."""
     least = max(p.lower, -STEEPEST) + 1e-300  # above an open bound; 0 may be included
     if p.lower == 0.0:
         least = 0.01
@@ -314,7 +314,7 @@ def _check_effect(effect: Effect) -> None:
 
 
 def _check_terms(effect: Effect) -> set[sp.Symbol]:
-    """The symbols of what an effect adds to the balance."""
+    """Check the symbols in the terms of an effect."""
     units = BALANCE | dict.fromkeys(effect.states, NUMBER)
     for x, p in effect.symbols.items():
         units[x] = LIKE_MOTION.get(p.dimensionless, NUMBER)
@@ -329,7 +329,7 @@ def _check_terms(effect: Effect) -> set[sp.Symbol]:
 
 
 def _check_values(effect: Effect) -> None:
-    """A resistance is nowhere negative, and nothing has a pole."""
+    """Check that a resistance is nowhere negative, and that no term has a pole."""
     if effect in declared.SECTION_EFFECTS:
         return
     box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
@@ -350,7 +350,7 @@ def _check_values(effect: Effect) -> None:
 
 
 def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:
-    """A symbol stands for one number of a program: of one effect, and of nothing in the balance."""
+    """Check that a symbol denotes one number of a program, of a single effect and not of the balance."""
     for effect in effects:
         for x in (*effect.symbols, *effect.states):
             name = str(x)

@@ -53,7 +53,7 @@ SIZES = """
 
 
 def headers(folder: Path) -> Path:
-    """Headers of Python and NumPy that fit all platforms, and the import library of Windows."""
+    """Return the folder of Python and NumPy headers for all platforms, and the import library of Windows."""
     import numpy as np
 
     shutil.copytree(sysconfig.get_path("include"), folder)
@@ -97,7 +97,7 @@ def compile_for(triple: str, name: str, folder: Path, headers: Path) -> Path:
 
 
 def distributions(folder: Path) -> list[Path]:
-    """The wheel of each platform, with the binaries in the folder of its name, and the source distribution."""
+    """Return the wheel of each platform with its binaries, and the source distribution."""
     from hatchling.builders.sdist import SdistBuilder
     from hatchling.builders.wheel import WheelBuilder
 
@@ -111,7 +111,7 @@ def distributions(folder: Path) -> list[Path]:
 
 
 def main() -> int:
-    """Write all distributions into `dist`; one that is there already is replaced at the end."""
+    """Write all distributions into `dist`, replacing existing files at the end."""
     if not find_spec("ziglang"):
         print("derive.wheels needs Zig: pip install ziglang", file=sys.stderr)
         return 2

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from scipy.optimize import brentq
 
-from slipcircle import Arc, Scene, load, solve
+from slipcircle import Arc, Scene, Slope, critical, load, solve
 from slipcircle.base.optional import EXTRAS
 from slipcircle.workbench.files.shipped import find, shipped
 from tests.support.outputs import COMPUTING, blocks
@@ -255,3 +255,56 @@ def test_a_built_in_law_declared_so_is_as_accurate() -> None:
     own = solve(Scene(arc, lambda slip: 0.1 + 0.25 * math.e ** (-slip / 20.0), effects))
     for name in ("run_out", "duration", "end.displacement", "peak.velocity"):
         assert attrgetter(name)(own) == pytest.approx(attrgetter(name)(named), rel=2e-14), name
+
+
+PROFILE = "Station (ft),Elevation (ft)\n0,60\n60,60\n140,20\n180,20\n"
+IN_FEET = """
+[ground]
+points_file = "section.csv"
+unit_weight_pcf = 120
+[circle]
+critical = "bishop"
+[friction]
+angle_deg = 17
+[cohesion]
+cohesion_psf = 60
+[rotation]
+[centripetal]
+"""
+IN_PYTHON = """\
+import numpy as np
+from pint import UnitRegistry
+from slipcircle import Slope, critical, solve
+unit = UnitRegistry()
+ground = np.loadtxt("section.csv", delimiter=",", skiprows=1) * unit.ft
+soil = {"unit_weight": unit("120 lbf/ft^3"), "friction": np.tan(np.radians(17)), "cohesion": unit("60 lbf/ft^2")}
+motion = solve(critical(Slope(ground, **soil)).scene(["rotation", "centripetal"]))
+motion.plot("slide.png")
+"""
+
+
+def test_from_a_profile_in_feet_to_a_run_out_a_report_and_a_page(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, records: Any
+) -> None:
+    """Three commands and five keys, or eight lines of Python; the same slope in metres moves as far."""
+    monkeypatch.chdir(tmp_path)
+    Path("section.csv").write_text(PROFILE, "utf-8")
+    Path("slope.toml").write_text(IN_FEET, "utf-8")
+    assert sum("=" in line for line in IN_FEET.splitlines()) == 5
+    foot, pound = 0.3048, 4.4482216152605  # exact, by definition
+    points = [[float(number) * foot for number in line.split(",")] for line in PROFILE.splitlines()[1:]]
+    soil: dict[str, Any] = {"unit_weight": 120.0 * pound / foot**3, "cohesion": 60.0 * pound / foot**2}
+    circle = critical(Slope(points, friction=math.tan(math.radians(17.0)), **soil))
+    wanted = solve(circle.scene(["rotation", "centripetal"]))
+    assert wanted.moves
+    (found,) = records("search slope.toml")
+    assert found["factor_of_safety"] == pytest.approx(circle.factor_of_safety, rel=1e-9)
+    (found,) = records("run slope.toml --report report.html --live page.html")
+    assert found["run_out"] == pytest.approx(wanted.run_out, rel=1e-7)
+    for page in ("report.html", "page.html"):
+        assert Path(page).read_text("utf-8").startswith("<!DOCTYPE html>")
+    assert len(IN_PYTHON.splitlines()) <= 8
+    names: dict[str, Any] = {}
+    exec(IN_PYTHON, names)
+    assert names["motion"].run_out == pytest.approx(wanted.run_out, rel=1e-7)
+    assert Path("slide.png").read_bytes().startswith(b"\x89PNG")

@@ -1,1 +1,1 @@
-"""From a closed form to polynomials and rationals for each tier of accuracy."""
+"""Approximation of closed forms by polynomials and rational functions for each tier of accuracy."""

@@ -1,4 +1,4 @@
-"""The certificates of `generated`: for each variant its operations, the bounds proved for it and the worst input seen.
+"""Certificates of `generated`: for each variant its operations, its proved bounds, and the worst known input.
 
 The proof itself is the checker's (`derive.check.certify`), which reads the records made here as plain data.
 """
@@ -20,7 +20,7 @@ from derive.progress import track
 
 
 def plain(variant: Variant) -> Record:
-    """What is certified of a variant, as plain data: floats in hexadecimal, no bounds yet."""
+    """Return the certified content of a variant as plain data, with floats in hexadecimal and without bounds."""
     operations: list[list[object]] = []
     for op in variant.program.ops:
         if op.kind in ("log", "exponent", "significand"):
@@ -40,12 +40,12 @@ def plain(variant: Variant) -> Record:
 
 
 def round_up(x: float) -> float:
-    """To three significant digits."""
+    """Return a number rounded up to three significant digits."""
     return float(Context(prec=3, rounding=ROUND_CEILING).create_decimal_from_float(x))
 
 
 def certified(variant: Variant) -> Record:
-    """The record of a variant with proved bounds within its goals, and, if rounded exactly, the worst input seen."""
+    """Return the record of a variant with proved bounds within its goals, and with the worst known input."""
     record = plain(variant)
     boxes: list[tuple[float, float]] = []
     for claim, patches in certify.by_claim(record).items():
@@ -80,7 +80,7 @@ README = [
 
 
 def errors(variant: Variant, alpha: Floats) -> list[float]:
-    """Errors at these inputs, in the variant's unit, against the unrounded reference in ball arithmetic."""
+    """Return errors at these inputs in the variant's unit, relative to the unrounded reference in ball arithmetic."""
     computed = variant.program.run(alpha)
     measured = []
     with ctx.workprec(200):  # of which the closed forms lose less than 40 above 2**-12
@@ -94,7 +94,7 @@ def errors(variant: Variant, alpha: Floats) -> list[float]:
 
 
 def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    """The worst input that a search from the worst boxes of the proof finds, and its error.
+    """Return the worst input found by a search from the worst boxes of the proof, and its error.
 
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
     """
@@ -117,7 +117,7 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
 
 
 def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
-    """The record of every variant: the known one if its operations and its seal are right, else proved anew."""
+    """Return the record of every variant: the known record if its operations and seal are right, or a new one."""
     proved = {record["sha256"]: record for record in known if record == seal(record)}
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
     new = {digest: variant for digest, variant in by_digest.items() if digest not in proved}
@@ -145,7 +145,7 @@ def of_ends(proved: Iterable[Record], certificate: Callable[..., Record] = losse
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:
-    """Text of every certificate file, by its name under `generated`: fields one a line, an operation a line."""
+    """Return the text of every certificate file by name, with one field or operation per line."""
     blocks: dict[str, list[str]] = {}
     for record in records:
         rows = []

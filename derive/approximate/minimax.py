@@ -1,4 +1,4 @@
-"""Best approximation: weighted minimax polynomials and rationals of what SymPy derived, in flint's arithmetic.
+"""Best approximation: weighted minimax polynomials and rational functions of derived forms, in ball arithmetic.
 
 Everything runs in balls whose radii are dropped (`mid`), so the result is a function of the definition alone, the same
 on every machine; only then are coefficients rounded to doubles. Nothing here proves anything: the proof is another
@@ -24,12 +24,12 @@ Function = Callable[[arb], arb]
 
 
 def nearest(x: arb) -> float:
-    """The nearest double."""
+    """Return the nearest double."""
     return float(fraction(x.mid()))
 
 
 def evaluate(expression: Expr, x: Any) -> Any:
-    """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine."""
+    """Return an expression in one symbol at x, a ball, a power series, or any type with addition, product and sine."""
     if expression.is_Symbol:
         return x
     if expression.is_Rational:
@@ -47,13 +47,13 @@ def evaluate(expression: Expr, x: Any) -> Any:
 
 
 def value(closed: Expr, a: arb) -> arb:
-    """A closed form at alpha, with extra bits for cancellation."""
+    """Return a closed form at alpha, with additional bits for cancellation."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()
 
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:
-    """The polynomial with these coefficients, lowest first, at x."""
+    """Return the polynomial with these coefficients, lowest first, at x."""
     result = arb(0)
     for c in reversed(coefficients):
         result = result * x + c
@@ -62,14 +62,14 @@ def horner(coefficients: Sequence[arb], x: arb) -> arb:
 
 @dataclass
 class Samples:
-    """A function and the weight of its error on a grid; ``error = weight (approximant - function)``."""
+    """Function and weight of its error on a grid, with ``error = weight (approximant - function)``."""
 
     points: list[arb]
     values: list[arb]
     weights: list[arb]
 
     def without(self, coefficient: arb) -> "Samples":
-        """(function - coefficient)/point: what is left to fit once the lowest coefficient is fixed."""
+        """Return (function - coefficient)/point, the function to fit once the lowest coefficient is fixed."""
         values = []
         weights = []
         for x, value, weight in zip(self.points, self.values, self.weights, strict=True):
@@ -81,7 +81,7 @@ class Samples:
 def sample(
     function: Function, weight: Callable[[arb, arb], arb], upper: arb, unknowns: int, cluster: int = 1
 ) -> Samples:
-    """A function on Chebyshev points of [0, upper], and the weight of its error at a point and a value.
+    """Return samples of a function on Chebyshev points of [0, upper], with the weight of its error.
 
     With ``cluster`` > 1 the points are crowded further towards 0, where a logarithm is singular.
     """
@@ -105,7 +105,7 @@ def sample(
 def minimax(
     samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None, rounds: int = _ROUNDS
 ) -> tuple[list[arb], list[arb], float]:
-    """The numerator of degree `above`, the denominator 1 + ... of degree `below`, and their least largest error.
+    """Return the numerator of degree `above`, the denominator 1 + ... of degree `below`, and the least maximal error.
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
     in the denominator's place. Exchange of reference points after Remez: at the references the errors of the levelled
@@ -138,7 +138,7 @@ def minimax(
 
 
 def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[list[arb]]:
-    """What the coefficients multiply at each point: 1, x, x**2, ..., then -f x, -f x**2, ... or l, l x, ..."""
+    """Return the basis functions at each point: 1, x, x**2, ..., followed by -f x, -f x**2, ... or l, l x, ..."""
     if logs:
         factors, last = logs
         first = 0
@@ -159,7 +159,7 @@ def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], 
 def _levelled(
     samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb], above: int, below: int
 ) -> tuple[list[arb], arb, list[arb]]:
-    """Coefficients whose weighted errors at the references are equal and alternate, this error, and the denominators.
+    """Return coefficients whose weighted errors alternate with equal size at the references, and the error.
 
     A rational is levelled with the last denominator in the error's place, which makes the system linear, and again.
     """
@@ -183,13 +183,13 @@ def _levelled(
 
 
 def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) -> list[arb]:
-    """Weighted errors at all points; of a rational, of the linear system divided by its denominator."""
+    """Return weighted errors at all points, for a rational function from the linear system over its denominator."""
     terms = zip(numerators, samples.values, samples.weights, denominators, strict=True)
     return [(weight * (p - f) / q).mid() for p, f, weight, q in terms]
 
 
 def _exchange(errors: list[arb], references: list[int]) -> list[int]:
-    """The largest error of every run of one sign; of too many, those at the ends go, smaller first."""
+    """Return the largest error of every run of one sign. Surplus runs at the ends are omitted, the smaller first."""
     largest = [0]
     for i, error in enumerate(errors):
         last = errors[largest[-1]]
@@ -205,7 +205,7 @@ def _exchange(errors: list[arb], references: list[int]) -> list[int]:
 
 
 def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, ...], float]:
-    """Minimax coefficients as doubles, lowest first, and the error before they are rounded.
+    """Return minimax coefficients as doubles, lowest first, and the error before rounding.
 
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """

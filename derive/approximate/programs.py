@@ -1,4 +1,4 @@
-"""The certified kernels' programs: an approximant of F(alpha)/alpha**3 near 0, and of F less a straight line near pi/2.
+"""Programs of the certified kernels: approximants of F(alpha)/alpha**3 near 0, and of F minus a line near pi/2.
 
 Near: F = x u W, where u = x**2 and W = c0 + u (c1 + u (c2 + ...)). Fused, the rounding errors of u, of u W and of the
 leading sums of W are kept, as many as the shape says. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
@@ -25,7 +25,7 @@ from derive.declare.quantities import LIMIT_FRICTION, MOMENTS
 
 @dataclass(frozen=True)
 class Variant:
-    """A kernel at one tier of accuracy and in one form: fused (multiply-adds), plain, or numpy (with its logarithm)."""
+    """Kernel at one tier of accuracy and in one form: fused (multiply-adds), plain, or numpy (with its logarithm)."""
 
     kernel: str
     definition: tuple[str, ...]
@@ -36,7 +36,7 @@ class Variant:
 
 
 class Pair(NamedTuple):
-    """An unevaluated sum."""
+    """Unevaluated sum of two numbers."""
 
     high: Value
     low: Value
@@ -47,7 +47,7 @@ class Pair(NamedTuple):
 
 
 class Code(Builder):
-    """Operations on alpha as they are written; in a plain form a multiply-add is two of them."""
+    """Operations on alpha as they are written. In the plain form a multiply-add consists of two operations."""
 
     def __init__(self, form: str, argument: str = "alpha") -> None:
         super().__init__()
@@ -61,7 +61,7 @@ class Code(Builder):
         return self.x * self.x
 
     def fma(self, a: Any, b: Any, c: Any) -> Value:
-        """a b + c, of values and numbers, rounded once where fused."""
+        """Return a b + c for values and numbers, rounded once in the fused form."""
         if self.fused:
             return self.put("fma", a, b, c)
         a, b, c = map(self.value, (a, b, c))
@@ -72,7 +72,7 @@ class Code(Builder):
         return product + c
 
     def horner(self, x: Value, coefficients: Sequence[float]) -> Value:
-        """The polynomial with these coefficients, lowest first."""
+        """Return the polynomial with these coefficients, lowest first."""
         *others, last = coefficients
         result = self.value(last)
         for c in reversed(others):
@@ -80,30 +80,30 @@ class Code(Builder):
         return result
 
     def below(self, seam: float, near: Value, far: Value) -> Value:
-        """`near` where alpha < seam, else `far`."""
+        """Return `near` where alpha < seam, and otherwise `far`."""
         return self.put("select", self.x < seam, near, far)
 
     def program(self, name: str, output: Value) -> Program:
-        """The program, with only the operations that the output needs."""
+        """Return the program with only the operations that the output needs."""
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
 
 
 def excess(code: Code, closed: Expr, piece: Pieces) -> Value:
-    """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
+    """Return q of W = 1 + q in the plain form, where F = x (u + u q) times the limit."""
     u = code.u
     coefficients = shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))
     return code.horner(u, coefficients) * u
 
 
 def to_limit(closed: Expr, w: Value) -> Value:
-    """w times 1 or 2/3, rounded once."""
+    """Return w times the limit 1 or 2/3, rounded once."""
     if limit(closed) == 1:
         return w
     return w / float(1 / limit(closed))
 
 
 def near_sum(code: Code, closed: Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
-    """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'.
+    """Return, in the fused form, W with its rounding error, d(u W)/du, and P1 = (W - c0)/u, which approximates W'.
 
     The leading sums are S_k = c_k + u S_(k+1), and fma(S_(k+1), u, c_k - S_k) is what S_k lost.
     """
@@ -134,7 +134,7 @@ def near_sum(code: Code, closed: Expr, piece: Pieces) -> tuple[Pair, Value, Valu
 
 
 def _even_and_odd(code: Code, u: Value, c: Sequence[float]) -> Value:
-    """The polynomial in u by the even and odd parts of what follows its constant term.
+    """Return the polynomial in u by the even and odd parts of the terms after its constant term.
 
     For one product more, half as many operations wait for each other.
     """
@@ -145,7 +145,7 @@ def _even_and_odd(code: Code, u: Value, c: Sequence[float]) -> Value:
 
 
 def near(code: Code, closed: Expr, piece: Pieces) -> Pair:
-    """F = x h + x h_low, h = u W; d(u W)/du takes what u = fl(x^2) lost."""
+    """Return F = x h + x h_low with h = u W, where d(u W)/du includes the rounding error of u = fl(x^2)."""
     fma = code.fma
     u = code.u
     u_lost = fma(code.x, code.x, -u)
@@ -156,7 +156,7 @@ def near(code: Code, closed: Expr, piece: Pieces) -> Pair:
 
 
 def near_value(code: Code, closed: Expr, piece: Pieces) -> Value:
-    """F; rounded, or underflowing, once at the end: a product with a power of x comes last."""
+    """Return F, rounded or underflowing once at the end, since a product with a power of x is last."""
     x = code.x
     if code.fused:
         h = near(code, closed, piece)
@@ -168,7 +168,7 @@ def near_value(code: Code, closed: Expr, piece: Pieces) -> Value:
 
 
 def logarithm(code: Code, b: Value) -> Value:
-    """ln b of a b >= 0; at 0 something finite, which a factor 0 waits for.
+    """Return ln b for b >= 0, and a finite value at 0, where it is multiplied by 0.
 
     b = 2**exponent significand, s = significand - 1 (exact), q = s/(2 + s): ln(1 + s) = s - q (s - z P(z)), z = q**2,
     whose largest part is exact.
@@ -188,7 +188,7 @@ def logarithm(code: Code, b: Value) -> Value:
 
 
 def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
-    """The piece near pi/2 as `FarFit` has it: the line, and what is added to it."""
+    """Return the piece near pi/2 as in `FarFit`: the line, and the terms added to it."""
     fma = code.fma
     fit = shapes.far_fit(closed, shape, seam)
     b = HALF_PI - code.x
@@ -218,7 +218,7 @@ def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
 
 
 def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
-    """F1/F2, near 0 from W1/W2: one division, corrected for its rounding error and those of its parts."""
+    """Return F1/F2, near 0 from W1/W2: one division, corrected for rounding errors of itself and its parts."""
     fma = code.fma
     seam = min(part.seam for part in parts)
     pairs = zip(forms, parts, strict=True)
@@ -231,7 +231,7 @@ def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -
 
 
 def plain_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
-    """F1/F2, near 0 from W1/W2 over their limits."""
+    """Return F1/F2, near 0 from W1/W2 over their limits."""
     seam = min(part.seam for part in parts)
     same_limit = limit(forms[0]) == limit(forms[1])
     values = []
@@ -250,7 +250,7 @@ def plain_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -
 
 
 def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
-    """W below the seam, F above it; what is lost in `low`."""
+    """Return W below the seam and F above it, with the rounding error in `low`."""
     fma = code.fma
     x = code.x
     u = code.u
@@ -271,7 +271,7 @@ def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
 
 
 def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
-    """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
+    """Return x u (numerator/denominator): one polynomial or one quotient of two on the whole domain."""
     over, under, _ = shapes.cheap_fit(closed, above, below)
     u = code.u
     if not below:
@@ -282,7 +282,7 @@ def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
 
 
 def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
-    """For float32: F, and next to 0, where u q is lost in 1 + u q, less than its leading term.
+    """Return F for float32, and near 0, where u q is lost in 1 + u q, less than its leading term.
 
     Of some inputs that term is a midpoint of two float32 (of 375 it is 18 125**3, which has 25 bits).
     """
@@ -298,7 +298,7 @@ def rounding(code: Code, closed: Expr, above: int, below: int) -> Value:
 
 
 def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:
-    """A kernel at one tier in one form: the best from its pieces, another from its degrees."""
+    """Return a kernel at one tier in one form, the best tier from its pieces and another tier from its degrees."""
     code = Code(form)
     closed, *others = kernel.closed
     if tier != "best":
@@ -318,7 +318,7 @@ def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Varia
 
 @cache
 def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
-    """A kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
+    """Return a kernel in every tier and form, with the form `numpy` only if it differs from `plain`."""
     fused = variant(kernel, "best", "fused", shape.best)
     plain = variant(kernel, "best", "plain", shape.best)
     numpy = variant(kernel, "best", "numpy", shape.best)
@@ -331,7 +331,7 @@ def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
 
 
 def variants() -> tuple[Variant, ...]:
-    """Every kernel in every tier and form, from the recorded shapes."""
+    """Return every kernel in every tier and form, from the recorded shapes."""
     every: list[Variant] = []
     for kernel in shapes.kernels():
         every += of(kernel, shapes.records()[kernel.definition])
@@ -342,7 +342,7 @@ def variants() -> tuple[Variant, ...]:
 
 
 def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
-    """The moments that turn with the bisector, and the limit friction: name, kernel and what certificates call it."""
+    """Return the moments that turn with the bisector, and the limit friction: name, kernel and definition."""
     for moment in MOMENTS:
         if not moment.amplitude:
             continue
@@ -355,7 +355,7 @@ def functions_of_ends() -> Iterator[tuple[str, str, tuple[str, ...]]]:
 
 
 def inlined(name: str, steps: Sequence[ends.Step], part: Program | None = None) -> Program:
-    """The program whose outputs are these steps, on operations that call this part."""
+    """Return the program whose outputs are these steps, on operations that call a part."""
     code = Builder()
     values: list[Value] = []
     for kind, args, value in steps[0].operations:
@@ -376,7 +376,7 @@ def inlined(name: str, steps: Sequence[ends.Step], part: Program | None = None) 
 
 @cache
 def parts_of_ends() -> tuple[Program, ...]:
-    """What functions of both ends have in common: the reductions of cos(psi) and sin(psi), and what alpha has lost."""
+    """Return the common parts of functions of both ends: reductions of cos(psi) and sin(psi), and alpha's rounding."""
     of_cosine = ends.reduced(*ends.both(), odd=False)
     of_sine = ends.reduced(*ends.both(), odd=True)
     return inlined("cos_psi", of_cosine), inlined("sin_psi", of_sine), inlined("share", ends.share(*ends.both()))
@@ -384,7 +384,7 @@ def parts_of_ends() -> tuple[Program, ...]:
 
 @cache
 def variants_of_ends() -> tuple[Variant, ...]:
-    """Every function of both ends in every tier that has a sine; float32 runs what is nearest above it."""
+    """Return every function of both ends in every tier with a sine; float32 uses the next better tier."""
     every = []
     for name, kernel, definition in functions_of_ends():
         for part in variants():

@@ -1,4 +1,4 @@
-"""The search for shapes: seams, baselines and degrees, judged by the bound that is proved of the program they make.
+"""Search for shapes: seams, baselines and degrees, judged by the proved bound of their program.
 
 Nothing in it is random and nothing is timed, so that it finds the same on every machine. What approximates badly or
 must round badly is excluded by an estimate; of the rest the checker decides which is best.
@@ -43,7 +43,7 @@ Best = tuple[Pieces, ...]
 
 
 def price(kernel: Kernel, shape: Best) -> float:
-    """Of the best tier, fused: the bound that is proved between FROM and TO, and what its operations are worth."""
+    """Return the proved bound between FROM and TO of the best fused tier, and the cost of its operations."""
     fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
     between = list(patches(record, FROM, TO))
@@ -53,7 +53,7 @@ def price(kernel: Kernel, shape: Best) -> float:
 
 
 def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
-    """A tier's fused and plain form in this shape; none if a bound cannot be proved to be within what it promises."""
+    """Return a tier's fused and plain form in this shape, or nothing if a bound cannot be proved within its goal."""
     forms = [variant(kernel, tier, form, shape) for form in ("fused", "plain")]
     try:
         for form in forms:
@@ -69,7 +69,7 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
 
 
 def rises(closed: Expr, seam: float) -> bool:
-    """Whether F grows at the seam by more than both pieces' errors from one double to the next."""
+    """Return whether F increases at the seam by more than the errors of both pieces from one double to the next."""
     step = math.ulp(math.nextafter(seam, 0.0))
     x = arb(seam)
     f = float(at(closed, x))
@@ -79,7 +79,7 @@ def rises(closed: Expr, seam: float) -> bool:
 
 @cache
 def baseline(closed: Expr, seam: float) -> Far:
-    """The baseline whose operations leave the least error, by an estimate of half an ulp each, over ulp(F)."""
+    """Return the baseline with the least estimated rounding error, half an ulp per operation, over ulp(F)."""
     values = []
     for k in range(25):
         x = seam + (HALF_PI - seam) * k / 24
@@ -94,7 +94,7 @@ def baseline(closed: Expr, seam: float) -> Far:
 
 
 def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far]:
-    """Slopes, bends, and lines in steps of 1/128 through what a slope leaves, and the line that meets the end."""
+    """Yield slopes, bends, and lines in steps of 1/128 for the remainder, and the line through the end."""
     end_value = values[-1][1]
     bends = [0.0] if odd else [k / 8 for k in range(25)]
     for slope in SLOPES:
@@ -110,7 +110,7 @@ def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far
 
 
 def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]]) -> float:
-    """Rounding errors of a baseline's operations, in ulp(F) at the worst of some points; the last one is pi/2.
+    """Return rounding errors of a baseline's operations, in ulp(F) at the worst of some points, the last one pi/2.
 
     F = straight + (constant + bent + b**power core), each sum and product rounded once.
     """
@@ -139,7 +139,7 @@ def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]
 
 
 def started(kernel: Kernel, seam: float) -> Best:
-    """Pieces for a seam: the baseline that an estimate prefers, and the least degrees that approximate."""
+    """Return pieces for a seam: the preferred baseline, and the least degrees that approximate."""
     pieces = []
     for closed in kernel.closed:
         far = None
@@ -152,7 +152,7 @@ def started(kernel: Kernel, seam: float) -> Best:
 
 
 def _least_count(closed: Expr, until: float) -> int:
-    """The least number of coefficients near 0 that approximate."""
+    """Return the least number of coefficients near 0 that approximates."""
     for count in range(7, 40):
         samples = shapes.near_samples(closed, until, count, shapes.limit(closed))
         _, _, error = minimax(samples, count - 1)
@@ -162,7 +162,7 @@ def _least_count(closed: Expr, until: float) -> int:
 
 
 def _least_far(closed: Expr, seam: float) -> Far:
-    """The preferred baseline with the least degree that approximates, or the greatest tried."""
+    """Return the preferred baseline with the least degree that approximates, or the greatest tried degree."""
     for degree in range(3, 13):
         far = replace(baseline(closed, seam), degree=degree)
         fit = shapes.far_fit(closed, far, seam)
@@ -173,7 +173,7 @@ def _least_far(closed: Expr, seam: float) -> Far:
 
 
 def falls(variant: Variant, seam: float) -> bool:
-    """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
+    """Return whether a base quantity decreases across the seam, in the fused form anywhere near it."""
     near = 1000 if variant.form == "fused" else 1
     bits = np.float64(seam).view(np.int64) + np.arange(-near, near)
     alpha = bits.view(np.float64)
@@ -183,7 +183,7 @@ def falls(variant: Variant, seam: float) -> bool:
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
-    """Neighbouring shapes: other seams, and for each part other degrees and baselines."""
+    """Yield neighbouring shapes with other seams, and other degrees and baselines of each part."""
     for step in STEPS:
         moved = []
         for part in shape:
@@ -196,7 +196,7 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
 
 
 def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
-    """Other numbers of coefficients and of kept roundings, and other baselines where the form has them."""
+    """Yield other numbers of coefficients and of kept roundings, and other baselines if the form has them."""
     about = end(closed)
     for step in STEPS:
         yield replace(part, count=part.count + step)
@@ -218,7 +218,7 @@ def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
 
 
 def best(kernel: Kernel) -> Best:
-    """The pieces with the least bound and the fewest operations, or `ProofError` if none keeps its goals.
+    """Return the pieces with the least bound and the fewest operations, or raise `ProofError` if none meets its goals.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
     """
@@ -246,7 +246,7 @@ def best(kernel: Kernel) -> Best:
 
 
 def _seams(kernel: Kernel) -> list[float]:
-    """Where to try a seam: of a base quantity where it cannot fall there, or, if there is no such place, anywhere."""
+    """Return seams to try, where a base quantity cannot decrease, or anywhere if there is no such place."""
     if not any(end(form).serves for form in kernel.closed):
         return SEAMS[:1]
     closed, *others = kernel.closed
@@ -255,7 +255,7 @@ def _seams(kernel: Kernel) -> list[float]:
 
 
 def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
-    """The first shape that keeps its goals and does not fall at its seam; failing this the first that may fall."""
+    """Return the first shape that meets its goals and does not decrease at its seam, or one that may decrease."""
     spare = None
     for shape in ranking:
         forms = kept(kernel, "best", shape)
@@ -268,7 +268,7 @@ def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
-    """The cheapest polynomial or rational that meets the goal of its tier, and for float32 is rounded correctly."""
+    """Return the cheapest polynomial or rational function that meets the goal of its tier."""
     (closed,) = kernel.closed
     target = goal = TIERS[tier].fused
     tried = sorted(_degrees(), key=_cost)
@@ -289,7 +289,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
 
 
 def _degrees() -> Iterator[tuple[int, int]]:
-    """Polynomials, and quotients of degrees that are equal or nearly so."""
+    """Yield polynomials, and quotients of equal or nearly equal degrees."""
     for total in range(2, 25):
         yield total, 0
         if total >= 6:
@@ -300,14 +300,14 @@ def _degrees() -> Iterator[tuple[int, int]]:
 
 
 def _cost(degrees: tuple[int, int]) -> tuple[int, int]:
-    """Operations, a division among them; then the larger denominator first."""
+    """Return the number of operations, including a division, followed by minus the degree of the denominator."""
     above, below = degrees
     division = DIVISION if below else 0
     return above + below + division, -below
 
 
 def search(kernel: Kernel) -> Shape:
-    """Find the shape of a kernel, or raise `ProofError` if none keeps what the tiers promise.
+    """Return the shape of a kernel, or raise `ProofError` if no shape meets the goals of the tiers.
 
     A quotient has the best tier alone.
     """
@@ -320,7 +320,7 @@ def search(kernel: Kernel) -> Shape:
 
 
 def complete() -> str:
-    """Search for the shapes of kernels without a record, and record them for this run; which ones."""
+    """Search for the shapes of kernels without a record, record them for this run, and return their names."""
     missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
     if missing:
         with ProcessPoolExecutor(2) as pool:

@@ -1,4 +1,4 @@
-"""Shapes of the kernels' approximants, and the fits that fill them: near 0, near pi/2, and over the whole domain.
+"""Shapes of the kernels' approximants, and their fits near 0, near pi/2, and on the whole domain.
 
 Near 0, in u = alpha**2: F = alpha u W(u), W a polynomial whose constant term is the limit of F/alpha**3. Near pi/2, in
 b = pi/2 - alpha, where artanh(sin(alpha)) = -ln(tan(b/2)): F is a function of b that is odd but for its value at 0, or
@@ -34,7 +34,7 @@ RECORDS = Path(__file__).resolve().parent.parent.parent / "generated" / "shapes.
 
 @dataclass(frozen=True)
 class Kernel:
-    """A function of alpha: the closed form that SymPy derived, or two for a quotient, and what certificates call it."""
+    """Function of alpha: the derived closed form, or two for a quotient, and the definition in certificates."""
 
     name: str
     closed: tuple[Expr, ...]
@@ -42,7 +42,7 @@ class Kernel:
 
 
 def kernels() -> list[Kernel]:
-    """All that are certified: the base quantities and their quotients."""
+    """Return all certified functions: the base quantities and their quotients."""
     closed = closed_forms()
     definitions = {m.kernel[0]: m.definition for m in MOMENTS}
     definitions[RESISTANCE.name] = RESISTANCE.definition
@@ -59,20 +59,20 @@ def kernels() -> list[Kernel]:
 
 @cache
 def at_zero(closed: Expr) -> list[fmpq]:
-    """Taylor coefficients at 0, exactly."""
+    """Return exact Taylor coefficients at 0."""
     with truth.working(GUARD):
         series = evaluate(closed, fmpq_series([0, 1]))
         return [series[k] for k in range(truth.TERMS + 1)]
 
 
 def limit(closed: Expr) -> Fraction:
-    """Of F/alpha**3 at 0."""
+    """Return the limit of F/alpha**3 at 0."""
     first = at_zero(closed)[truth.CUBE]
     return Fraction(int(first.p), int(first.q))
 
 
 def agree(kernel: Kernel) -> int:
-    """Compare the derived form with the checker's definition; the number of comparisons, or `ProofError`.
+    """Compare the derived form with the checker's definition, and return the number of comparisons.
 
     Taylor coefficients at 0 are compared exactly, values in balls.
     """
@@ -94,7 +94,7 @@ def agree(kernel: Kernel) -> int:
 
 @dataclass(frozen=True)
 class End:
-    """What a closed form is in b = pi/2 - alpha: odd (but for its value at 0) or even, and where its logarithm starts.
+    """Closed form in b = pi/2 - alpha: odd (except for its value at 0) or even, and the start of its logarithm.
 
     ``first`` is the coefficient of b or of b**2 without logarithm, ``log`` the power of b at ln(b), or 0 without one.
     """
@@ -107,7 +107,7 @@ class End:
 
 @cache
 def end(closed: Expr) -> End:
-    """Expand about pi/2: b = pi/2 - alpha and h = artanh(cos(b)), in which the form is linear."""
+    """Return the expansion about pi/2 with b = pi/2 - alpha and h = artanh(cos(b)), in which the form is linear."""
     b = Dummy("b", real=True)
     h = Dummy("h", real=True)
     in_b = closed.subs(alpha, pi / 2 - b).subs(atanh(cos(b)), h)
@@ -123,7 +123,7 @@ def end(closed: Expr) -> End:
 
 
 def _expanded(smooth: Expr, logs: Expr, odd: bool) -> End:
-    """From the Taylor series of both parts in b, over the rational numbers."""
+    """Return the expansion from the Taylor series of both parts in b, over the rational numbers."""
     log = 0
     with truth.working(GUARD):
         b = fmpq_series([0, 1])
@@ -137,7 +137,7 @@ def _expanded(smooth: Expr, logs: Expr, odd: bool) -> End:
 
 @dataclass(frozen=True)
 class Far:
-    """Of the piece near pi/2: its baseline slope alpha + line, bend, the logarithm's scale, and the degree of R.
+    """Shape of the piece near pi/2: its baseline slope alpha + line, bend, the logarithm's scale, and the degree of R.
 
     The line is a multiple of 2**-52, as alpha >= 1 is, so that the sum makes no rounding error. Where F is even in b,
     b (slope - bend b) is taken off next; the logarithm is that of scale b.
@@ -152,7 +152,7 @@ class Far:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it.
+    """Shape of a base quantity in the best tier: the seam, coefficients near 0, and the shape beyond the seam.
 
     Fused, the rounding errors of the ``kept`` leading sums near 0 are kept.
     """
@@ -165,7 +165,7 @@ class Pieces:
 
 @dataclass(frozen=True)
 class Shape:
-    """The pieces of a base quantity or of a quotient's two parts; for each other tier the degrees over and under."""
+    """Pieces of a base quantity or of a quotient's two parts, and for each other tier the degrees above and below."""
 
     best: tuple[Pieces, ...]
     cheap: tuple[tuple[str, int, int], ...]
@@ -173,7 +173,7 @@ class Shape:
 
 @cache
 def records() -> dict[tuple[str, ...], Shape]:
-    """The recorded shapes by definition; the shapes that this run's search finds are added."""
+    """Return the recorded shapes by definition, including shapes found in this run."""
     shapes = {}
     for definition, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
         best = []
@@ -188,7 +188,7 @@ def records() -> dict[tuple[str, ...], Shape]:
 
 
 def text() -> str:
-    """The file of records: one definition a line, none that is not declared."""
+    """Return the file of records, one declared definition per line."""
     lines = []
     for definition in sorted({kernel.definition for kernel in kernels()}):
         name = json.dumps(" / ".join(definition))
@@ -198,7 +198,7 @@ def text() -> str:
 
 
 def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
-    """F/alpha**3 as a function of alpha**2, scaled to this limit at 0."""
+    """Return F/alpha**3 as a function of alpha**2, scaled to this limit at 0."""
     factor = number(limit_at_0 / limit(closed))
 
     def function(u: arb) -> arb:
@@ -209,7 +209,7 @@ def scaled(closed: Expr, limit_at_0: Fraction) -> Function:
 
 
 def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> Samples:
-    """(W - limit)/u on [0, seam], for the least relative error."""
+    """Return samples of (W - limit)/u on [0, seam] for the least relative error."""
     with ctx.workprec(GUARD):
         upper = number(seam) ** 2
         samples = sample(scaled(closed, limit_at_0), lambda u, f: 1 / f, upper, count)
@@ -218,7 +218,7 @@ def near_samples(closed: Expr, seam: float, count: int, limit_at_0: Fraction) ->
 
 @cache
 def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tuple[float, ...]:
-    """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)): F/alpha**3, or its multiple with that limit at 0."""
+    """Return c1, c2, ... of W = limit + u (c1 + u (c2 + ...)), with W = F/alpha**3 or its multiple with that limit."""
     samples = near_samples(closed, seam, count, limit_at_0)
     coefficients, _ = rounded(samples, count - 1, careful=min(3, count - 1))
     return coefficients
@@ -226,7 +226,7 @@ def near_fit(closed: Expr, seam: float, count: int, limit_at_0: Fraction) -> tup
 
 @cache
 def logarithm_fit() -> tuple[float, tuple[float, ...]]:
-    """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
+    """Return ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
 
     def rest(z: arb) -> arb:
         q = z.sqrt()
@@ -242,7 +242,7 @@ def logarithm_fit() -> tuple[float, tuple[float, ...]]:
 
 @cache
 def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
-    """Numerator and denominator of F/alpha**3, and their relative error before rounding.
+    """Return numerator and denominator of F/alpha**3, and their relative error before rounding.
 
     A polynomial in alpha**2, or a rational in pi**2/4 - alpha**2.
     """
@@ -257,7 +257,7 @@ def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], 
 
 @cache
 def rounding_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
-    """Numerator and denominator of (W - W(0))/u, and the relative error of F = alpha u W.
+    """Return numerator and denominator of (W - W(0))/u, and the relative error of F = alpha u W.
 
     A polynomial in u = alpha**2; or a rational in fl(pi/2)**2 - u, of a multiple of F with W(0) = 1.
     """
@@ -284,7 +284,7 @@ def rounding_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...
 
 
 def powers(closed: Expr, far: Far) -> tuple[int, int]:
-    """The power of b in front of what the baseline leaves, and half the power of b in front of Q.
+    """Return the power of b in front of the remainder of the baseline, and half the power of b in front of Q.
 
     The power rises by 2 where the baseline takes the first coefficient off and the logarithm starts no earlier.
     """
@@ -315,7 +315,7 @@ class FarFit:
 
 @cache
 def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
-    """The piece beyond the seam: R and Q together; with Q rounded, R again."""
+    """Return the piece beyond the seam, with R and Q fitted together, and R again after rounding Q."""
     about = end(closed)
     degree = far.degree
     power, shift = powers(closed, far)
@@ -335,7 +335,7 @@ def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
 
 
 def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> Samples:
-    """What is left to fit once Q is fixed."""
+    """Return the samples to fit once Q is fixed."""
     values = []
     with ctx.workprec(GUARD):
         coefficients = [number(c) for c in q]
@@ -345,7 +345,7 @@ def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> 
 
 
 def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
-    """What F exceeds the baseline by at fl(pi/2), and its slope there by b where F is even in b."""
+    """Return the excess of F over the baseline at fl(pi/2), and its slope by b if F is even in b."""
     about = end(closed)
     with ctx.workprec(GUARD):
         at_end = number(HALF_PI)
@@ -360,7 +360,7 @@ def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
 
 
 def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: float) -> Samples:
-    """What R and Q have to fit, (F - the rest of `FarFit`)/b**power at w = b**2, for the least relative error of F."""
+    """Return samples for R and Q, (F - the rest of `FarFit`)/b**power at w = b**2, for the least relative error."""
     about = end(closed)
     power, _ = powers(closed, far)
     unknowns = (2 if about.log else 1) * far.degree + 2

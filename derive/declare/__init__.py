@@ -1,1 +1,1 @@
-"""What is derived, declared once as data."""
+"""Declarations of quantities, effects and laws as data."""

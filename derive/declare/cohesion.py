@@ -1,4 +1,4 @@
-"""Laws of cohesion as a function of slip, which follow from the friction laws."""
+"""Laws of cohesion as a function of slip, derived from the friction laws."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ from derive.declare.effects import LAWS, Parameter
 
 
 def _of_cohesion(p: Parameter) -> Parameter:
-    """The parameter of a law of cohesion for that of a friction law."""
+    """Return the parameter of a law of cohesion for a parameter of a friction law."""
     if p.unit:
         return replace(p, help=p.help.replace("friction", "cohesion"))
     name = "cohesion" if p.name == "coefficient" else p.name

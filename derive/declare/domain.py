@@ -1,4 +1,4 @@
-"""Whether a formula is real, finite and not negative on a domain: interval arithmetic and bisection."""
+"""Check that a formula is real, finite and non-negative on a domain, by interval arithmetic and bisection."""
 
 import heapq
 import math
@@ -21,7 +21,7 @@ _ARITHMETIC = {name: getattr(arb, name) for name in ("exp", "log", "sin", "cos",
 
 
 def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
-    """Where an expression has a pole, is complex or is negative, and where it is not decided; empty where nowhere.
+    """Return where an expression has a pole, is complex or negative, and where it is undecided; otherwise empty texts.
 
     Where that is not decided it is searched at the ends of all symbols in which it is linear: there it is least.
     """
@@ -40,7 +40,7 @@ def fault(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
 
 
 def _search(e: sp.Expr, domain: Mapping[sp.Symbol, Ends]) -> tuple[str, str]:
-    """The same in a number of boxes.
+    """Return the same from a limited number of boxes.
 
     Those that may hold a pole come first, and one that is small and may still hold it does. Of the others those come
     first that are large.
@@ -77,7 +77,7 @@ def _width(low: float, high: float) -> float:
 
 
 def _middle(low: float, high: float) -> float:
-    """By ratio where the box reaches far, which counts from 1."""
+    """Return the middle of an interval, geometric if it extends far beyond 1."""
     if low >= 0.0 and high > 4.0 * max(low, 1.0):
         return math.sqrt(high * max(low, 1.0))
     return (low + high) / 2.0

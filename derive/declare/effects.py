@@ -1,4 +1,4 @@
-"""What a scene may contain, declared once as data: friction laws, and effects as terms of the balance of momentum.
+"""Content of scenes, declared as data: friction laws, and effects as terms of the balance of momentum.
 
 A new effect is one more `Effect` here. From it follow its part of the flow programs (`derive.flow.fragments`), the
 runtime half (names, units, bounds, help, conversions) in `generated/effects.py`, and with that scenes, plans, schema
@@ -38,7 +38,7 @@ _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that an effect or a law needs: in SI units, with its open bounds, and as a scene file writes it.
+    """Parameter of an effect or a law: SI unit, open bounds, and key in scene files.
 
     ``key`` names it in a scene file, and ends in its ``unit``, which may have a prefix: suction_kPa of Pa. ``symbol``
     stands for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the
@@ -61,7 +61,7 @@ class Parameter:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """Open bounds; those of its unit, `LIMITS`, where declared ones say no more than its sign."""
+        """Open bounds, from `LIMITS` of the unit where the declared bounds only state the sign."""
         if not self.key or self.kind not in ("number", "list", "series", "fixed"):
             return self.lower, self.upper
         least, most = LIMITS[self.unit]
@@ -69,7 +69,7 @@ class Parameter:
 
     @property
     def per_unit(self) -> float:
-        """SI units in one of the key's; 0 if the key does not end in the unit."""
+        """SI units in one unit of the key, 0 if the key does not end in the unit."""
         if not self.unit or not self.key:
             return 1.0
         unit = "Pa" if self.unit == "Pa/m" else re.sub("[/ ]", "_", self.unit).replace("^", "")  # per_m_kPa
@@ -79,7 +79,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Effect:
-    """A term of the balance that a scene may contain.
+    """Term of the balance that a scene may contain.
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
     ``resistance`` is a moment that opposes the motion. ``driving_moment`` and ``normal_load`` are what it adds
@@ -107,12 +107,12 @@ class Effect:
 
     @property
     def symbols(self) -> dict[sp.Symbol, Parameter]:
-        """Parameters that the balance names, by their symbols."""
+        """Parameters in the balance by their symbols."""
         return {p.symbol: p for p in self.parameters if p.symbol is not None}
 
     @property
     def terms(self) -> dict[str, sp.Expr]:
-        """What it adds, by the quantity of the balance."""
+        """Terms by the quantity of the balance."""
         return {
             "sigma": self.stress,
             "u": self.pressure,
@@ -124,7 +124,7 @@ class Effect:
 
     @property
     def depends_on(self) -> tuple[str, ...]:
-        """What makes it change along a motion, its quadratic terms in the speed apart."""
+        """Variables by which the effect changes during a motion, except for its quadratic terms in the speed."""
         free = set().union(*(e.free_symbols for e in self.terms.values()))
         every = {
             "slip": self.turns or SLIP in free,
@@ -137,7 +137,7 @@ class Effect:
 
 @dataclass(frozen=True)
 class Law:
-    """A friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
+    """Friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
 
     ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; a minimum or maximum changes its branch at a slip
     that is a parameter. A law without formula (a table: a list of its argument, and one of coefficients) is computed by
@@ -155,14 +155,14 @@ class Law:
 
     @property
     def depends_on(self) -> tuple[str, ...]:
-        """Slip, speed or time."""
+        """Variables of the law: slip, speed or time."""
         if self.coefficient is None:
             return (self.parameters[0].name,)
         return tuple(str(x) for x in (SLIP, SPEED) if x in self.coefficient.free_symbols)
 
     @property
     def kinks(self) -> tuple[sp.Symbol, ...]:
-        """Slips at which it is not smooth."""
+        """Slips at which the law is not smooth."""
         branches = (self.coefficient or _ZERO).atoms(sp.Min, sp.Max)
         places: list[sp.Symbol] = []
         for branch in sorted(branches, key=str):
@@ -171,12 +171,12 @@ class Law:
 
 
 def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Parameter:
-    """A friction coefficient: a key in degrees stands for its angle, and a scene file may name the number instead."""
+    """Declare a friction coefficient. A key in degrees contains its angle, and a file may give the number instead."""
     return Parameter(name, "", help, key or f"{name}_deg", kind=kind)
 
 
 def _list(name: str, unit: str, help: str, key: str, lower: float = _BELOW_0) -> Parameter:
-    """The arguments of a table."""
+    """Declare the arguments of a table."""
     return Parameter(name, unit, help, key, lower=lower, kind="list")
 
 
@@ -242,7 +242,7 @@ _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective
 def _optional(
     name: str, help: str, unit: str = "", key: str | None = None, kind: str = "number", symbol: sp.Symbol | None = None
 ) -> Parameter:
-    """Any number, a function of time or a text, that may be omitted."""
+    """Declare an optional number, function of time, or text."""
     key = name if key is None else key
     return Parameter(name, unit, help, key, symbol, lower=-_INFINITY, optional=True, kind=kind)
 

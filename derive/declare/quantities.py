@@ -1,4 +1,4 @@
-"""The quantities of the method, declared once as data; every stage walks these lists.
+"""Quantities of the method, declared once as data for all stages.
 
 A new moment is one more `Moment` here, and nothing else.
 """
@@ -17,7 +17,7 @@ TURNS = (sp.Integer(1), sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(th
 
 @dataclass(frozen=True)
 class Moment:
-    """A double integral over the moving mass, dimensionless (r* = r/R).
+    """Double integral over the moving mass, dimensionless (r* = r/R).
 
     ``weight`` is integrated over r from the chord to 1 and over theta from theta_1 to theta_2: r^n, or r^n sin(theta)
     or r^n cos(theta) with a sign, n = 1 to 5. Of others the best tier is not proved within 1 ulp, or the integral
@@ -42,7 +42,7 @@ class Moment:
 
     @property
     def definition(self) -> tuple[str, ...]:
-        """The definition of the function of alpha that its certificates state."""
+        """Definition of the function of alpha in its certificates."""
         forms = {r**n * turn: n for n in range(1, HIGHEST + 1) for turn in TURNS}
         if self.weight not in forms:
             allowed = f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}"
@@ -56,7 +56,7 @@ class Moment:
 
 @dataclass(frozen=True)
 class Elementary:
-    """A quantity by its form in alpha, and its definition in the checker's words."""
+    """Quantity given by its form in alpha, with its definition for the checker."""
 
     name: str
     symbol: str
@@ -68,7 +68,7 @@ class Elementary:
 
 @dataclass(frozen=True)
 class Quotient:
-    """A ratio of two base quantities, O(1) as alpha -> 0 although both fall like alpha**3."""
+    """Ratio of two base quantities, which is of order 1 as alpha -> 0 although both vanish like alpha**3."""
 
     name: str
     symbol: str

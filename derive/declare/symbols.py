@@ -1,4 +1,4 @@
-"""The symbols every stage of the derivation shares.
+"""Symbols shared by all stages of the derivation.
 
 They are declared real and nothing more: a stronger assumption (``positive=True``) makes SymPy drop the
 limit branch of a ``Piecewise`` without a word.
@@ -13,7 +13,7 @@ a, b, omega_0, t = sp.symbols("a b omega_0 t", real=True)  # d(omega)/dt = a - b
 
 
 def in_words(form: sp.Expr) -> str:
-    """A form as readable text: powers with ^, products by a blank, ``x_star`` as x*."""
+    """Return a form as readable text, with powers as ^, products as a blank, and ``x_star`` as x*."""
     text = str(sp.sstr(form))
     text = text.replace("**", "^")
     text = text.replace("*", " ")

@@ -1,4 +1,4 @@
-"""Dimensions of declared formulas: each symbol has one, and sums, powers and functions must agree with them."""
+"""Dimensions of declared formulas: each symbol has a dimension, and sums, powers and functions must be consistent."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -16,18 +16,18 @@ Units = Mapping[sp.Symbol, sp.Expr]
 
 @cache
 def of_unit(unit: str) -> sp.Expr:
-    """The dimension of a unit as it is declared: what follows the stroke is below it, J/m^3 K."""
+    """Return the dimension of a declared unit, where factors after the stroke are denominators, J/m^3 K."""
     above, _, below = unit.replace("^", "**").replace(" ", "*").partition("/")
     return sp.sympify(f"({above or 1})/({below or 1})", locals=_UNITS)
 
 
 def shown(dimension: sp.Expr) -> str:
-    """A dimension in words."""
+    """Return a dimension in words."""
     return "numbers" if dimension == 1 else str(dimension).replace("**", "^")
 
 
 def dimension(e: sp.Expr, of: Units, claim: str) -> sp.Expr:
-    """Dimension of an expression by those of its symbols, a product of powers of m, s, kg and K.
+    """Return the dimension of an expression from those of its symbols, a product of powers of m, s, kg and K.
 
     Raises
     ------

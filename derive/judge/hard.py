@@ -1,4 +1,4 @@
-"""Hard cases, declared as data: where the printed form of a quantity loses digits, and the error of ours there.
+"""Hard cases declared as data: arguments at which printed forms lose digits, with the errors of the kernels.
 
 `report` runs the programs of both and compares them with the closed form at hundreds of digits. The
 tests run through the same list with quadrature of the definitions instead.
@@ -29,7 +29,7 @@ from derive.progress import track
 
 
 class HardCase(NamedTuple):
-    """Arguments of one case, and why it is hard."""
+    """Arguments of one case, and the reason for its difficulty."""
 
     function: str
     arguments: tuple[float, ...]
@@ -37,7 +37,7 @@ class HardCase(NamedTuple):
 
 
 class Form(NamedTuple):
-    """The form of a function that fails: its name in the paper, its program, and what it is in exact arithmetic."""
+    """Form of a function that fails: its name in the paper, its program, and its exact value."""
 
     words: str
     program: Program
@@ -45,7 +45,7 @@ class Form(NamedTuple):
 
 
 class Result(NamedTuple):
-    """Measured errors of a hard case: relative, and ours also in ulp; NaN if a form has no value."""
+    """Measured relative errors of a hard case, for the kernel also in ulp; NaN if a form has no value."""
 
     function: str
     arguments: tuple[float, ...]
@@ -58,7 +58,7 @@ class Result(NamedTuple):
 
 @cache
 def forms() -> dict[str, Form]:
-    """The naive form of every function: as the paper prints it, or integrated term by term."""
+    """Return the naive form of every function, as printed in the paper or integrated term by term."""
     c = cos(alpha)  # with which squares of the sine are written
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
     naive = _of_alpha(terms) | _of_ends(terms)
@@ -68,7 +68,7 @@ def forms() -> dict[str, Form]:
 
 
 def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
-    """Base quantities and quotients: the printed program where there is one, else that of the integral's terms."""
+    """Return forms of base quantities and quotients, the printed program or the terms of the integral."""
     printed = {p.name: (words, p) for p, words in functions.printed()}
     naive: dict[str, Form] = {}
 
@@ -85,7 +85,7 @@ def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
 
 
 def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
-    """Functions of the ends of an arc, whose half angle and middle are rounded."""
+    """Return forms of functions of the ends of an arc, whose half angle and middle are rounded."""
     printed = _of_alpha(terms)
     turned: dict[str, tuple[str, Expr]] = {}
     for moment in MOMENTS:
@@ -107,7 +107,7 @@ _NORMAL_LOAD, _MU, _LIMIT = sp.symbols("normal_load mu limit", real=True)
 
 
 def drive(rows: Sequence[Sequence[str]], normal_load: Any, mu: Any, limit: Any) -> Any:
-    """The net moment at the start, by the balance's operations on cells, given the limit friction; all else is 0."""
+    """Return the net moment at the start by the balance's operations on cells, for a given limit friction."""
     cells = {x: np.float64(x[1:] if x[0] == "=" else 0) for _, _, *operands in rows for x in operands}
     cells |= {"pressing_0": normal_load, "normal_load_0": normal_load, "mu_0": mu, "LIMIT": limit}
     return numbers(rows, cells | dict.fromkeys(("driving_0", "driving_moment_0"), normal_load * limit))["drive"]
@@ -122,7 +122,7 @@ THIN = "thin arc: alpha, and its cube, from a difference of two angles"
 
 
 def _kernels() -> Iterator[HardCase]:
-    """Of each function of alpha: thin, so thin that it underflows, and where artanh is infinite."""
+    """Yield cases of each function of alpha: thin arcs, underflowing arcs, and infinite artanh."""
     of_base = ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL))
     of_quotient = ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))
     points = dict.fromkeys(closed_forms(), of_base) | dict.fromkeys((q.name for q in QUOTIENTS), of_quotient)
@@ -153,14 +153,19 @@ _OF_ENDS = (
 
 @cache
 def cases() -> tuple[HardCase, ...]:
-    """Of the functions of alpha those that follow from their forms, and those that are declared here."""
+    """Return cases of functions of alpha derived from their forms, and declared cases."""
     return *_kernels(), *_OF_ENDS
 
 
 def measured() -> list[Result]:
+<<<<<<< HEAD
     """Run both forms of every case and compare them with the exact one."""
     every = (*variants(), *variants_of_ends())
     programs = [v.program for v in every if v.tier == "best" and v.form != "fused"]
+=======
+    """Run both forms of every case and return their errors relative to the exact form."""
+    programs = [v.program for v in (*variants(), *variants_of_ends()) if v.tier == "best" and v.form != "fused"]
+>>>>>>> main
     ours = {p.name: p.run for p in programs}
     ours["drive"] = partial(drive, balance().scalar)
     results = []
@@ -186,14 +191,14 @@ _DIGITS = 1600  # more bits than cancel
 
 
 def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
-    """The exact form at these arguments."""
+    """Return the exact form at these arguments."""
     symbols = sp.symbols(form.program.inputs, real=True)
     with mpmath.workdps(_DIGITS):
         return lambdify(symbols, form.exact, "mpmath")(*map(mpmath.mpf, arguments))
 
 
 def report() -> str:
-    """The hard cases, each with the error of the printed form beside ours."""
+    """Return the hard cases with the errors of the printed form and of the kernel."""
     results = measured()
     lines = [
         "Relative error of the printed form, and of ours (also in units of the last place).",

@@ -1,4 +1,4 @@
-"""The judge: every claim of `derive.judge.paper` against what follows from the definitions.
+"""Judgement of every claim of `derive.judge.paper` by its derivation from the definitions.
 
 A verdict is computed, never declared, by the rules of `claims.VERDICTS`. A form holds if its difference from the
 derived form is proved to vanish on its domain. A cause is shown, not asserted: either it gives the printed digits, or
@@ -58,7 +58,7 @@ Domain = tuple[tuple[str, Any, Any], ...]
 
 
 class Row(NamedTuple):
-    """A judged claim."""
+    """Judged claim."""
 
     id: str
     claim: str
@@ -78,13 +78,13 @@ _ARTANH = atanh(sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
-    """The domain of each symbol: `DOMAINS`, and what the claim states."""
+    """Return the domain of each symbol, from `DOMAINS` and the claim."""
     return DOMAINS | {name: (low, high) for name, low, high in domain}
 
 
 @cache
 def vanishes(form: Expr, domain: Domain = ()) -> bool:
-    """Decide whether a form is zero on a domain, for each sign of its symbols: refuted at a point, or else proved."""
+    """Return whether a form is zero on a domain for each sign of its symbols, refuted at a point or proved."""
     form = sympify(form).as_dummy()
     if form.has(Order):
         return False
@@ -107,7 +107,7 @@ def vanishes(form: Expr, domain: Domain = ()) -> bool:
 
 
 def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
-    """For each symbol: its one value, or a positive symbol with each sign that its domain allows."""
+    """Return for each symbol its single value, or a positive symbol with each sign in its domain."""
     for x in sorted(form.free_symbols, key=lambda x: x.name):
         low, high = limits(domain).get(x.name, (0, oo))
         size = Symbol(x.name, positive=True)
@@ -123,7 +123,7 @@ def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
 
 
 def _homogeneous(form: Expr, dimension: str) -> bool:
-    """Whether a form has the dimension: scale every unit, and see by what the form is multiplied."""
+    """Return whether a form has the dimension, from the factor by which scaled units multiply it."""
     form = form.replace(Integral, lambda f, *limits: f * Mul(*(x for x, *_ in limits)))  # as its integrand dx
     units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
     factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
@@ -133,7 +133,7 @@ def _homogeneous(form: Expr, dimension: str) -> bool:
 
 
 def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
-    """Whether a form in alpha is the double integral, by quadrature at points of its whole domain."""
+    """Return whether a form in alpha is the double integral, by quadrature at points of its whole domain."""
     low, high = limits(domain)["alpha"]
     points = [s.value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
     allowed = mp.mpf(10) ** -13
@@ -142,7 +142,7 @@ def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
-    """Whether transcribed forms are the derived ones, after the postulates were put into these."""
+    """Return whether transcribed forms equal the derived forms after substitution of the postulates."""
     printed = m.read(forms)
     derived = _derived(claim)
     replaced = [pair for x in postulates for pair in x.put]
@@ -177,7 +177,7 @@ UNEXPLAINED = ("wrong", "cause not found")
 
 
 def judge(claim: Claim) -> Row:
-    """Judge one claim, a function of the claim alone."""
+    """Return the judgement of one claim, a function of the claim alone."""
     kinds = {"number": _number, "range": _range, "small": _small, "appendix": _appendix}
     with mp.workdps(_DIGITS):
         computed, verdict, cause = kinds.get(claim.kind, _form)(claim)
@@ -186,7 +186,7 @@ def judge(claim: Claim) -> Row:
 
 
 def _assumed(claim: Claim) -> list[str]:
-    """Assumptions of a claim in words: domains of its symbols, and given relations."""
+    """Return the assumptions of a claim in words: domains of its symbols, and given relations."""
     symbols = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
         for form in (*m.read(claim.expression), *_derived(claim)):
@@ -205,7 +205,7 @@ def _assumed(claim: Claim) -> list[str]:
 
 
 def _number(claim: Claim) -> Judgement:
-    """Verdict on a printed number against one value, or against the range that other printed numbers allow."""
+    """Return the verdict on a printed number compared with a value, or with the range that other numbers imply."""
     value = claim.definition()
     values = value if isinstance(value, list) else [value]
     least = values[0]
@@ -259,7 +259,7 @@ def _range(claim: Claim) -> Judgement:
 
 
 def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
-    """Verdict and words of the first cause whose value fits."""
+    """Return verdict and words of the first cause whose value fits."""
     for cause in claim.causes:
         if cause.value:
             value = cause.value()
@@ -269,7 +269,7 @@ def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
 
 
 def _form(claim: Claim) -> Judgement:
-    """Verdict on a printed form against the derived one.
+    """Return the verdict on a printed form compared with the derived form.
 
     A cause is an edit of the print that makes it hold, a postulate something that has to be put into the derived form
     before it does: the least number of these is sought. Without a transcription there is nothing to compare.
@@ -289,7 +289,7 @@ def _form(claim: Claim) -> Judgement:
 
 
 def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
-    """Postulates that change the derived form or its law, in combinations, the smallest first."""
+    """Yield combinations of postulates that change the derived form or its law, the smallest first."""
     derived = _derived(claim)
     forms = (*derived, *(claim.law(derived[0]) if claim.law else ()))
     relevant = [p for p in POSTULATES if any(x.subs(p.put) != x for x in forms)]
@@ -298,7 +298,7 @@ def _candidates(claim: Claim) -> Iterator[tuple[Postulate, ...]]:
 
 
 def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | None) -> tuple[str, str]:
-    """Verdict and words of a form that holds under these postulates, once an edit has mended it if there is a cause."""
+    """Return verdict and words of a form that is correct under postulates, after an edit if there is a cause."""
     remark = cause.words if cause else claim.remark
     if cause and (cause.verdict != "imprecise" or not postulates):
         return cause.verdict, "; given ".join([remark, *(x.words for x in postulates)])
@@ -308,14 +308,14 @@ def _form_verdict(claim: Claim, postulates: Sequence[Postulate], cause: Cause | 
 
 
 def _names(claim: Claim) -> bool:
-    """Whether a claim declared a definition names something that no earlier claim names."""
+    """Return whether a claim declared as a definition introduces a new quantity."""
     name = re.compile(rf"(?<!\w){re.escape(claim.printed.partition(' = ')[0])}(?![\w*])")
     earlier = takewhile(lambda x: x.id != claim.id, CLAIMS)
     return claim.kind == "definition" and not any(name.search(x.printed) for x in earlier)
 
 
 def _appendix(claim: Claim) -> Judgement:
-    """The proved integrand of a printed antiderivative, against what the paper claims that it integrates."""
+    """Return the verdict on a printed antiderivative from its proved integrand."""
     appendix = claim.subject
     assert appendix is not None
     try:
@@ -339,7 +339,7 @@ def _appendix(claim: Claim) -> Judgement:
 
 
 def _brackets(appendix: Appendix) -> str:
-    """The number of missing brackets, by the rule of `derive.algebra.appendices`; empty if there is none."""
+    """Return the number of missing brackets by the rule of `derive.algebra.appendices`, as text."""
     places = repairs(appendix)
     lost = sum(unreadable(appendix, x) for x in places)
     if not places or (not lost and vanishes(parse(appendix, places) - parse(appendix))):
@@ -349,25 +349,25 @@ def _brackets(appendix: Appendix) -> str:
 
 
 def _digits(value: Any) -> str:
-    """Seven significant digits."""
+    """Return seven significant digits."""
     return str(mp.nstr(mp.mpf(value), 7, strip_zeros=False, min_fixed=-5, max_fixed=9))
 
 
 def _instead(postulate: Postulate) -> str:
-    """A postulate, a state that violates it, and the size of the effect."""
+    """Return a postulate, a state that violates it, and the size of the effect."""
     size, printed = (f"{mp.nstr(100 * share, 4)} %" for share in (exhibit(postulate), postulate.printed_size()))
     effect = postulate.effect.format(size, printed=printed)
     return f"{postulate.words}; instead, {postulate.alternative}: {effect}"
 
 
 def words(form: Expr) -> str:
-    """A form as readable text."""
+    """Return a form as readable text."""
     text = in_words(form.replace(Integral, _integral)).replace("~", "")
     return text.replace("rate*", "domega*/dt*").replace("_of(", "(")
 
 
 def _integral(f: Expr, *limits: Tuple) -> Symbol:
-    """An integral as a symbol whose name is its text; the ~ puts it last in a product."""
+    """Return an integral as a symbol whose name is its text; the ~ sorts it last in a product."""
     lower = {R * CHORD: "R_1", CHORD: "R_1_star"}
     signs = ""
     for x, low, high in reversed(limits):

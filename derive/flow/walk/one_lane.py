@@ -48,18 +48,22 @@ def down(first: int, last: int) -> range:
 
 
 def where(chosen: M, a: V, b: V) -> V:
+    """Return ``a`` where the mask is true, otherwise ``b``."""
     return a if chosen else b
 
 
 def minimum(a: V, b: V) -> V:
+    """Return the smaller value."""
     return a if a < b else b
 
 
 def maximum(a: V, b: V) -> V:
+    """Return the greater value."""
     return b if a < b else a
 
 
 def any_lane(which: M) -> bool:
+    """Return whether the mask is true for a lane."""
     return bool(which)
 
 
@@ -82,10 +86,12 @@ lanes_in = greatest
 
 
 def number(k: Any) -> Any:
+    """Return an integer as a number."""
     return float(k)
 
 
 def new_series() -> list[Any]:
+    """Return a series of zeros."""
     return [0.0] * layout.STRIDE
 
 

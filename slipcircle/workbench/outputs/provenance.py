@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.core import Scene
+from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.layout import layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
@@ -58,15 +59,18 @@ def _of_table(
             if not value:
                 yield Input(where, "yes", "", tables[where].title, sources.get(where, ""))
             yield from _of_table(tables, sources, where, value)
+        elif published(name)[0] not in keys:
+            yield Input(where, _shown(value), "", "file of points, or its unit", sources.get(where, ""))
         elif where not in ("name", "note"):
-            key = keys[name]
+            key = keys[published(name)[0]].spelt(name)
             source = sources.get(where) or sources.get(path, "")
             of_gravity = "g" if name.endswith("_g") else ""
             unit = _unit(key) or of_gravity
             yield Input(where, _shown(value), unit, key.title, source)
+    spelt = {published(name)[0] for name in given}
     for name, key in keys.items():
         title, _, default = key.title.partition(", by default ")
-        if default and name not in given and name != "name":
+        if default and name not in spelt and name != "name":
             yield Input(f"{prefix}{name}", default, _unit(key), title, "default")
 
 
