@@ -140,7 +140,10 @@ class Stages:
 
     def __init__(self, again: bool = False) -> None:
         """Read the records, or with ``again`` run every stage."""
-        recorded = json.loads(RECORDS.read_text("utf-8")) if RECORDS.is_file() else {}
+        try:
+            recorded = json.loads(RECORDS.read_text("utf-8"))
+        except (OSError, ValueError):  # missing, or with marks of a merge
+            recorded = {}
         self.written_with: dict[str, str] = recorded.get("versions", {})
         self.known: dict[str, Any] = {} if again else recorded.get("stages", {})
         self.records: dict[str, Any] = {}
