@@ -21,7 +21,7 @@ from tests.support.outputs import COMPUTING, blocks
 ROOT = Path(__file__).parents[1]
 EXTRA_OF = {
     table: tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"][table]
-    for table in ("scenes", "plot", "dask", "derive")
+    for table in ("scenes", "plot", "dask", "derive", "dxf")
 }
 
 
