@@ -32,7 +32,7 @@ class Row(NamedTuple):
 
 
 def estimates(study: Any) -> Iterator[Row]:
-    """Every estimate of a study."""
+    """Yield every estimate of a study."""
     yield Row("probability of moving", "moves", "", math.nan, study.moving)
     for method, failure in study.failure.items():
         yield Row("probability of failure", "factor_of_safety", method, math.nan, failure)
@@ -52,7 +52,7 @@ def estimates(study: Any) -> Iterator[Row]:
 
 
 def _of_output(study: Any, name: str) -> Iterator[Row]:
-    """Mean and standard deviation, quantiles and the exceedance curve of an output."""
+    """Yield mean, standard deviation, quantiles and the exceedance curve of an output."""
     yield Row("mean", name, "", math.nan, study.mean(name))
     yield Row("std", name, "", math.nan, study.std(name))
     if name in study.linear:
@@ -220,12 +220,12 @@ def dataset(study: Any) -> Any:
 
 
 def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:
-    """An estimate as JSON holds it."""
+    """Return an estimate for JSON."""
     return dict(zip((value, "low", "high"), map(_cell, estimate), strict=True))
 
 
 def _cell(value: float) -> float | str | None:
-    """A number of a file: none where it is not given."""
+    """Return a number for a file: None for NaN, a word for infinity."""
     if math.isnan(value):
         return None
     return value if math.isfinite(value) else BEYOND
