@@ -147,6 +147,8 @@ def _add_quantities(command: argparse.ArgumentParser) -> None:
         suppressed = argparse.SUPPRESS
         command.add_argument(f"--no-{effect}", dest=effect, action="store_false", default=suppressed, help=help)
     command.add_argument("--digits", type=int, choices=range(5, 101), default=20, metavar="N", help="5 to 100 (20)")
+    parts = "most parts into which uncertain inputs are divided, 1 to 100000 (2000)"
+    command.add_argument("--parts", type=int, choices=range(1, 100001), default=2000, metavar="N", help=parts)
 
 
 def _prove_motion(options: argparse.Namespace) -> int:
@@ -156,7 +158,7 @@ def _prove_motion(options: argparse.Namespace) -> int:
     given = vars(options)
     chosen = {name: given[name] for name in given if name.replace("_", "-") in (*QUANTITIES, "rotation", "centripetal")}
     try:
-        text, decided = report(chosen, options.digits, options.form)
+        text, decided = report(chosen, options.digits, options.form, options.parts)
     except ValueError as faults:
         say(str(faults))
         return 1
@@ -171,6 +173,9 @@ def main(argv: list[str] | None = None) -> int:
     if missing := [name for name in needed if find_spec(name) is None]:
         say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
         return 2
+    if options.command not in ("prove", "theorem"):
+        for note in Stages().other_versions():
+            say(note)
     if options.command == "prove":
         from derive.check import certify, gappa
 

@@ -31,7 +31,7 @@ PAPER = re.compile(r"1\.([1-9]|1[0-4])|2\.([1-9]|1\d|2[0-7])|3\.([1-9]|1\d|2[01]
 # kernel names; keys of a law beside its parameters, and what else the text of these names.
 TABLES = (
     "accuracy arc circle end_time_s format friction ground initial_velocity_m_s layers name note observed pond search "
-    "slip soils surcharge tension_crack water"
+    "report slip soils surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
 MODULES = "definitions effects flow generated kernels layout printed program series slopes tiers walk"
@@ -88,7 +88,8 @@ def check() -> int:
         _check_fields(e, e)
     _check_names((*laws, *effects), {*balance, "frozen", *TABLES.split()})
     _check_names(moments, words | {q.name for q in quantities.QUOTIENTS})
-    own = {str(x) for x in (*SCALES, *BALANCE, *OF_GROWTH, VALUE) if x not in (declared.K_H, declared.K_V)}
+    symbols = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {declared.K_H, declared.K_V}
+    own = set(map(str, symbols))
     of_balance = re.findall(r"\w+", repr(balance))
     _check_cells(effects, own.union(of_balance))
     for law in laws:
@@ -331,7 +332,9 @@ def _check_values(effect: Effect) -> None:
     """Check that a resistance is nowhere negative, and that no term has a pole."""
     if effect in declared.SECTION_EFFECTS:
         return
-    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST)) | {x: _range(p) for x, p in _by_symbol(effect).items()}
+    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
+    for x, p in _by_symbol(effect).items():
+        box[x] = _range(p)
     box |= dict.fromkeys((*MOTION, declared.OMEGA, declared.OMEGA_2, *effect.states), (0.0, STEEPEST))
     formulas = dict(effect.terms)
     for x, p in effect.symbols.items():

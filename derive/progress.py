@@ -17,7 +17,7 @@ def say(line: str) -> None:
 
 
 def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
-    """Yield the items while showing how many of the total are done, and the time left."""
+    """Yield the items while showing how many of the total are done; in the second half also the time left."""
     if sys.stderr.isatty() and find_spec("rich"):
         console = import_module("rich.console").Console(stderr=True)
         bar = import_module("rich.progress").track
@@ -28,7 +28,8 @@ def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
     for done, item in enumerate(items, 1):
         yield item
         elapsed = time.monotonic() - start
-        left = elapsed / done * (total - done)
-        if elapsed > pause and left > 1.0:
+        if elapsed > pause and done < total:
             pause *= 2
-            say(f"{task}: {done} of {total}, about {left:.0f} s left")
+            left = elapsed / done * (total - done)
+            estimate = f", about {left:.0f} s left" if 2 * done > total else ""  # the first ones may take longest
+            say(f"{task}: {done} of {total}{estimate}")

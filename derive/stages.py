@@ -140,10 +140,24 @@ class Stages:
 
     def __init__(self, again: bool = False) -> None:
         """Read the records, or with ``again`` run every stage."""
-        recorded = json.loads(RECORDS.read_text("utf-8")) if RECORDS.is_file() else {}
+        try:
+            recorded = json.loads(RECORDS.read_text("utf-8"))
+        except (OSError, ValueError):  # missing, or with marks of a merge
+            recorded = {}
         self.written_with: dict[str, str] = recorded.get("versions", {})
         self.known: dict[str, Any] = {} if again else recorded.get("stages", {})
         self.records: dict[str, Any] = {}
+
+    def other_versions(self) -> list[str]:
+        """Return a line for each library whose version is not the one that wrote `generated`."""
+        lines = []
+        for library, found in versions().items():
+            written = self.written_with.get(library, found)
+            if written != found:
+                name = LIBRARIES[library]
+                remedy = f"pip install {library}=={written}"
+                lines.append(f"{name} {found} is installed, but {name} {written} wrote generated/: {remedy}")
+        return lines
 
     def run(self, title: str, stage: str, work: str, *arguments: object, shown: str = "{}") -> Any:
         """Return the outcome of ``module:function`` for these arguments, recorded or computed, and print a line."""

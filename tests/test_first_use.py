@@ -21,7 +21,7 @@ from tests.support.outputs import COMPUTING, blocks
 ROOT = Path(__file__).parents[1]
 EXTRA_OF = {
     table: tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"][table]
-    for table in ("scenes", "plot", "dask", "derive")
+    for table in ("scenes", "plot", "dask", "derive", "dxf")
 }
 
 
@@ -208,7 +208,7 @@ def test_the_program_is_not_in_the_way_of_a_folder(tmp_path: Path) -> None:
     done = alone(tmp_path, f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import slipcircle.__main__ as m; "
                  "m.main(['run', 'vaiont']); m.main(['info'])")  # fmt: skip
     assert done.returncode == 0, done.stderr
-    assert "comes to rest" in done.stdout
+    assert "run-out along the arc" in done.stdout
     told = " ".join(done.stdout.split())
     assert f"in the way is {tmp_path}/derive/__init__.py: rename it, or start in another folder" in told
 

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
+from derive import __main__ as command
 from derive import stages
 from derive.algebra import integrate
 from derive.declare.effects import EFFECTS, LAWS
@@ -105,3 +106,16 @@ def test_a_recorded_derivation_is_the_derivation() -> None:
         assert restored == right
         assert [*map(hash, sp.preorder_traversal(restored.closed))] == [*map(hash, sp.preorder_traversal(right.closed))]
         assert integrate._DERIVED.pop(moment) is not right
+
+
+def test_other_versions_are_named_before_anything_is_derived(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    written = stages.Stages().written_with["sympy"]
+    monkeypatch.setattr(stages, "version", lambda x: "1.13.3" if x == "sympy" else stages.Stages().written_with[x])
+    monkeypatch.setattr(command, "generate", lambda *_: 0)
+    assert command.main([]) == 0
+    remedy = f"pip install sympy=={written}"
+    assert capsys.readouterr().err == f"SymPy 1.13.3 is installed, but SymPy {written} wrote generated/: {remedy}\n"
+    assert command.main(["theorem", "--friction-deg", "89"]) == 0
+    assert not capsys.readouterr().err

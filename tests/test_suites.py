@@ -192,7 +192,7 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(tmp_path: Path) -> Non
     assert all(reason in unread[name] for name, (_, reason) in BAD.items())
     refused: list[tuple[dict[str, Any], str]] = [
         ({"strict": True}, r"(?s)corrupt.AT2.*nan.csv.*still.AT2"),
-        ({"units": "furlong"}, "units = 'furlong': must be one of g, m/s2"),
+        ({"units": "furlong"}, "units = 'furlong': must be one of g, %g, mg, m/s2"),
         ({"step": 0.0}, r"step = 0.0: must be a positive time in s"),
         ({"holds": "both"}, "holds = 'both': must be"),
         ({"gaps": "mend"}, "gaps = 'mend': must be"),

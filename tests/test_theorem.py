@@ -168,9 +168,13 @@ def test_above_the_limit_it_does_not_move(capsys: Any) -> None:
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--friction-deg", "22.7+-0.1"], "whether friction is above its limit"),
-        (["--radius-m", "10+-1", "--friction-deg", "20+-2"], "more digits or narrower inputs"),
+        (["--friction-deg", "22.7+-0.1", "--parts", "1"], "whether friction is above its limit"),
+        (
+            ["--radius-m", "10+-1", "--friction-deg", "20+-2", "--parts", "3"],
+            "narrower radius_m, friction_deg or more --p",
+        ),
         (["--theta-1-deg", "100", "--theta-2-deg", "190"], "dip by less than 90 degrees"),
+        (["--theta-1-deg", "100", "--theta-2-deg", "190", "--friction-deg", "1"], "more --digits may decide"),
         (["--pore-pressure-kPa", "9e4", "--unit-weight-kN-m3", "20"], "does not certainly press"),
     ],
 )
@@ -181,6 +185,34 @@ def test_undecided(options: list[str], words: str, capsys: Any) -> None:
     assert found["status"] == "undecided"
     assert words in found["reason"]
     assert not found.keys() & set(KEYS)
+    assert found["undecided_share"] == 1.0
+
+
+@pytest.mark.parametrize(
+    "uncertain", [{"friction": ("10", "0.1")}, {"friction": ("22.5", "1"), "radius": ("1500", "50")}]
+)
+def test_uncertain_inputs_are_divided(uncertain: dict[str, tuple[str, str]], capsys: Any) -> None:
+    """What is proved of all inputs encloses what is proved of each, and is not far wider."""
+    names = {"friction": "--friction-deg", "radius": "--radius-m"}
+    options = [x for name, (middle, radius) in uncertain.items() for x in (names[name], f"{middle}+-{radius}")]
+    main(["theorem", *options, "--parts", "100", "--json"])
+    whole = json.loads(capsys.readouterr().out)
+    assert whole["undecided_share"] < (0.5 if "radius" in uncertain else 1e-9)  # friction is at its limit within
+    outcomes = []
+    for side in (-1, -0.5, 0.25, 1):
+        exact = [x for name, (middle, radius) in uncertain.items()
+                 for x in (names[name], str(float(middle) + side * float(radius)))]  # fmt: skip
+        one = stated(capsys, *exact)
+        outcomes.append(float(one["run_out_m"][0]))
+        if not whole["undecided_share"] or abs(float(exact[1]) - 22.745) > 0.4:
+            assert float(whole["run_out_m"][0]) <= outcomes[-1] <= float(whole["run_out_m"][1])
+        assert any(one["status"] in claim for claim in whole["proved"])
+    if len(uncertain) == 1:
+        assert whole["status"] == "rests"
+        low, high = map(float, whole["run_out_m"])
+        assert high - low < 2 * (max(outcomes) - min(outcomes))
+    else:
+        assert "does not move" in str(whole["proved"])
 
 
 def test_without_friction_it_never_rests(capsys: Any) -> None:

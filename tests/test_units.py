@@ -1,5 +1,6 @@
 """Units of keys and of quantities, and profiles from spreadsheets and drawings."""
 
+import argparse
 import math
 import re
 from collections.abc import Iterator
@@ -10,6 +11,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Scene, Section, Slope, Soil, load
+from slipcircle.workbench.commands import backanalyse
+from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
@@ -104,6 +107,24 @@ def test_a_slope_in_feet(tmp_path: Path) -> None:
         ("cohesion.cohesion_ksf", 1e3 * PSF),
     ):
         assert number_in(scene, key).to_si(2.0) == pytest.approx(2.0 * size, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("option", "typed", "seen"),
+    [
+        ("--run-out-ft", "20", 6.096),
+        ("--run-out-in", "10+-2", (0.254, 0.0508)),
+        ("--peak-velocity-ft-s", "2:3", (0.6096, 0.9144)),
+        ("--toe-x-ft", "<10", (-math.inf, 3.048)),
+        ("--duration-s", "8", 8.0),
+    ],
+)
+def test_observations_in_feet(option: str, typed: str, seen: Any) -> None:
+    parser = argparse.ArgumentParser()
+    backanalyse.options(parser)
+    found = vars(parser.parse_args([option, typed, "vaiont"]))
+    (value,) = (found[name] for name in OBSERVABLE if found[name] is not None)
+    assert value == pytest.approx(seen, rel=1e-15)
 
 
 @pytest.mark.parametrize(

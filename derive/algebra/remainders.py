@@ -36,8 +36,10 @@ class SineRest(Function):
     def lower(self) -> Expr:
         """Return the polynomial that computes it, without terms below 2**-56 of the first."""
         coefficients = [Rational((-1) ** k, factorial(2 * k + 1)) for k in range(1, 30)]
-        sizes = (abs(c / coefficients[0]) * pi ** (2 * k) for k, c in enumerate(coefficients))
-        count = sum(1 for size in sizes if size >= Rational(1, 2**56))
+        least = Rational(1, 2**56) * abs(coefficients[0])
+        count = 0
+        while abs(coefficients[count]) * pi ** (2 * count) >= least:
+            count += 1
         (x,) = self.args
         return Horner(x**2, *coefficients[:count])
 

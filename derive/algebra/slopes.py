@@ -264,7 +264,9 @@ def head() -> Expr:
     """
     bent = 2 * sin(ANGLE / 2) ** 2
     defect = -(ANGLE**3) * SineRest(ANGLE)
-    return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
+    turned = SLOPE * COSINE - SINE
+    along = SLOPE * SINE + COSINE
+    return HEIGHT * ANGLE + turned * bent - along * defect
 
 
 def prove(*moments: Moment) -> list[str]:
@@ -281,8 +283,10 @@ def _of_edges() -> dict[str, Expr]:
     s, g1, g2 = symbols("s g1 g2", real=True)
     x = X + s * E_X
     y = Y + s * E_Y
-    depth = (1 - s) * g1 + s * g2 + s * (1 - s) * (E_X**2 + E_Y**2)
-    ends = {g1: 1 - X**2 - Y**2, g2: 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2}
+    squared_length = E_X**2 + E_Y**2
+    depth = (1 - s) * g1 + s * g2 + s * (1 - s) * squared_length
+    second = 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2
+    ends = {g1: 1 - X**2 - Y**2, g2: second}
     return {
         "L grows by dt/rho": diff(2 * atanh(ratio), _T2) - 1 / _rho(_T2),
         "dtheta = P1 x e ds/rho^2": diff(atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2),
@@ -297,7 +301,8 @@ def _of_moments(moments: Sequence[Moment]) -> dict[str, Expr]:
         weight = moment.weight
         if moment.name in MEANS:
             name, sign = MEANS[moment.name]
-            claims[f"{moment.symbol} is {'-' if sign < 0 else ''}{name}"] = weight - sign * WEIGHTS[name]
+            signed = f"-{name}" if sign < 0 else name
+            claims[f"{moment.symbol} is {signed}"] = weight - sign * WEIGHTS[name]
         if moment.name in SLOPES:
             name, sign = SLOPES[moment.name]
             turned = expand_trig(weight.subs(theta, theta + _PHI))
@@ -320,7 +325,8 @@ def _of_one_chord() -> dict[str, Expr]:
 
     # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.
     level = sin(alpha) - alpha * cos(alpha)
-    tilted = (sin(alpha) + sin(3 * alpha) / 3) / 2 - cos(alpha) * sin(2 * alpha) / 2
+    third = sin(3 * alpha) / 3
+    tilted = (sin(alpha) + third) / 2 - cos(alpha) * sin(2 * alpha) / 2
     normal = level + tilted * cos(2 * middle)
     return {
         "the drive of slices is J_theta": over_arc("drive") + Rational(2, 3) * sin(alpha) ** 3 * sin(middle),
@@ -332,7 +338,8 @@ def _of_heads() -> dict[str, Expr]:
     """Return claims that `head` is the integral of a line's height above the arc."""
     low = Symbol("low", real=True)
     integral = unfold(head())
-    above = HEIGHT + SLOPE * (sin(low + ANGLE) - sin(low)) + cos(low + ANGLE) - cos(low)
+    high = low + ANGLE
+    above = HEIGHT + SLOPE * (sin(high) - sin(low)) + cos(high) - cos(low)
     slope = diff(integral.subs({SINE: sin(low), COSINE: cos(low)}), ANGLE)
     return {
         "height of a line above the arc": expand_trig(slope - above),
@@ -357,7 +364,9 @@ def _of_layers() -> dict[str, Expr]:
         )
     )
     steps = [below - above for above, below in zip((0, *unit_weights), unit_weights, strict=False)]
-    by_boundary = Add(*(step * (primitive(top) - primitive(bottom)) for step, top in zip(steps, tops, strict=True)))
+    below = primitive(bottom)
+    terms = [step * (primitive(top) - below) for step, top in zip(steps, tops, strict=True)]
+    by_boundary = Add(*terms)
     one_soil = dict.fromkeys(unit_weights[1:], unit_weights[0])
     homogeneous = unit_weights[0] * (primitive(tops[0]) - primitive(bottom))
     return {

@@ -40,7 +40,8 @@ def script(record: Record) -> str:
             raise ValueError(f"no formula for {kind}")
     last = record["output"]
     error = f"(v{last} - r{last}) / r{last}"
-    cuts = ", ".join(str(TOP * (1 - (k / CUTS) ** 3)) for k in range(CUTS - 1, 0, -1))
+    shares = (1 - (k / CUTS) ** 3 for k in range(CUTS - 1, 0, -1))
+    cuts = ", ".join(str(TOP * share) for share in shares)
     lines += [f"{{ v0 in [1b-320, {TOP.hex()}] -> {error} in ? }}", f"{error} $ v0 in ({cuts});"]
     return "\n".join(lines) + "\n"
 

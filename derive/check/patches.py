@@ -24,7 +24,8 @@ QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Return parts of [lower, upper], both ends included and no double omitted, each with one tape."""
     inside = sorted(c for c in _cuts(record) if lower < c < upper)
-    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise([lower, *inside, upper])]
+    cuts = pairwise([lower, *inside, upper])
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in cuts]
     todo.append((upper, upper))
     todo.reverse()
     parts: list[tuple[float, float, Tape]] = []

@@ -158,7 +158,8 @@ def function(f: Function, text: PythonText) -> str:
     )
     more = ", both_ends=True" if len(inputs) > 1 else ""
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
-    texts = "".join(text.body(of, bodies[tier], "xp") + "\n\n" for tier, of in f.tiers.items())
+    parts = [text.body(of, bodies[tier], "xp") for tier, of in f.tiers.items()]
+    texts = "".join(f"{part}\n\n" for part in parts)
     rows = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
     names = ", ".join(inputs)
     return (

@@ -164,7 +164,10 @@ class Law:
     def kinks(self) -> tuple[sp.Symbol, ...]:
         """Slips at which the law is not smooth."""
         branches = (self.coefficient or _ZERO).atoms(sp.Min, sp.Max)
-        return tuple(x for e in sorted(branches, key=str) for x in sp.solve(sp.Eq(*e.args), SLIP))
+        places: list[sp.Symbol] = []
+        for branch in sorted(branches, key=str):
+            places += sp.solve(sp.Eq(*branch.args), SLIP)
+        return tuple(places)
 
 
 def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Parameter:

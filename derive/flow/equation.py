@@ -116,9 +116,17 @@ SOILS: Terms = (("u_i", Symbol("p_i")), ("T", LAMBDA * Symbol("sum l_i c_i")))
 
 def position(rotates: bool) -> Terms:
     """Return the components of the weight after a rotation, q(psi_0 - phi) = q cos phi - q' sin phi, or initially."""
-    start = {q: Symbol(f"{name.rstrip(chr(39))}0{chr(39) * name.count(chr(39))}") for q, name in COMPONENTS.items()}
+    start = {}
+    for q, name in COMPONENTS.items():
+        bare = name.rstrip("'")
+        primes = name[len(bare) :]
+        start[q] = Symbol(f"{bare}0{primes}")
     angle = PHI if rotates else sp.Integer(0)
-    return tuple((name, start[q] * cos(angle) - BY_PSI[q].subs(start) * sin(angle)) for q, name in COMPONENTS.items())
+    turned = []
+    for q, name in COMPONENTS.items():
+        slope = BY_PSI[q].subs(start)
+        turned.append((name, start[q] * cos(angle) - slope * sin(angle)))
+    return tuple(turned)
 
 
 def of_effect(effect: declared.Effect) -> Terms:
@@ -129,7 +137,10 @@ def of_effect(effect: declared.Effect) -> Terms:
         "u": effect.pressure,
         "T": effect.resistance,
     }
-    terms = [(q, x) for q, e in adds.items() if e != 0 for x in sp.Add.make_args(sp.expand(e))]
+    terms = []
+    for q, e in adds.items():
+        if e != 0:
+            terms += [(q, x) for x in sp.Add.make_args(sp.expand(e))]
     terms += [(f"d{x}/dphi", effect.growth) for x in effect.states]
     return (*(position(True) if effect.turns else ()), *terms)
 
@@ -146,7 +157,10 @@ def terms(by_soil: bool = False) -> dict[str, tuple[Term, ...]]:
     """Return the terms of gravity and of each effect; "frozen" is the position without rotation."""
     every = {"gravity": GRAVITY, "frozen": position(False)}
     every |= {effect.name: of_effect(effect) for effect in EFFECTS}
-    shown = {name: tuple(term(q, e, by_soil) for q, e in added) for name, added in every.items()}
+    shown = {}
+    for name, added in every.items():
+        terms = (term(q, e, by_soil) for q, e in added)
+        shown[name] = tuple(terms)
     return shown | ({"soils": tuple(term(q, e) for q, e in SOILS)} if by_soil else {})
 
 
@@ -179,4 +193,6 @@ def _as_tuples(terms: Mapping[str, Sequence[Term]]) -> dict[str, tuple[Any, ...]
 
 def _table(name: str, rows: Mapping[str, Any]) -> str:
     """Return a dictionary as text with one row per line."""
-    return f"{name} = {{\n" + "".join(f"    {key!r}: {value!r},\n" for key, value in rows.items()) + "}\n"
+    lines = (f"    {key!r}: {value!r},\n" for key, value in rows.items())
+    body = "".join(lines)
+    return f"{name} = {{\n{body}}}\n"

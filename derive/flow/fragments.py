@@ -124,7 +124,9 @@ def quantities(effect: Effect) -> dict[str, Expr]:
     }
     if SOIL_MU not in effect.friction.free_symbols:
         return adds
-    return adds | dict.fromkeys(SOIL_SUMS, ZERO) | {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
+    none = dict.fromkeys(SOIL_SUMS, ZERO)
+    of_soils = {y: expand(adds[x] * SLIP_MU) for x, y in SOIL_SUMS.items()}
+    return adds | none | of_soils
 
 
 def odd(effect: Effect) -> set[Symbol]:

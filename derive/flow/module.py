@@ -25,7 +25,10 @@ def module(effects: Sequence[Effect] = ALL_EFFECTS, laws: Sequence[Law] = LAWS) 
         "PIECES": {law.name: _pieces(law) for law in laws if law.kinks},
         "FRAGMENTS": {name: _fragment(f) for name, f in fragments(effects, laws).items()},
     }
-    marks = {mark: "".join(f"    {x!r}: {row},\n" for x, row in rows.items()) for mark, rows in blocks.items()}
+    marks = {}
+    for mark, rows in blocks.items():
+        lines = (f"    {x!r}: {row},\n" for x, row in rows.items())
+        marks[mark] = "".join(lines)
     marks |= {"FRAGMENT": inspect.getsource(Fragment), "TERMS": equation.text()}
     return filled("_flow.py.in", marks | {"QUANTITIES": repr(QUANTITIES), "RESULTS": repr(RESULTS)})
 

@@ -197,7 +197,8 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, Expr], cells: Ma
         if name == "lin":
             result, constant, terms = names
             base = number(constant, cells) if constant else 0
-            registers[result] = Add(base, *(number(c, cells) * registers[r] for c, r in terms))
+            products = (number(c, cells) * registers[r] for c, r in terms)
+            registers[result] = Add(base, *products)
             continue
         o = OPERATIONS[name]
         places = (*o.results, *o.arguments, *o.numbers)

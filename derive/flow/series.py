@@ -175,7 +175,8 @@ def _loop(sums: Sequence[_Sum]) -> list[str]:
 
 
 def _c_case(o: Operation) -> str:
-    places = {x: i for i, x in enumerate((*o.results, *o.arguments, *o.numbers), 1)}
+    operands = (*o.results, *o.arguments, *o.numbers)
+    places = {x: i for i, x in enumerate(operands, 1)}
     names = [f"V *restrict {x} = r + at[{places[x]}];" for x in o.results]
     names += [f"const V *{x} = r + at[{places[x]}];" for x in _read(o)]
     names += [f"const V {x} = c[own[{places[x]}]];" for x in o.numbers]

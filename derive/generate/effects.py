@@ -31,7 +31,10 @@ def module() -> str:
     marks |= {"USUAL_FRICTION": USUAL_FRICTION, "QUESTIONED_FRICTION": QUESTIONED_FRICTION}
     rows: dict[str, tuple[Effect | Law, ...]] = {"LAWS": LAWS, "EFFECTS": EFFECTS, "SECTION_EFFECTS": SECTION_EFFECTS}
     rows["COHESION_LAWS"] = COHESION_LAWS
-    texts = {mark: "".join(f"    {e.name!r}: {_effect(e)},\n" for e in entries) for mark, entries in rows.items()}
+    texts = {}
+    for mark, entries in rows.items():
+        lines = (f"    {e.name!r}: {_effect(e)},\n" for e in entries)
+        texts[mark] = "".join(lines)
     return filled("_effects.py.in", {mark: repr(value) for mark, value in marks.items()} | texts)
 
 

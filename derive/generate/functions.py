@@ -59,7 +59,11 @@ def _source(x: Moment | Elementary | Quotient) -> str:
 
 def _tiers(name: str, among: Sequence[Variant]) -> dict[str, Program]:
     """Return the NumPy program of each tier of a fitted kernel."""
-    return {v.tier: v.program for form in ("plain", "numpy") for v in among if (v.kernel, v.form) == (name, form)}
+    programs: dict[str, Program] = {}
+    for form in ("plain", "numpy"):
+        own = [v for v in among if (v.kernel, v.form) == (name, form)]
+        programs |= {v.tier: v.program for v in own}
+    return programs
 
 
 def _accuracy(name: str, proved: Sequence[Record]) -> str:

@@ -121,7 +121,9 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
     for kernel, tiers in kernels.items():
-        lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]
+        lines.append(f"    {kernel!r}: {{\n")
+        lines += [f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()]
+        lines.append("    },\n")
     return (
         '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
         f'DIGEST = "{digest}"\nLIMIT = {LIMIT!r}  # of an end of an arc, rad\n\n'
@@ -190,7 +192,8 @@ def write(texts: dict[str, str], folder: Path = FOLDER, tried: Callable[[Path], 
     """Write a new tree beside the folder, apply ``tried`` to it, replace changed files, and return their names."""
     folder.mkdir(exist_ok=True)
     old = present(folder)
-    changed = [name for name in sorted(texts.keys() | old.keys()) if texts.get(name) != old.get(name)]
+    names = sorted(texts.keys() | old.keys())
+    changed = [name for name in names if texts.get(name) != old.get(name)]
     if not changed:
         return []
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as beside:

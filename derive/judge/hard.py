@@ -159,7 +159,8 @@ def cases() -> tuple[HardCase, ...]:
 
 def measured() -> list[Result]:
     """Run both forms of every case and return their errors relative to the exact form."""
-    programs = [v.program for v in (*variants(), *variants_of_ends()) if v.tier == "best" and v.form != "fused"]
+    every = (*variants(), *variants_of_ends())
+    programs = [v.program for v in every if v.tier == "best" and v.form != "fused"]
     ours = {p.name: p.run for p in programs}
     ours["drive"] = partial(drive, balance().scalar)
     results = []

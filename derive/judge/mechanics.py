@@ -56,7 +56,8 @@ def rate(order: int) -> Pair:
     """Return the polar components of a time derivative of the position r e_r, with d(theta)/dt = omega (1.2)."""
     moving = Function("theta")(t)
     known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
-    x, y = ((r * f(moving)).diff(t, order).subs(known) for f in (cos, sin))
+    position = (r * cos(moving), r * sin(moving))
+    x, y = (coordinate.diff(t, order).subs(known) for coordinate in position)
     return basis(x, y)
 
 

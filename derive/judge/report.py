@@ -45,7 +45,9 @@ def counts(rows: Iterable[Row]) -> str:
     """Return one line with the number of claims of each verdict."""
     number = Counter(row.verdict for row in rows)
     total = sum(number.values())
-    return f"{total} claim{'s' * (total != 1)}: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
+    plural = "" if total == 1 else "s"
+    by_verdict = (f"{number[v]} {v}" for v in VERDICTS if number[v])
+    return f"{total} claim{plural}: {', '.join(by_verdict)}"
 
 
 def report(

@@ -136,7 +136,9 @@ def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
     """Return whether a form in alpha is the double integral, by quadrature at points of its whole domain."""
     low, high = limits(domain)["alpha"]
     points = [s.value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
-    return all(abs(s.value(form, x) - quadrature(weight, -x, x, 15)) < mp.mpf(10) ** -13 for x in points)
+    allowed = mp.mpf(10) ** -13
+    differences = (s.value(form, x) - quadrature(weight, -x, x, 15) for x in points)
+    return all(abs(difference) < allowed for difference in differences)
 
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
@@ -158,7 +160,10 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
         return False
     if claim.weight is not None and not _integrates(printed[0], claim.weight, claim.domain):
         return False
-    return claim.law is None or all(vanishes(x.subs(replaced), claim.domain) for x in claim.law(printed[0]))
+    if claim.law is None:
+        return True
+    differences = claim.law(printed[0])
+    return all(vanishes(x.subs(replaced), claim.domain) for x in differences)
 
 
 @cache
@@ -274,7 +279,8 @@ def _form(claim: Claim) -> Judgement:
         computed = claim.shows.format(*map(_digits, derived)) if derived else "-"
         return computed, "not machine-checkable", claim.remark
     computed = claim.shows.format("; ".join(dict.fromkeys(map(words, derived))))
-    edits = (None, *(x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression))
+    causes = (x for x in claim.causes if x.edit[0] and x.edit[0] in claim.expression)
+    edits = (None, *causes)
     for postulates, cause in product(_candidates(claim), edits):
         printed = claim.expression.replace(*cause.edit) if cause else claim.expression
         if _form_holds(claim, printed, postulates):

@@ -6,7 +6,7 @@ centre of the arc, with psi the dip of the chord, for lengths in R and times in 
     Theta* omega' = C_theta sin psi - mu [C_r cos psi + I_p omega^2 - lambda u*] - lambda c*   ((2.20), (3.11)-(3.13)).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
 from itertools import accumulate
@@ -20,6 +20,7 @@ from derive.theorem.swing import Standstill, Swing, Undecided, standstill
 BITS = 3.33  # a digit
 SPARE = 6  # digits of each part of a motion, more than the sum is to have
 MOST_SWINGS = 200
+EFFORTS = (1, 3, 9)
 
 
 class Slide(NamedTuple):
@@ -80,7 +81,7 @@ def first_swing(slide: Slide) -> Swing:
     )
 
 
-def theorem(slide: Callable[[], Slide], digits: int = 20) -> Theorem:
+def theorem(slide: Callable[[], Slide], digits: int = 20, efforts: Sequence[int] = EFFORTS) -> Theorem:
     """Enclose a motion to these digits, with as many bits as this takes, or as the inputs allow.
 
     Parameters
@@ -89,6 +90,8 @@ def theorem(slide: Callable[[], Slide], digits: int = 20) -> Theorem:
         Makes the slide at the precision in force, so that exact inputs lose nothing.
     digits : int
         Of every number.
+    efforts : sequence of int
+        Multiples of the spare digits, in the order in which they are tried.
 
     Returns
     -------
@@ -96,7 +99,7 @@ def theorem(slide: Callable[[], Slide], digits: int = 20) -> Theorem:
         Its status is "rests", "does not move", "never rests", or "undecided" with a reason.
     """
     proof = Theorem()
-    for effort in (1, 3, 9):
+    for effort in efforts:
         before = proof.digits
         wanted = digits + effort * SPARE
         with working(int(BITS * (wanted + 4 * effort * SPARE)), wanted + SPARE):
@@ -104,7 +107,7 @@ def theorem(slide: Callable[[], Slide], digits: int = 20) -> Theorem:
             try:
                 proof.status = _status(slide(), proof, arb(10) ** -wanted)
             except ArithmeticError as undecided:
-                proof.reason = f"{undecided}; more digits or narrower inputs are needed"
+                proof.reason = str(undecided)
         if proof.status != "undecided" and not before + 1 < proof.digits < digits + 1:
             break
     return proof

@@ -1,22 +1,28 @@
 """Theorems from the command line: decimals in, which are exact, and decimals out, between which a number is proved."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from functools import partial
+from heapq import heappop, heappush
 from typing import Any, NamedTuple
 
 from flint import arb
 
 from derive.check.truth import fraction, number
-from derive.theorem.motion import Slide, Theorem, theorem
+from derive.progress import track
+from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 
 # The slide of Vaiont: Table 2-1 of the paper with the residual friction of its section 4, and the softening that the
 # scene of this name assumes.
 VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", "friction_deg": "10"}
 SOFTENING = {"peak_friction_deg": "22.5", "length_m": "1"}
 SCENES: dict[str, dict[str, Any]] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
+PARTS = 2000  # of uncertain inputs, most that are looked at
+PART_DIGITS = 4  # computed of each part, to which uncertain inputs limit it
+SHOWN_DIGITS = 6
+FINE = 1 / 16  # share of a part that is not divided further once it is decided, so that enclosures are narrow
 STRESSES = ("cohesion_kPa", "pore_pressure_kPa")  # that act over the unit weight
 OTHERS = dict.fromkeys(STRESSES, "0") | {"gravity_m_s2": "9.81"}
 POSITIVE = (Fraction(1, 10**9), 10**9)
@@ -85,7 +91,8 @@ def read(texts: Mapping[str, str]) -> dict[str, Interval]:
 
 def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
     """Of quantities that are allowed, at the precision in force."""
-    balls = {name: x.ball() * (arb.pi() / 180 if "deg" in name else 1) for name, x in given.items()}
+    degree = arb.pi() / 180
+    balls = {name: x.ball() * (degree if "deg" in name else 1) for name, x in given.items()}
     peak = balls.get("peak_friction_deg")
     unit_weight = balls.get("unit_weight_kN_m3", arb(1))
     return Slide(
@@ -106,30 +113,104 @@ def pair(x: arb, digits: int) -> list[str]:
     """Decimals below and above all numbers of a ball."""
     middle, radius = fraction(x.mid()), fraction(x.rad())
     ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
-    return [str(Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))) for end, way in ends]
+    texts = []
+    for end, way in ends:
+        quotient = Context(digits, way).divide(Decimal(end.numerator), Decimal(end.denominator))
+        texts.append(str(quotient))
+    return texts
 
 
-def report(options: Mapping[str, Any], digits: int, form: str) -> tuple[str, bool]:
-    """The theorem on the slide of these options, or those on the scenes if there are none; whether all are decided."""
+class Division(NamedTuple):
+    """A part of the inputs: minus its share, by which parts are ordered, its number, and its intervals."""
+
+    minus_share: float
+    number: int
+    quantities: dict[str, Interval]
+
+    def halves(self) -> Iterator[dict[str, Interval]]:
+        """Yield the halves of the part, divided where this narrows the equation of motion most."""
+
+        def spread(name: str) -> float:
+            low, high = self.quantities[name]
+            middle = (low + high) / 2
+            swing = first_swing(slide(self.quantities | {name: Interval(middle, middle)}))
+            coefficients = (*swing[:-1], swing.drop * swing.decay)
+            return sum(float(x.rad()) for x in coefficients)
+
+        uncertain = [name for name, x in self.quantities.items() if x.low < x.high]
+        divided = min(uncertain, key=spread)
+        low, high = self.quantities[divided]
+        middle = (low + high) / 2
+        for half in (Interval(low, middle), Interval(middle, high)):
+            yield self.quantities | {divided: half}
+
+
+def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
+    """Return what is proved of all parts of uncertain inputs that are decided, and the share of the undecided parts.
+
+    The largest part is halved until it is decided and at most `FINE`, or until so many parts have been looked at.
+    """
+    waiting = [Division(-1.0, 0, whole)]
+    shares: dict[str, float] = {}
+    numbers: dict[str, arb] = {}
+    reason = ""
+    for count in track(range(1, parts + 1), "parts of the inputs", parts):
+        if not waiting:
+            break
+        part = heappop(waiting)
+        proof = theorem(partial(slide, part.quantities, **switches), PART_DIGITS, EFFORTS[:1])
+        if proof.status == "undecided" or -part.minus_share > FINE:
+            reason = proof.reason
+            for k, half in enumerate(part.halves()):
+                heappush(waiting, Division(part.minus_share / 2, 2 * count + k, half))
+            continue
+        shares[proof.status] = shares.get(proof.status, 0.0) - part.minus_share
+        known = numbers or proof.numbers
+        shared = known.keys() & proof.numbers.keys()
+        numbers = {key: x.union(proof.numbers[key]) for key, x in known.items() if key in shared}
+    undecided = -sum(part.minus_share for part in waiting)
+    proved = [f"{status}: {100 * share:.6g} % of the inputs" for status, share in shares.items()]
+    status = " or ".join(shares) if shares and not undecided else "undecided"
+    return Theorem(status, proved, numbers, reason if undecided else ""), undecided
+
+
+def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
+    """Return the theorem on the slide of these options, or those on the scenes without any; whether all are decided."""
     scenes = {"slide": dict(options)} if options else SCENES
-    proofs = {}
+    rows = []
     for name, chosen in scenes.items():
         switches = {key: chosen[key] for key in ("rotation", "centripetal") if key in chosen}
         quantities = read(VAIONT | OTHERS | {key: text for key, text in chosen.items() if key not in switches})
-        proofs[name] = theorem(partial(slide, quantities, **switches), digits)
-    found = [_plain(name, proof, digits) for name, proof in proofs.items()]
-    decided = all(proof.status != "undecided" for proof in proofs.values())
+        uncertain = [name for name, x in quantities.items() if x.low < x.high]
+        proof = theorem(partial(slide, quantities, **switches), digits, EFFORTS[:1] if uncertain else EFFORTS)
+        undecided = float(proof.status == "undecided")
+        if undecided and uncertain:
+            digits = min(digits, SHOWN_DIGITS)
+            proof, undecided = divided(quantities, parts, **switches)
+            proof.reason += f"; narrower {', '.join(uncertain)} or more --parts would decide, digits would not" * (
+                undecided > 0
+            )
+        elif undecided:
+            proof.reason += "; more --digits may decide"
+        rows.append(_plain(name, proof, digits, undecided))
+    decided = not any(row["undecided_share"] for row in rows)
     if form == "json":
-        return json.dumps(found[0] if options else found, indent=2), decided
-    return "\n\n".join(_text(**plain) for plain in found), decided
+        return json.dumps(rows[0] if options else rows, indent=2), decided
+    return "\n\n".join(_text(**row) for row in rows), decided
 
 
-def _plain(name: str, proof: Theorem, digits: int) -> dict[str, Any]:
+def _plain(name: str, proof: Theorem, digits: int, undecided: float) -> dict[str, Any]:
+    """Return the theorem for JSON."""
     numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
-    return {"name": name, "status": proof.status, "reason": proof.reason, **numbers, "proved": proof.proved}
+    about = {"name": name, "status": proof.status, "reason": proof.reason, "undecided_share": undecided}
+    return about | numbers | {"proved": proof.proved}
 
 
-def _text(name: str, status: str, reason: str, proved: list[str], **numbers: list[str]) -> str:
-    lines = [f"{name}: {status}", *filter(None, [reason])]
+def _text(name: str, status: str, reason: str, undecided_share: float, proved: list[str], **numbers: list[str]) -> str:
+    lines = [f"{name}: {status}"]
+    if undecided_share:
+        lines.append(f"undecided: {100 * undecided_share:.3g} % of the inputs; {reason}")
+        if undecided_share < 1.0:
+            lines.append("for the other inputs:")
     lines += [f"  {key:<20} {low} to {high}" for key, (low, high) in numbers.items()]
     return "\n".join([*lines, *(f"  - {claim}" for claim in proved)])

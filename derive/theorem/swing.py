@@ -18,7 +18,7 @@ HALVINGS = 60  # of a step after which a claim counts as undecided
 
 
 class Undecided(ArithmeticError):
-    """The balls are too wide for a decision: more digits, or narrower inputs, are needed."""
+    """The balls are too wide for a decision."""
 
 
 class Swing(NamedTuple):

@@ -11,6 +11,8 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from slipcircle.base.kinds import Shape, Values
+
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # open lower and upper bound, and their description in words
@@ -40,10 +42,7 @@ class Message(str):
         return _worded(self.template, name_of)
 
     def within(self, path: str) -> "Message":
-        """Return the sentence for arguments nested in ``path``. The first argument is shown with its full path.
-
-        The first argument is shown with its full path.
-        """
+        """Return the sentence for arguments nested in ``path``. The first argument is shown with its full path."""
         by_path = rf"{{\g<1>{path}.\g<2>}}"
         by_last_part = rf"{{~{path}.\g<2>}}"
         template = _ARGUMENT.sub(by_path, self.template, count=1)
@@ -108,7 +107,7 @@ def plain(value: Any) -> Any:
 _WITHOUT_WARNING: Any = nullcontext()
 
 
-def may_overflow(shape: tuple[int, ...]) -> Any:
+def may_overflow(shape: Shape) -> Any:
     """Return a context that silences overflow warnings of arrays.
 
     The overflow itself is reported when the result is read.
@@ -291,7 +290,7 @@ _KINDS = {
 }
 
 
-def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence[Any]) -> list[str]:
+def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> list[str]:
     """Return a message for each declared parameter that is missing or invalid, and for each unknown name."""
     if _are_plain(given, parameters):
         return []
@@ -310,7 +309,7 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Sequence
     return sentences
 
 
-def _are_plain(given: Mapping[str, Any], parameters: Sequence[Any]) -> bool:
+def _are_plain(given: Values, parameters: Sequence[Any]) -> bool:
     """Return whether there is one valid float for each required parameter and nothing else, which is the usual case."""
     count = 0
     for p in parameters:
@@ -363,7 +362,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     """Return a message if the shapes of the fields do not broadcast."""
-    shapes: dict[str, tuple[int, ...]] = {}
+    shapes: dict[str, Shape] = {}
     for name, value in fields.items():
         shape = () if type(value) is float else np.shape(value)
         if shape:
@@ -384,7 +383,7 @@ def raise_all(what: str, sentences: Sequence[str]) -> None:
         raise InputError(what, sentences)
 
 
-def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
+def complaint(faults: Iterable[Fault], shape: Shape) -> list[str]:
     """Return the message about the first invalid lane, as a list of at most one element."""
     for lanes, sentence in faults:
         bad = np.asarray(lanes)

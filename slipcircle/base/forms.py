@@ -1,11 +1,11 @@
 """Conversions of results for other tools. The core computes results; a package above it converts and draws them."""
 
-from collections.abc import Mapping
 from importlib import import_module
-from os import PathLike
 from typing import Any
 
 from numpy.typing import ArrayLike
+
+from slipcircle.base.kinds import PathName, ValueDict, Values
 
 _modules: list[str] = []
 
@@ -18,7 +18,7 @@ def use_forms(module: str) -> None:
 class Pictured:
     """Mixin with the method that draws a result."""
 
-    def plot(self, what: str | PathLike[str] = "overview", ax: Any = None) -> Any:
+    def plot(self, what: PathName = "overview", ax: Any = None) -> Any:
         """Draw the result with matplotlib, on axes or into a file.
 
         Parameters
@@ -57,9 +57,9 @@ class Forms(Pictured):
     """Mixin with the conversions of a `Motion`."""
 
     @property
-    def factors_of_safety(self) -> Mapping[str, Any]:
+    def factors_of_safety(self) -> Values:
         """Factors of safety at the start by method; an `Arc` has that of the paper's alone."""
-        factors: Mapping[str, Any] = self._form("factors_of_safety")
+        factors: Values = self._form("factors_of_safety")
         return factors
 
     def animate(self, path: str = "", seconds: float = 5.0) -> Any:
@@ -79,7 +79,7 @@ class Forms(Pictured):
         """
         return self._form("animate", path, seconds)
 
-    def to_dict(self, times: ArrayLike | None = None) -> dict[str, Any]:
+    def to_dict(self, times: ArrayLike | None = None) -> ValueDict:
         """Return results by name in SI units. For an ensemble they are arrays, preceded by the inputs that vary.
 
         Parameters

@@ -1,12 +1,11 @@
 """Types for annotations. A single motion is ``Motion[float]``, an ensemble ``Motion[Array]``.
 
 A scene or motion whose kind is unknown before run time is annotated as ``Scene`` or ``Motion`` without brackets.
-
-What may be either, or is not known before it runs, is ``Scene``, ``Motion`` without brackets, as ``Scene[Any]``.
 """
 
 import functools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -37,8 +36,16 @@ Floats = NDArray[np.float64]
 Array = Floats
 Integers = NDArray[np.intp]
 Flags = NDArray[np.bool_]
+ArrayPair = tuple[Floats, Floats]
+ArrayDict = dict[str, Floats]
+Pair = tuple[float, float]
+Shape = tuple[int, ...]
 Names = tuple[str, ...]
+PathName = str | PathLike[str]
+Function = Callable[[Any], Any]
 Values = Mapping[str, Any]  # by name
+ValueDict = dict[str, Any]
+TextDict = dict[str, str]
 Parameters = Values  # of an effect or of a friction law
 Effects = Mapping[str, Parameters]
 MAPPING = (dict, Mapping)  # for isinstance, which is six times as fast if dict is first

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Names
 from slipcircle.core.scene.scene import Scene
 
 
@@ -52,7 +52,7 @@ class Sensitivity:
     slope_errors: Floats
     jumps: Floats
     scene: Scene = field(repr=False, compare=False)
-    warnings: tuple[str, ...] = ()
+    warnings: Names = ()
 
     @property
     def elasticities(self) -> Floats:

@@ -6,7 +6,7 @@ power of h after the other (Ridders, Adv. Eng. Softw. 4, 75, 1982). Its best ent
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 
 COLUMNS = 7  # number of columns of a tableau
 CAUTION = 3.0  # error over the last change in a tableau; 2.4 for a half power of h, the worst case
@@ -14,7 +14,7 @@ NOISY = 4.0  # allowed difference of values at shorter steps, over their noise
 SMOOTH = 8  # number of shortest steps over which values are a cubic plus noise
 
 
-def extrapolated(column: Floats, noise: Floats, first_power: int) -> tuple[Floats, Floats]:
+def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
     """Return values for h = 0 in powers of h^first_power, and their errors: three times the last change, plus noise.
 
     The last change is the greatest difference from both neighbours in the preceding column and from the next entry in

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Flags, Floats
+from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.scene.scene import Scene
 from slipcircle.derivatives.extrapolation import CAUTION, extrapolated, noise_of
@@ -104,7 +104,7 @@ def _is_open(found: Sequence[Derivatives], goal: Sequence[float]) -> bool:
 # --- ensembles -------------------------------------------------------------------------------------------------------
 
 
-def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> tuple[Floats, Floats]:
+def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], steps: Floats) -> ArrayPair:
     """Return outcomes of the motion, (outcomes, numbers, 1), and of neighbours, (outcomes, numbers, sides, rungs).
 
     Numbers of a section's shape have a separate ensemble, since each of its lanes needs a section.
@@ -218,7 +218,7 @@ def _jumps(here: Floats, beside: Floats, noise: Floats, largest: Floats) -> Floa
     return np.where(is_gap, gaps, 0.0)
 
 
-def _slopes(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
+def _slopes(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
     """Return one-sided derivatives and their errors."""
     shorter = steps[..., 1:]
     farther = beside[..., :-1]
@@ -228,7 +228,7 @@ def _slopes(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Float
     return extrapolated(rise / shorter, of_rise / shorter, 1)
 
 
-def _central(beside: Floats, noise: Floats, steps: Floats) -> tuple[Floats, Floats]:
+def _central(beside: Floats, noise: Floats, steps: Floats) -> ArrayPair:
     """Return central differences and their errors."""
     step = steps[:, 0]
     below, above = np.moveaxis(beside, 2, 0)

@@ -6,7 +6,7 @@ names. The file reader translates them to keys of scene files.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from generated import effects as declared
 from slipcircle.base.checks import InputError, array_of, plain, real_number
-from slipcircle.base.kinds import Flags, Values
+from slipcircle.base.kinds import Flags, Function, ValueDict, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.effects import declared_parameters, without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
@@ -236,7 +236,7 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     return replace(scene, arc=arc, **changed)
 
 
-def taken(scene: Scene, select: Callable[[Any], Any]) -> Scene:
+def taken(scene: Scene, select: Function) -> Scene:
     """Return selected lanes of a scene; ``select`` indexes an array of the scene's shape. No checks are repeated."""
 
     def of_lanes(value: Any, axes: int = 0) -> Any:
@@ -274,7 +274,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
     allowed_by_name = [known[name].allows(value) for name, value in values.items()]
     allowed = np.broadcast_arrays(*allowed_by_name)
     invalid = ~np.logical_and.reduce(allowed)
-    before: dict[str, Any] = {name: parameter_value(scene, name) for name in values}
+    before: ValueDict = {name: parameter_value(scene, name) for name in values}
     while True:
         none_valid = bool(np.all(invalid))
         first_valid = 0 if none_valid else np.argmin(invalid)
@@ -295,7 +295,7 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]
         invalid = invalid | impossible
 
 
-def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
+def _fields_with(scene: Scene, values: Values) -> ValueDict:
     """Return the changed fields of a scene, and of its arc under "arc", for other values of numbers, without checks."""
     arc = changed_fields(scene.arc, values)
     if DIP.name in values:
@@ -307,7 +307,7 @@ def _fields_with(scene: Scene, values: Values) -> dict[str, Any]:
     of_arc = {DIP.name, *scene.arc.numbers_by_name()}
     effects = {name: dict(given) for name, given in scene.checked_effects.items()}
     friction = scene.friction
-    others: dict[str, Any] = {}
+    others: ValueDict = {}
     for name, value in values.items():
         table, _, number = name.partition(".")
         if name in of_arc:

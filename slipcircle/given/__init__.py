@@ -9,7 +9,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import INFINITY, Bounds, choose, mistakes
-from slipcircle.base.kinds import Effects, Numbers
+from slipcircle.base.kinds import Effects, Names, Numbers
 from slipcircle.core import Arc, Dimensionless
 
 __all__ = ["GIVEN", "GivenArc"]
@@ -47,7 +47,7 @@ class GivenArc(Arc[Numbers]):
             return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
         return []
 
-    def numbers_without_effect(self) -> tuple[str, ...]:
+    def numbers_without_effect(self) -> Names:
         """Return the names of inputs without influence, because the coefficients do not follow from the ends."""
         return "theta_1", "theta_2"
 

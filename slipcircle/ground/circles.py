@@ -10,7 +10,7 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Flags, Floats, Integers
 from slipcircle.ground.doubledouble import DoubleDouble
 from slipcircle.ground.plane import Vectors, each_lane
 
@@ -127,7 +127,7 @@ def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
     return r * r - from_centre.square
 
 
-def _with_an_end_inside(edges: _Edges) -> tuple[Floats, Floats]:
+def _with_an_end_inside(edges: _Edges) -> ArrayPair:
     """Return start and length of the part inside relative to each edge, 0 where both ends are outside."""
     first_in = edges.first_clear > 0.0
     last_in = edges.last_clear > 0.0
@@ -167,7 +167,7 @@ def _may_pass_through(edges: _Edges) -> Flags:
     return foot_on_edge & first_outside & last_outside
 
 
-def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> tuple[Floats, Floats]:
+def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> ArrayPair:
     """Return start and length of the part inside relative to edges that may pass through a circle.
 
     The discriminant may be small and requires double-double arithmetic.
@@ -226,7 +226,7 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     return left, right
 
 
-def moments(parts: Cut, mine: Flags) -> dict[str, Floats]:
+def moments(parts: Cut, mine: Flags) -> ArrayDict:
     """Return integrals of ``MEASURES`` over the mass below selected parts, (n, E), for each circle.
 
     Source: `generated.slopes`. The relative error is about 1e-15, for vectors relative to their length.

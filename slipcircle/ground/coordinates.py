@@ -10,14 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Values
+from slipcircle.base.kinds import Shape, ValueDict, Values
 
-Index = tuple[int, ...]
-Indices = dict[str, Index]  # index of each number in an array of points, by name
+Indices = dict[str, Shape]  # index of each number in an array of points, by name
 
 
 @lru_cache(maxsize=256)
-def _names(field: str, shape: Index) -> Indices:
+def _names(field: str, shape: Shape) -> Indices:
     """Return the name of every number in a field of this shape, with its index."""
     if not shape:
         return {field: ()}
@@ -31,7 +30,7 @@ def _names(field: str, shape: Index) -> Indices:
     return names
 
 
-def leading_shape(value: Any, axes: int) -> Index:
+def leading_shape(value: Any, axes: int) -> Shape:
     """Return the shape of an array of lanes without the last axes, which belong to one section."""
     shape = np.shape(value)
     return shape[: len(shape) - axes]
@@ -47,9 +46,9 @@ def indices_of(arc: Any, field: str) -> Indices:
     return _names(field, shape[len(lanes) :])
 
 
-def coordinates(arc: Any) -> dict[str, Any]:
+def coordinates(arc: Any) -> ValueDict:
     """Return all numbers in the fields of a section by name, each a number or an array over lanes."""
-    numbers: dict[str, Any] = {}
+    numbers: ValueDict = {}
     for field, axes in arc.quantities.items():
         value = getattr(arc, field)
         if not axes and value is not None:
@@ -61,9 +60,9 @@ def coordinates(arc: Any) -> dict[str, Any]:
     return numbers
 
 
-def changed_fields(arc: Any, values: Values) -> dict[str, Any]:
+def changed_fields(arc: Any, values: Values) -> ValueDict:
     """Return the fields of an arc or a section that change if some of its numbers have other values."""
-    changed: dict[str, Any] = {}
+    changed: ValueDict = {}
     for field, axes in arc.quantities.items():
         indices = indices_of(arc, field)
         names = [name for name in indices if name in values]

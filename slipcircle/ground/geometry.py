@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 import slipcircle.ground.circles as circles
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Shape
 from slipcircle.ground.circles import Cut
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.ground import AS_PRINTED
@@ -27,7 +27,7 @@ class SectionGeometry(TurningMass):
     quantities: ClassVar[Mapping[str, int]]
 
     @cached_property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Shape of the results."""
         leading = []
         for name in ("radius", "centre", "ground", "level"):
@@ -115,7 +115,7 @@ class SectionGeometry(TurningMass):
         return self._cut.stretch == number[:, None]
 
     @cached_property
-    def _moments(self) -> dict[str, Floats]:
+    def _moments(self) -> ArrayDict:
         """Integrals of `circles.MEASURES` over the mass."""
         return circles.moments(self._cut, self._mine)
 
@@ -140,7 +140,7 @@ class SectionGeometry(TurningMass):
         return self._shaped(self._facing)
 
     @cached_property
-    def _angles(self) -> tuple[Floats, Floats]:
+    def _angles(self) -> ArrayPair:
         """Angles of the left and the right end, measured from straight below the centre."""
         left, right = self._ends
         first = np.arctan2(left.x, -left.y)
@@ -239,7 +239,7 @@ class SectionGeometry(TurningMass):
         return bool(is_under_water.any())
 
     @cached_property
-    def _span(self) -> tuple[Floats, Floats]:
+    def _span(self) -> ArrayPair:
         """Angles of the entry and of the exit, positive down-slope, (lanes,)."""
         left, right = self._angles
         faces_right = self._facing > 0.0

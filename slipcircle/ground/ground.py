@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import INFINITY, Bounds, Fault, array_of, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Floats, Values
+from slipcircle.base.kinds import Floats, ValueDict, Values
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.plane import Vectors
 
@@ -188,7 +188,7 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
         bounds["run"] = (-5e-324, INFINITY, "a length of at least 0 in m")
     if angle is not None:
         bounds["angle"] = (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")
-    fields: dict[str, Any] = {"height": height, "run": run, "angle": angle}
+    fields: ValueDict = {"height": height, "run": run, "angle": angle}
     errors = mistakes(fields, bounds)
     if (run is None) == (angle is None):
         errors.append("{angle} or {run}: give one of them")

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.ground.circles import Cut, cut
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
@@ -96,7 +96,7 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     return slopes.head(angle, start_sine, start_cosine, start_height, slope)
 
 
-def _in_first_turn(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+def _in_first_turn(first: Floats, last: Floats) -> ArrayPair:
     """Return both ends of arcs, (..., n, 1), shifted by whole turns so that the first is within a turn from -3 pi/2."""
     turn = 2 * np.pi
     ahead = first + 1.5 * np.pi

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
-from slipcircle.base.kinds import Effects, Floats
+from slipcircle.base.kinds import Effects, Floats, Pair, Shape, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import rotates, symbols_of
@@ -88,7 +88,7 @@ class Section(SectionGeometry, Mass):
     unit_weight: ArrayLike
     gravity: ArrayLike = 9.81
     width: ArrayLike = 1.0
-    between: tuple[float, float] | None = None
+    between: Pair | None = None
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
     base: float | None = None
@@ -116,7 +116,7 @@ class Section(SectionGeometry, Mass):
             errors = complaint(impossible, self.shape)
         raise_all("Section", errors)
 
-    def numbers_by_name(self) -> dict[str, Any]:
+    def numbers_by_name(self) -> ValueDict:
         """Return the numbers of the fields by name, including each coordinate."""
         return coordinates(self) | self.other_numbers()
 
@@ -177,7 +177,7 @@ class Section(SectionGeometry, Mass):
     rotation_range = cached_property(lambda self: lazy_import("toe").rotation_range(self))
 
     @property
-    def lanes_shape(self) -> tuple[int, ...]:
+    def lanes_shape(self) -> Shape:
         """Shape of the lanes."""
         return self.shape
 
@@ -196,7 +196,7 @@ class Section(SectionGeometry, Mass):
         return self._shaped(centre + from_centre.points)
 
     @cached_property
-    def moments(self) -> dict[str, Any]:
+    def moments(self) -> ValueDict:
         """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of J_r, J_theta by the dip."""
         m = self._weighted_moments
         way = self._facing
@@ -270,7 +270,7 @@ class Section(SectionGeometry, Mass):
         pressure = mean_height * np.multiply(self.radius, self.water_unit_weight)
         return pressure[()]
 
-    def _rotations(self, rotation: Any) -> tuple[tuple[int, ...], Floats]:
+    def _rotations(self, rotation: Any) -> tuple[Shape, Floats]:
         """Return the shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
         turn = np.asarray(rotation, dtype=np.float64)
         shape = np.broadcast_shapes(turn.shape, self.shape)
@@ -310,7 +310,7 @@ class Section(SectionGeometry, Mass):
         return by_rotation[()] * of_weight
 
     def tables(
-        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
         """Return the effects of water, and the depth with which cohesion grows, as tables of the rotation."""
         turns = rotates(effects)
@@ -326,7 +326,7 @@ class Section(SectionGeometry, Mass):
                 tables[symbol] = table
         return self._for_lanes(tables, shape), None
 
-    def _for_lanes(self, tables: Tables, shape: tuple[int, ...]) -> Tables:
+    def _for_lanes(self, tables: Tables, shape: Shape) -> Tables:
         """Return tables for the lanes of a scene from tables for the lanes of the section."""
         own = self.lanes_shape
         if own in ((), shape):

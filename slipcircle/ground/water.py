@@ -1,11 +1,10 @@
 """Tables of functions of the rotation: of the water of a section, which stays in place, and of depths."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Function
 from slipcircle.core.scene.mass import Mass
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import TERMS, between_kinks, continuous
@@ -26,7 +25,7 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
     return np.zeros_like(last)
 
 
-def table_of(section: Any, function: Callable[[Any], Any], rotates: bool, upslope: bool, tolerance: float) -> Data:
+def table_of(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
     """Return a function of the rotation of a section as a table, up to loss of contact."""
 
     def pressure(rotation: Any) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 from generated import layout as ix
 from generated.program import Program, Recipe
 from slipcircle.base.checks import EPS, plain
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
@@ -79,7 +79,7 @@ class Forces:
 
     # --- in any states -----------------------------------------------------------------------------------------------
 
-    def outputs(self, states: States) -> dict[str, Floats]:
+    def outputs(self, states: States) -> ArrayDict:
         """Return the registers of `OUTPUTS`: total and effective normal force over Theta*, and friction as entered."""
         places = [self._with_outputs.program.roles[name] for name in OUTPUTS]
         parts = []
@@ -124,7 +124,7 @@ class Forces:
         divisor = np.where(is_some, whole, 1.0)
         return np.where(is_some, left / divisor, 1.0)
 
-    def strengths(self, states: States) -> tuple[Floats, Floats]:
+    def strengths(self, states: States) -> ArrayPair:
         """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
         (driving, resisting, _), _ = self._at_rest(states)
         moving = self.outputs(states)
@@ -174,7 +174,7 @@ class Forces:
         return -2.0 * registers[program.roles["net"]]
 
     @cached_property
-    def statics(self) -> dict[str, Floats]:
+    def statics(self) -> ArrayDict:
         """Return limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
 
         The program supplies all forces. The excess of drive over resistance is linear in k_h and vanishes at k_y.
@@ -183,7 +183,7 @@ class Forces:
         parts = [self._statics(problem, slice(k, k + BLOCK)) for k in range(0, max(problem.lanes, 1), BLOCK)]
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
-    def _statics(self, problem: Problem, which: slice) -> dict[str, Floats]:
+    def _statics(self, problem: Problem, which: slice) -> ArrayDict:
         """Return `statics` of some lanes of a problem whose steady shaking is 0."""
         program = problem.program
         tables = problem.tables(which)
@@ -205,7 +205,7 @@ class Forces:
         return found | {name: found[name] / factor for name in ("friction", "limit_friction")}
 
 
-def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> dict[str, Floats]:
+def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) -> ArrayDict:
     """Return `Forces.statics` from the forces at rest, the forces with k_h = 1, the friction and the limit friction."""
     driving, resisting, normal = at_rest
     pressed = normal > 0.0

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.walk.compiled import Samples, engine
@@ -30,7 +30,7 @@ class States(NamedTuple):
             yield States(self.time[which], self.rotation[which], self.omega[which], further, self.lane[which])
 
 
-def begin(problem: Problem, states: States, side: Any) -> tuple[Floats, Floats]:
+def begin(problem: Problem, states: States, side: Any) -> ArrayPair:
     """Return cells and registers of phases that begin in the given states with the given direction of travel."""
     cells = problem.cells(states.lane)
     cells[ix.TIME] = states.time

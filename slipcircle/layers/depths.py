@@ -12,6 +12,7 @@ from slipcircle.base.kinds import Effects, Floats
 from slipcircle.ground.ground import continued
 from slipcircle.ground.heights import HeightIntegrals, height_integrals
 from slipcircle.layers.at_rest import cohesion_at_rest
+from slipcircle.layers.standing import relieved
 from slipcircle.layers.strips import edge_below
 
 _INWARD = 1e-9  # of an end of the arc, over R: at a scarp the ground of the mass counts
@@ -25,21 +26,29 @@ class Depths(NamedTuple):
     last: Floats
     held: tuple[Floats, Floats]  # depths at both ends of the arc
     heights: HeightIntegrals
+    level: Floats | None  # of a horizontal line, whose integrals are cheaper
 
     def integral(self, there: Floats, limit: Any = None) -> Floats:
         """Integral from the entry of the arc to directions (..., circles), by its own line up to a limit beyond."""
         limit = self.last if limit is None else limit
         inside = np.clip(there, self.first, limit)
-        entry = self.facing * self.first
-        end = self.facing * inside
-        left = np.minimum(entry, end)
-        right = np.maximum(entry, end)
-        within = self.heights.integral(left, right)
+        if self.level is None:
+            within = self._above(inside)
+        else:
+            within = relieved(self.level, self.first, inside)
         at_first, at_last = self.held
         beyond = there - inside
         at_end = np.where(beyond > 0.0, at_last, at_first)
         total: Floats = within + beyond * at_end
         return total
+
+    def _above(self, inside: Floats) -> Floats:
+        """Return the integral of the height of the line from the entry to directions on the arc."""
+        entry = self.facing * self.first
+        end = self.facing * inside
+        left = np.minimum(entry, end)
+        right = np.maximum(entry, end)
+        return self.heights.integral(left, right)
 
     def mean(self, rotation: Floats) -> Floats:
         """Mean depth over the arc under the mass after rotations (..., circles)."""
@@ -70,7 +79,10 @@ def depths_below(section: Any, top: Any) -> Depths:
     at_first = _at_end(line, facing, first, _INWARD)
     at_last = _at_end(line, facing, last, -_INWARD)
     held = at_first, at_last
-    return Depths(facing, first, last, held, heights)
+    level = None
+    if top is not None and np.ndim(top) < 2:
+        level = line[:, 0, 1]
+    return Depths(facing, first, last, held, heights, level)
 
 
 def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> Floats:

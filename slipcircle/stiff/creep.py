@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.base.sections import Mask, first_section
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
@@ -311,7 +311,7 @@ def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integr
     return high - since_arrival
 
 
-def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> tuple[Floats, Floats]:
+def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> ArrayPair:
     """Return rotation and omega of lanes at individual times, (times, lanes)."""
     all_times = np.zeros((len(times), now.cells.shape[1]))
     all_times[:, now.lanes] = times

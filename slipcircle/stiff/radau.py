@@ -15,9 +15,8 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Pair
 
-TimeAndValue = tuple[float, float]
 POINTS = 12
 LEAST_SIZE = 1e-300  # divisor in place of 0
 TOLERANCE = 1e-13  # relative size of the last coefficients of a step's polynomial
@@ -108,8 +107,11 @@ def newton_correction(jacobian: Floats, h: float, residual: Floats, size: Floats
     return np.asarray(correction.reshape(residual.shape))
 
 
-def falling_zero(function: Callable[[float], float], low: TimeAndValue, high: TimeAndValue) -> float:
-    """Return the time at which a function falls through zero, by false position and every third time bisection."""
+def falling_zero(function: Callable[[float], float], low: Pair, high: Pair) -> float:
+    """Return the time at which a function falls through zero, by false position and every third time bisection.
+
+    Both ends are pairs of a time and a value.
+    """
     begin, at_begin = low
     end, at_end = high
     least = 2 * EPS * abs(end)

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import InputError, array_of
-from slipcircle.base.kinds import Effects, Parameters
+from slipcircle.base.kinds import Effects, Parameters, ValueDict
 from slipcircle.tables.series import Pulse, Series
 
 _FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
@@ -18,7 +18,7 @@ _OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
-def resolved(name: str, given: Parameters) -> dict[str, Any]:
+def resolved(name: str, given: Parameters) -> ValueDict:
     """Return the parameters of an effect with functions of time built from pulses and lists.
 
     Raises
@@ -51,7 +51,7 @@ def factor(effect: str, given: Parameters, name: str) -> Any:
     return given["peak"] / recorded_peak
 
 
-def record_numbers(shaking: Parameters) -> dict[str, Any]:
+def record_numbers(shaking: Parameters) -> ValueDict:
     """Return scale and peak of shaking by a record. Either determines the other."""
     record = shaking["horizontal"]
     if not isinstance(record, Series):
@@ -71,7 +71,7 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
     return functions
 
 
-def _water(given: Parameters) -> dict[str, Any]:
+def _water(given: Parameters) -> ValueDict:
     """Return the pore-pressure parameters, with lists over time converted to functions of time."""
     rest = dict(given)
     rest.pop("time", None)
@@ -93,14 +93,14 @@ def _water(given: Parameters) -> dict[str, Any]:
     return rest
 
 
-def _shaking(given: Parameters) -> dict[str, Any]:
+def _shaking(given: Parameters) -> ValueDict:
     """Return the shaking parameters with k_h(t) and k_v(t), after checking their plausibility."""
     made = _as_series(given)
     _check_strength(made)
     return made
 
 
-def _as_series(given: Parameters) -> dict[str, Any]:
+def _as_series(given: Parameters) -> ValueDict:
     if "record" in given:
         raise InputError("", [_IN_FILES.format("horizontal")])
     ways = [way for way in _FITTING if way in given]
@@ -123,7 +123,7 @@ def _as_series(given: Parameters) -> dict[str, Any]:
     duration = float(given["duration"])
     cycles = float(given.get("cycles", 1.0))
     pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
-    made: dict[str, Any] = {"horizontal": pulse}
+    made: ValueDict = {"horizontal": pulse}
     if "vertical_amplitude" in given:
         made["vertical"] = pulse
     for name in (*_FACTORS, "two_way"):

@@ -7,12 +7,11 @@ import numpy as np
 from numpy.polynomial.chebyshev import chebvander
 
 from generated import layout as ix
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Function
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import NODES, ORDERS, POWERS, TERMS, TO_CHEBYSHEV, continuous
 
-Function = Callable[[Any], Any]
 FIRST_SLIP = 1 / 256  # slip over the radius up to which a function is sampled initially
 _CHECKED = np.cos(np.linspace(0.0, np.pi, 2 * TERMS + 1))
 _AT_CHECKED = chebvander(_CHECKED, TERMS - 1)

@@ -4,17 +4,14 @@ Each piece interpolates at Chebyshev nodes. It is halved until the neglected coe
 """
 
 import math
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.polynomial import Chebyshev, Polynomial
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats, Function
 from slipcircle.base.sections import distinct
 from slipcircle.core.scene.piecewise import Data
 
-Function = Callable[[Any], Any]
 TERMS = 8  # coefficients of a piece
 ORDERS = np.arange(TERMS)
 _ANGLES = np.pi * (ORDERS + 0.5) / TERMS
@@ -43,9 +40,7 @@ POWERS = _powers_of_chebyshev()
 # --- functions of the rotation ---------------------------------------------------------------------------------------
 
 
-def between_kinks(
-    function: Function, kinks: Floats, least: Floats, most: Floats, tolerance: float
-) -> tuple[Floats, Floats]:
+def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats, tolerance: float) -> ArrayPair:
     """Return functions of the rotation as piecewise polynomials of degree 7.
 
     Parameters
@@ -102,7 +97,7 @@ def _widest(tolerance: float) -> float:
     return float(2 * half)
 
 
-def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
+def _first_pieces(edges: Floats, widest: float) -> ArrayPair:
     """Return both ends of the initial pieces, (pieces, n), each between two edges and at most ``widest`` wide."""
     widths = np.diff(edges, axis=0)
     greatest_width = widths.max(axis=1, initial=0.0)
@@ -124,7 +119,7 @@ def _first_pieces(edges: Floats, widest: float) -> tuple[Floats, Floats]:
     return first, last
 
 
-def _halves(first: Floats, last: Floats) -> tuple[Floats, Floats]:
+def _halves(first: Floats, last: Floats) -> ArrayPair:
     """Return both ends of the two halves of each piece."""
     middle = (first + last) / 2
     firsts = np.concatenate([first, middle])

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import LaneSeries, Pulse, Series
@@ -17,7 +17,7 @@ from slipcircle.tables.series import LaneSeries, Pulse, Series
 # --- friction laws and functions of time -----------------------------------------------------------------------------
 
 
-def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> tuple[Data, Any, str]:
+def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tuple[Data, Any, str]:
     """Return a tabulated friction law: its pieces, the scale of its argument, and the argument's unit."""
     if name in PIECES:
         length, _, _ = PIECES[name]
@@ -49,10 +49,10 @@ def list_faults(path: str, name: str, parameters: Parameters, values: str = "coe
     return [] if increases else [f"{key}: must increase"]
 
 
-def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: tuple[int, ...]) -> Data:
+def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> Data:
     """Return a friction law that is declared in pieces, as a function of slip over its scale."""
     _, breaks, polynomials = PIECES[name]
-    arrays = dict[str, Floats]()
+    arrays = ArrayDict()
     for key, value in parameters.items():
         arrays[key] = np.add(value, 0.0)
     pieces = polynomials(**arrays)

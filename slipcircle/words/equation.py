@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from generated.flow import BALANCE, EQUATION_QUANTITIES, LATEX, SOIL_BALANCE, SOIL_COEFFICIENTS, SOIL_QUANTITIES
-from slipcircle.base.kinds import Names
+from slipcircle.base.kinds import Names, ValueDict
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import problem_of
 from slipcircle.core.scene.effects import rotates
@@ -137,7 +137,7 @@ class Equation:
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex}$"
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> ValueDict:
         """Return the balance, its terms and its numbers for JSON."""
         keys = ("symbol", "formula", "effect", "value", "unit")
         return {

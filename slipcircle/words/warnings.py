@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Names
 from slipcircle.words.plausible import questions
 from slipcircle.words.summary import OUTSIDE, range_words
 
@@ -15,7 +16,7 @@ SUBMERGED = 1e-6  # depth below the water level, relative to the radius, above w
 LISTED, MANY_PHASES = 3, 100  # greatest number of lift-offs listed individually; number of phases that counts as many
 
 
-def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> tuple[str, ...]:
+def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> Names:
     """Return warnings about odd input, lift-off, conditioning, water and range of validity.
 
     ``written`` converts a name and a value in SI units to the number as the user wrote it.

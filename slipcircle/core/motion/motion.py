@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
 from slipcircle.base.forms import Forms
-from slipcircle.base.kinds import Numbers, cached_property
+from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
 from slipcircle.core.problem.plan import Plan
@@ -39,7 +39,7 @@ class Motion(Forms, Generic[Numbers]):
 
     def __init__(self, plan: Plan, final: Any, invalid: Any = False, problem: Problem | None = None) -> None:
         self.plan = plan
-        self.shape: tuple[int, ...] = plan.scene.shape
+        self.shape: Shape = plan.scene.shape
         self.invalid = invalid
         self._final = final
         self._radius = plain(plan.scene.arc.radius)
@@ -352,7 +352,7 @@ class Motion(Forms, Generic[Numbers]):
         return self._history.energy_error_estimate()
 
     @property
-    def warnings(self) -> tuple[str, ...]:
+    def warnings(self) -> Names:
         """Warnings about a single motion, usually empty."""
         return tuple(lazy_import("warnings").collect_warnings(self))
 

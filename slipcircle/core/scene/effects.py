@@ -7,7 +7,7 @@ from typing import Any
 from generated.effects import ALL_EFFECTS, COHESION_LAWS, EFFECTS, Parameter
 from generated.program import OF_SOIL
 from slipcircle.base.checks import EMPTY, Frozen, frozen, parameter_mistakes, raise_all
-from slipcircle.base.kinds import MAPPING, Names, Parameters
+from slipcircle.base.kinds import MAPPING, Names, Parameters, TextDict
 from slipcircle.core.lazy import lazy_import
 
 Law = tuple[str, Parameters]  # name and parameters
@@ -26,7 +26,7 @@ def soil_number(name: str) -> str:
 
 
 @lru_cache(maxsize=256)
-def symbols_of(effect: str) -> dict[str, str]:
+def symbols_of(effect: str) -> TextDict:
     """Return the symbols of an effect's parameters in the balance by name, with the number of its soil."""
     number = soil_number(effect)
     declared = ALL_EFFECTS[without_soil(effect)].parameters

@@ -12,7 +12,7 @@ import numpy as np
 
 from generated.program import OF_COHESION
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Values, cached_property
+from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, ValueDict, Values, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
@@ -148,7 +148,7 @@ class Mass:
         return effects
 
     def tables(
-        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
         """Return functions of the rotation by symbol, and the function that extends them, if one may be needed.
 
@@ -157,7 +157,7 @@ class Mass:
         """
         return {}, None
 
-    def numbers_by_name(self) -> dict[str, Any]:
+    def numbers_by_name(self) -> ValueDict:
         """Return all numbers by name, each a number or an array over lanes."""
         fields = {name: getattr(self, name) for name in self.quantities}
         return fields | self.other_numbers()
@@ -167,7 +167,7 @@ class Mass:
         """Whether all numbers are floats."""
         return {float}.issuperset(map(type, self.numbers_by_name().values()))
 
-    def other_numbers(self) -> dict[str, Any]:
+    def other_numbers(self) -> ValueDict:
         """Return numbers other than fields by name, such as the numbers of soils."""
         return {}
 
@@ -175,7 +175,7 @@ class Mass:
         """Return the names of numbers without influence on the motion, and of numbers determined by others."""
         return ()
 
-    def fields_with(self, values: Values) -> dict[str, Any]:
+    def fields_with(self, values: Values) -> ValueDict:
         """Return the fields that change if some of `other_numbers` have other values."""
         return {}
 

@@ -22,7 +22,18 @@ from slipcircle.base.checks import (
     raise_all,
     shape_mistakes,
 )
-from slipcircle.base.kinds import MAPPING, Array, Effects, Numbers, Parameters, Values, cached_property
+from slipcircle.base.kinds import (
+    MAPPING,
+    Array,
+    Effects,
+    Function,
+    Numbers,
+    Parameters,
+    Shape,
+    ValueDict,
+    Values,
+    cached_property,
+)
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
@@ -30,7 +41,7 @@ from slipcircle.core.scene.effects import Law, declared_parameters, named, resol
 from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
 from slipcircle.core.scene.mass import Mass
 
-One = float | str | Callable[[Any], Any] | Mapping[str, float | str]  # parameter of a single scene
+One = float | str | Function | Mapping[str, float | str]  # parameter of a single scene
 AS_ENTERED = 1.0  # strength factor
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 START: Mapping[str, Bounds] = {
@@ -94,7 +105,7 @@ class Scene(Generic[Numbers]):
     """
 
     arc: Arc[Numbers] | Any
-    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any] | None = None
+    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Function | None = None
     effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: Numbers | float = 0.0
     end_time: Numbers | float | None = None
@@ -111,7 +122,7 @@ class Scene(Generic[Numbers]):
         def __init__(
             self: Scene[float],
             arc: Arc[float],
-            friction: float | Mapping[str, One] | Callable[[Any], Any],
+            friction: float | Mapping[str, One] | Function,
             effects: Mapping[str, Mapping[str, One]] | Iterable[str] = ...,
             initial_velocity: float = ...,
             end_time: float | None = None,
@@ -132,7 +143,7 @@ class Scene(Generic[Numbers]):
         def __init__(
             self: Scene[Any],
             arc: Mass,
-            friction: float | Parameters | Callable[[Any], Any] | None = None,
+            friction: float | Parameters | Function | None = None,
             effects: Effects | Iterable[str] = ...,
             initial_velocity: ArrayLike = ...,
             end_time: ArrayLike | None = None,
@@ -275,7 +286,7 @@ class Scene(Generic[Numbers]):
         return self.arc.has_plain_numbers and PLAIN.issuperset(map(type, values))
 
     @cached_property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Broadcast shape of all fields, () for a single scene."""
         if self._has_plain_numbers:
             return ()
@@ -297,7 +308,7 @@ def _is_unusual(number: tuple[str, Any]) -> bool:
     return check is not None and isinstance(value, int | float) and check(value)
 
 
-def _friction_numbers(friction: Any) -> dict[str, Any]:
+def _friction_numbers(friction: Any) -> ValueDict:
     """Return the numbers of a friction by name. Functions and tables have none."""
     if callable(friction):
         return {}

@@ -11,6 +11,7 @@ from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene
 from slipcircle.workbench.common import records
 from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
+from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
@@ -20,19 +21,26 @@ from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solu
 
 # The options by outcome; each ends in its unit.
 OPTIONS = {name: f"--{q.head}".replace("_", "-") for name, q in OBSERVABLE.items()}
+_OTHER = "; or in another unit, such as -ft"
 
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     forms = "and its standard error: 400+-20; an interval: 300:450; or a limit: '<60'"
     for name, option in OPTIONS.items():
-        parser.add_argument(
-            option,
-            type=values.observed,
-            dest=name,
-            metavar="X[+-S]|LOW:HIGH|<X|>X",
-            help=f"observed {OBSERVABLE[name].label}, {forms}",
-        )
+        units = UNITS_OF_KEYS.get(OBSERVABLE[name].unit, {"": 1.0})
+        stem = option.removesuffix(suffix(next(iter(units))).replace("_", "-"))
+        either = parser.add_mutually_exclusive_group()
+        for number, (unit, size) in enumerate(units.items()):
+            either.add_argument(
+                option if number == 0 else stem + suffix(unit).replace("_", "-"),
+                type=partial(values.observed, size=size),
+                dest=name,
+                metavar="X[+-S]|LOW:HIGH|<X|>X",
+                help=argparse.SUPPRESS
+                if number
+                else f"observed {OBSERVABLE[name].label}, {forms}{_OTHER * (len(units) > 1)}",
+            )
     parser.add_argument("--reach-m", type=values.removed, help=argparse.SUPPRESS)
     parser.add_argument(
         "--field",

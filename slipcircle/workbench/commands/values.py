@@ -34,15 +34,15 @@ def count(text: str) -> int:
     return int(value)
 
 
-def observed(text: str) -> Observed:
-    """Return 400, 400+-20, an interval, 300:450, or a limit, <60, as what is observed."""
+def observed(text: str, size: float = 1.0) -> Observed:
+    """Return 400, 400+-20, an interval, 300:450, or a limit, <60, in a unit of some size as what is observed, in SI."""
     if (limit := Interval.of_limit(text)).limit is not None:
-        return limit
+        return Interval(*(size * end for end in limit))
     value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
     try:
         if ":" in text:
-            return Interval(*map(float, text.split(":")))
-        return (float(value), float(error[0])) if len(error) == 1 else float(text)
+            return Interval(*(size * float(end) for end in text.split(":")))
+        return (size * float(value), size * float(error[0])) if len(error) == 1 else size * float(text)
     except (TypeError, ValueError):
         forms = "a number, or one with its error: 400+-20, an interval: 300:450, or a limit: '<60'"
         raise argparse.ArgumentTypeError(f"{text}: must be {forms}") from None

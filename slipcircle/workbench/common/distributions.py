@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import shown
+from slipcircle.base.kinds import Names, Pair, ValueDict, Values
 from slipcircle.base.optional import optional
 
 _FAR = 30.0  # standard deviations, beyond which the probability is zero in float64
@@ -26,7 +27,7 @@ def special() -> Any:
 class Gaussian(NamedTuple):
     """A normal or log-normal distribution, with the methods of SciPy's distributions that studies use."""
 
-    moments: tuple[float, float]
+    moments: Pair
     shape: float = 0.0  # standard deviation of the logarithm, 0 for a normal distribution
     scale: float = 1.0  # median of a log-normal distribution
 
@@ -43,7 +44,7 @@ class Gaussian(NamedTuple):
             return special().ndtr((x - mean) / std)
         return special().ndtr(math.log(x / self.scale) / self.shape) if x > 0.0 else 0.0
 
-    def support(self) -> tuple[float, float]:
+    def support(self) -> Pair:
         """Return the least and the greatest value."""
         return 0.0 if self.shape else -math.inf, math.inf
 
@@ -56,7 +57,7 @@ class Triangle(NamedTuple):
     mode: float | None = None
 
     @property
-    def moments(self) -> tuple[float, float]:
+    def moments(self) -> Pair:
         low, high, mode = self
         if mode is None:
             return (low + high) / 2, (high - low) / math.sqrt(12.0)
@@ -82,7 +83,7 @@ class Triangle(NamedTuple):
         peak = (mode - low) / (high - low)
         return share**2 / peak if share < peak else 1.0 - (1.0 - share) ** 2 / (1.0 - peak or 1.0)
 
-    def support(self) -> tuple[float, float]:
+    def support(self) -> Pair:
         """Return the least and the greatest value."""
         return self.low, self.high
 
@@ -91,7 +92,7 @@ class Distribution(NamedTuple):
     """A distribution of scene files: its parameters, all required, its constructor, and conditions."""
 
     help: str
-    parameters: tuple[str, ...]
+    parameters: Names
     frozen: Callable[..., Any]
     rules: Mapping[str, Callable[[Mapping[str, float]], bool]]
 
@@ -142,13 +143,13 @@ DISTRIBUTIONS: Mapping[str, Distribution] = {
 }
 
 
-def distribution_of(given: Mapping[str, Any]) -> Any:
+def distribution_of(given: Values) -> Any:
     """Return the distribution of a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
     numbers = {k: float(v) for k, v in given.items() if k != "distribution"}
     return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
 
 
-def described(frozen: Any) -> dict[str, Any]:
+def described(frozen: Any) -> ValueDict:
     """Return SciPy's expression for a distribution; for one without a name, its class, moments and quantiles."""
     name = str(getattr(getattr(frozen, "dist", None), "name", ""))
     standard = getattr(statistics(), name, None)
@@ -163,7 +164,7 @@ def described(frozen: Any) -> dict[str, Any]:
     return {"distribution": type(getattr(frozen, "dist", frozen)).__name__} | moments | quantiles
 
 
-def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float]) -> list[str]:
+def distribution_mistakes(given: Values, limits: Pair) -> list[str]:
     """A sentence for each mistake in a distribution whose numbers should stay within limits."""
     name = given.get("distribution")
     if name is None:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from slipcircle.base.checks import raise_all
+from slipcircle.base.kinds import PathName, Values
 from slipcircle.base.text import clean
 
 _HTML, _CSV = (".html", ".htm", ".xhtml", ""), (".csv", ".txt", "")
@@ -51,7 +52,7 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
 
 
 @contextmanager
-def replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
+def replacing(name: PathName) -> Iterator[IO[bytes]]:
     """A file to write that replaces another one only when complete on disk; on an error nothing changes.
 
     A link remains a link, and devices such as /dev/stdout are written to directly. An error of the system, such as a
@@ -65,7 +66,7 @@ def replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
 
 
 @contextmanager
-def _replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
+def _replacing(name: PathName) -> Iterator[IO[bytes]]:
     if _is_device(name):
         with open(name, "wb") as device:
             yield device
@@ -86,7 +87,7 @@ def _replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
             raise
 
 
-def write(name: str | os.PathLike[str], content: bytes) -> None:
+def write(name: PathName, content: bytes) -> None:
     """Write a file atomically: a reader sees either the old or the complete new content.
 
     Raises
@@ -120,7 +121,7 @@ def _cell(text: str) -> str:
     return text
 
 
-def arrays(named: Mapping[str, Any]) -> bytes:
+def arrays(named: Values) -> bytes:
     """Arrays by name, as `numpy.load` reads them."""
     import numpy as np
 
@@ -129,12 +130,12 @@ def arrays(named: Mapping[str, Any]) -> bytes:
     return content.getvalue()
 
 
-def _is_device(name: str | os.PathLike[str]) -> bool:
+def _is_device(name: PathName) -> bool:
     """Whether a path cannot be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)
 
 
-def files_in(paths: Iterable[str | os.PathLike[str]]) -> Sequence[Path]:
+def files_in(paths: Iterable[PathName]) -> Sequence[Path]:
     """Return files and the files of folders, in the order of their names, each once and without hidden ones."""
     files: dict[Path, None] = {}
     for path in map(Path, paths):

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from slipcircle.base.kinds import TextDict, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
@@ -33,13 +34,13 @@ def _span(values: Any, unit: str) -> str:
     return f"{shown(known.min())} to {shown(known.max())} {unit}" if known.size else "-"
 
 
-def to_dict(motion: Motion, times: ArrayLike | None) -> dict[str, Any]:
+def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:
     """Results by name in SI units, with the numbers that vary before them; or histories at times, s."""
     if times is not None:
         motion.at(times)  # raises an error for times outside the motion
         time = np.asarray(times, dtype=np.float64)
         return {name: q.at(motion, time) for name, q in HISTORY.items()}
-    columns: dict[str, Any] = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
+    columns: ValueDict = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
     for quantity in results(motion):
         columns |= quantity.columns(motion)
     columns["factors_of_safety"] = factors_of(motion)
@@ -71,7 +72,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
     axes, columns = _axes_and_columns(motion, times)
     lane_dims = _dimensions(motion)
     units = _units(motion)
-    coordinates: dict[str, Any] = {}
+    coordinates: ValueDict = {}
     if times is not None:
         coordinates["time"] = ("time", axes["time"], {"units": "s"})
     for name, value in motion.plan.scene.numbers.items():
@@ -88,9 +89,9 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
     return xarray.Dataset(variables, coordinates, {"scene": motion.plan.scene.name})
 
 
-def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[dict[str, Any], dict[str, Any]]:
+def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDict, ValueDict]:
     """Axes by name, time the last one if given, and columns over all of them."""
-    axes: dict[str, Any] = {}
+    axes: ValueDict = {}
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)
     if times is None:
@@ -103,7 +104,7 @@ def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[dict[str
     return axes, columns
 
 
-def _units(motion: Motion) -> dict[str, str]:
+def _units(motion: Motion) -> TextDict:
     return {q.name: q.unit for q in (*results(motion), *HISTORY.values())}
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base import JSON_FORMAT
+from slipcircle.base.kinds import Function, Pair, ValueDict
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.words import OUTSIDE, VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
@@ -40,14 +41,14 @@ class Quantity:
     solved: bool = False  # a result to which `Motion.error_estimate` applies
     key: bool = False  # in every summary
     point: bool = False  # a point, x and y
-    where: Callable[[Any], Any] = lambda motion: True  # whether it is printed
+    where: Function = lambda motion: True  # whether it is printed
     instead: Callable[[Any], str] = lambda motion: ""  # printed in its place where a motion has none
 
     def read(self, motion: Any) -> Any:
         """The value in SI units; an array for an ensemble."""
         return attrgetter(self.path)(motion)
 
-    def columns(self, motion: Any) -> dict[str, Any]:
+    def columns(self, motion: Any) -> ValueDict:
         """The value by name; x and y of a point separately."""
         value = self.read(motion)
         return {f"{self.name}_{x}": value[..., k] for k, x in enumerate("xy")} if self.point else {self.name: value}
@@ -197,7 +198,7 @@ def results(motion: Any) -> tuple[Quantity, ...]:
     return (*RESULTS, *of_one, *of_section, *JOURNEY)
 
 
-def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
+def factors(scene: Any, of_motion: Any) -> ValueDict:
     """Return factors of safety at the start by method, on a ground all of them where the strength is known.
 
     Elsewhere that of the closure alone, from that of a motion with its strength factor.
@@ -208,7 +209,7 @@ def factors(scene: Any, of_motion: Any) -> dict[str, Any]:
     return {OF_CLOSURE: np.divide(of_motion, scene.strength_factor)}
 
 
-def factors_of(motion: Any) -> dict[str, Any]:
+def factors_of(motion: Any) -> ValueDict:
     """Return the factors of safety of a motion at its start by method; of a single motion numbers."""
     found = factors(motion.plan.scene, motion.factor_of_safety)
     return found if motion.shape else {method: float(factor) for method, factor in found.items()}
@@ -278,7 +279,7 @@ class Interval(NamedTuple):
         return f"{shown(self.low, 6)} to {shown(self.high, 6)}"
 
 
-Observed = float | tuple[float, float] | Interval
+Observed = float | Pair | Interval
 HISTORY: Mapping[str, Quantity] = {
     q.name: q
     for q in (

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from slipcircle.base.kinds import ValueDict
 from slipcircle.layers import LayeredSection, stretches
 from slipcircle.workbench.common.quantities import RESULTS, factors_of, plain, results
 from slipcircle.workbench.common.starting import method_of, starts
@@ -11,7 +12,7 @@ from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 
-def record(motion: Any) -> dict[str, Any]:
+def record(motion: Any) -> ValueDict:
     """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
     scene, law = motion.plan.scene, motion.plan.scene.friction
     stability = stability_of(scene)
@@ -46,7 +47,7 @@ def record(motion: Any) -> dict[str, Any]:
     )
 
 
-def stretch_records(motion: Any) -> list[dict[str, Any]]:
+def stretch_records(motion: Any) -> list[ValueDict]:
     """The stretches of a layered arc from entry to exit with their soils; empty for another arc."""
     arc = motion.plan.scene.arc
     if not isinstance(arc, LayeredSection):

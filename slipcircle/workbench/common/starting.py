@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from slipcircle.base.kinds import ValueDict
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.workbench.stability.critical import SlopeScene
@@ -23,7 +24,7 @@ class Start(NamedTuple):
     value: float
     motion: Motion | None
 
-    def record(self) -> dict[str, Any]:
+    def record(self) -> ValueDict:
         """Return the start for JSON."""
         run_out = self.motion.run_out if self.motion else None
         return {"method": self.method, "strength_factor": self.strength_factor, "run_out": run_out}

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import TextDict
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import range_words, swings_back
@@ -21,7 +22,7 @@ from slipcircle.workbench.common.starting import method_of, start_words, starts
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 
-def summary(motion: Motion) -> dict[str, str]:
+def summary(motion: Motion) -> TextDict:
     """Return the key results by label.
 
     These are the factor of safety by the method from which the motion starts, the outcomes beside what was observed,
@@ -47,7 +48,7 @@ def summary(motion: Motion) -> dict[str, str]:
     return column
 
 
-def end_words(motion: Motion) -> dict[str, str]:
+def end_words(motion: Motion) -> TextDict:
     """Return texts by label in place of the outcomes of a motion that does not simply come to rest."""
     run_out = "run-out along the arc"
     if not motion.moves:

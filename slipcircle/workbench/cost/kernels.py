@@ -50,7 +50,7 @@ class Exact(NamedTuple):
 
 
 def of_kernel(name: str) -> list[Row]:
-    """Errors and times of all ways to compute a kernel."""
+    """Return errors and times of all ways to compute a kernel."""
     optional("flint", "the reference", "python-flint")
     inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
     every = list(ways(name))
@@ -58,8 +58,9 @@ def of_kernel(name: str) -> list[Row]:
     rows = []
     for way, taken in zip(every, seconds, strict=True):
         exact = reference(name, way.kind)
-        errors = exact.errors(way.function(exact.points.astype(way.kind)))
-        rows.append(Row(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE))
+        results = way.function(exact.points.astype(way.kind))
+        errors = exact.errors(results)
+        rows.append(Row(name, way.name, SIZE, float(errors.max()), way.bound, taken / SIZE, accuracy=way.bound))
     return judged(rows)
 
 

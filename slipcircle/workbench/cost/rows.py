@@ -3,6 +3,7 @@
 Ratios within one run mean something; absolute times belong to the machine that the answer names.
 """
 
+import math
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -38,7 +39,10 @@ class Row:
     seconds : float
         Processor time of one element or scene, the median of several turns.
     verdict : str
-        "frontier", "recommended", or "beaten by " and the name of the faster or more accurate way.
+        "frontier", "recommended", or "beaten by " and the name of the way that is better in one respect and at least
+        equal in the other.
+    accuracy : float or None
+        Required relative error.
     """
 
     group: str
@@ -48,6 +52,12 @@ class Row:
     bound: float | None
     seconds: float
     verdict: str = ""
+    accuracy: float | None = None
+
+    @property
+    def misses(self) -> bool:
+        """Whether the error is above the required accuracy, or above a proved bound."""
+        return self.accuracy is not None and not self.error <= self.accuracy
 
 
 def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
@@ -99,18 +109,36 @@ def judged(rows: Iterable[Row]) -> list[Row]:
 
 
 def _beats(one: Row, other: Row) -> bool:
-    """Whether one way is faster or more accurate than another, and in the other respect at least equal."""
-    faster = one.seconds * MARGIN < other.seconds
-    slower = other.seconds * MARGIN < one.seconds
-    closer = one.error * MARGIN + ULP < other.error
-    farther = other.error * MARGIN + ULP < one.error
-    return (faster and not farther) or (closer and not slower)
+    """Whether one way is faster or more accurate by more than a tie, and not worse in the other respect."""
+    if one.seconds > other.seconds or one.error > other.error + ULP:
+        return False
+    return one.seconds * MARGIN < other.seconds or one.error * MARGIN + ULP < other.error
 
 
-def recommended(rows: Sequence[Row], accuracy: float) -> list[Row]:
-    """Mark the fastest way of a group whose error is at most the required accuracy."""
-    meeting = [row for row in rows if row.error <= accuracy]
-    if not meeting:
-        return list(rows)
-    fastest = min(meeting, key=lambda row: row.seconds)
-    return [replace(row, verdict=RECOMMENDED) if row is fastest else row for row in rows]
+def recommended(rows: Sequence[Row], accuracy: float | None = None, budget: float | None = None) -> list[Row]:
+    """Mark the fastest way whose error and bound are at most an accuracy, or the most accurate way within a budget."""
+    if budget is not None:
+        meeting = [row for row in rows if row.seconds <= budget]
+        best = min(meeting, key=lambda row: (row.error, row.seconds), default=None)
+    else:
+        required = accuracy or 0.0
+        meeting = [row for row in rows if max(row.error, row.bound or 0.0) <= required]
+        best = min(meeting, key=lambda row: row.seconds, default=None)
+    marked = list(rows)
+    if best is not None:
+        marked[marked.index(best)] = replace(best, verdict=RECOMMENDED)
+    return marked
+
+
+def price_of_a_digit(rows: Sequence[Row]) -> float:
+    """Return the factor in time for one digit more, between the least and the most accurate way; NaN without two."""
+    finite = [row for row in rows if 0.0 < row.error < 1.0]
+    if len(finite) < 2:
+        return math.nan
+    least = max(finite, key=lambda row: row.error)
+    most = min(finite, key=lambda row: row.error)
+    digits = math.log10(least.error / most.error)
+    if digits < 1.0:
+        return math.nan
+    ratio = most.seconds / least.seconds
+    return ratio ** (1.0 / digits)

@@ -1,6 +1,7 @@
 """What accuracy costs for a scene: its error and its time, alone and in an ensemble, at each requested accuracy."""
 
 import time
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
@@ -11,56 +12,87 @@ from slipcircle.core import Motion, Scene, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.cost.rows import Row, judged, medians, recommended
+from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 
+Ranges = tuple[dict[str, tuple[float, ...]], bool]
+_PRIMES = (2, 3, 5, 7, 11, 13)  # whose roots spread several numbers independently
 ACCURACIES = ("1e-3", "1e-6", "1e-9", "1e-12", "1e-15")
 DEFAULT = 1e-9  # of `solve`
 REFERENCE = 1e-16  # accuracy to which the reference is solved: one order more than the most accurate way
 ALONE = "alone"
 ENSEMBLE = "ensemble"
 ANY = "any"  # accuracy: a single scene is solved to rounding
-SPREAD = 0.02  # of the strength, by which the cases of an ensemble differ from the scene
+SPREAD = 0.2  # of the strength, by which the cases of an ensemble differ from the scene without distributions
+QUANTILES = (0.01, 0.99)  # between which a distribution of the scene is covered
 _STRENGTH = ("friction", "cohesion", "soils.")  # beginnings of the names of its numbers
 _UNITS = ("", "Pa")  # of which, of these
 MOST = 10_000  # cases
 PASS = 0.15  # s that an ensemble may take
 
 
-def of_scene(scene: Scene) -> list[Row]:
-    """Errors and times of a scene, alone and in an ensemble; a scene of arrays is the ensemble itself.
+def of_scene(scene: Scene, vary: Mapping[str, tuple[float, float]] | None = None) -> list[Row]:
+    """Return errors and times of a scene, alone and in an ensemble; a scene of arrays is the ensemble itself.
 
-    Errors are the largest relative ones of run-out, peak velocity and duration, against a
-    solution with more terms. The strength of the cases of an ensemble differs by up to `SPREAD` from the scene's.
+    Errors are the largest relative errors of run-out, peak velocity and duration over the ensemble, compared with a
+    solution with more terms. The ensemble covers the ranges ``vary`` by key, in its unit, else the distributions of the
+    scene, else its strength within `SPREAD`.
     """
     if scene.shape:
         return _of_ensemble(scene, False, int(np.prod(scene.shape)))
+    ranges = _ranges(scene, vary or {})
     reference = solve(scene, REFERENCE)
     motion = solve(scene)
     (seconds,) = medians([partial(solve, scene)])
     alone = Row(ALONE, ANY, 1, _error(motion, reference), motion.error_estimate, seconds)
     cases = 10
-    while cases < MOST and 10 * _pass(scene, cases) < PASS:
+    while cases < MOST and 10 * _pass(scene, ranges, cases) < PASS:
         cases *= 10
-    return judged([alone]) + _of_ensemble(*_varied(scene, cases), cases)
+    return judged([alone]) + _of_ensemble(*_varied(scene, ranges, cases), cases)
 
 
-def _pass(scene: Scene, cases: int) -> float:
-    """Seconds that the most accurate solution of an ensemble takes."""
-    ensemble, invalid = _varied(scene, cases)
+def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
+    """Return the time that the most accurate solution of an ensemble takes, in seconds."""
+    ensemble, invalid = _varied(scene, ranges, cases)
     start = time.process_time()
     solve(ensemble, REFERENCE, invalid=invalid)
     return time.process_time() - start
 
 
-def _varied(scene: Scene, cases: int) -> tuple[Scene, Any]:
-    """An ensemble of a scene, and which of its cases are invalid: with other strengths, or without any, gravity."""
+def _ranges(scene: Scene, vary: Mapping[str, tuple[float, float]]) -> Ranges:
+    """Return the ranges of an ensemble in SI units by name, and whether all its numbers rise together."""
+    ranges: dict[str, tuple[float, ...]] = {}
+    if vary:
+        for key, ends in vary.items():
+            number = number_in(scene, key)
+            ranges[number.name] = tuple(map(number.to_si, ends))
+        return ranges, False
+    if scene.uncertain:
+        for name, uncertain in uncertain_numbers(scene).items():
+            quantiles = map(uncertain.drawn, QUANTILES)
+            ranges[name] = tuple(map(uncertain.number.to_si, quantiles))
+        return ranges, False
     strengths = {}
     for name, parameter in parameters(scene).items():
         value = parameter_value(scene, name)
         if value and name.startswith(_STRENGTH) and parameter.unit in _UNITS:
             strengths[name] = value
-    factors = np.linspace(1.0 - SPREAD, 1.0 + SPREAD, cases)
     varied = strengths or {"gravity": float(np.asarray(scene.arc.gravity))}
-    return with_parameter_arrays(scene, {name: factors * value for name, value in varied.items()})
+    for name, value in varied.items():
+        ranges[name] = ((1.0 - SPREAD) * value, (1.0 + SPREAD) * value)
+    return ranges, True
+
+
+def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
+    """Return an ensemble that covers ranges of a scene's numbers, and a mask of its invalid cases."""
+    by_name, together = ranges
+    shares = np.linspace(0.0, 1.0, cases)
+    values = {}
+    for place, (name, (low, high)) in enumerate(by_name.items()):
+        if place and not together:
+            irrational = np.sqrt(_PRIMES[place % len(_PRIMES)])
+            shares, _ = np.modf(irrational * np.arange(cases))
+        values[name] = low + shares * (high - low)
+    return with_parameter_arrays(scene, values)
 
 
 def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[Row]:
@@ -71,7 +103,8 @@ def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[Row]:
     rows = []
     for way, motion, taken in zip(ACCURACIES, motions, seconds, strict=True):
         bound = float(np.nanmax(motion.error_estimate, initial=0.0))
-        rows.append(Row(ENSEMBLE, way, cases, _error(motion, reference), bound, taken / cases))
+        error = _error(motion, reference)
+        rows.append(Row(ENSEMBLE, way, cases, error, bound, taken / cases, accuracy=float(way)))
     return recommended(judged(rows), ensemble.accuracy or DEFAULT)
 
 

@@ -1,9 +1,9 @@
 """Effects of a scene file with records, which are read and replaced by functions of time."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from slipcircle.base.checks import InputError, Message
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.workbench.common.units import ACCELERATION, PORE_PRESSURE, Quantity
 from slipcircle.workbench.records.recordfiles import Options, Samples
 from slipcircle.workbench.records.records import pressure_of, read_samples, shaking_of
@@ -13,8 +13,8 @@ _BESIDE_RECORDS = ("two_way", "scale", "peak")
 
 
 def with_records(
-    effects: Mapping[str, Mapping[str, Any]], gravity: float, uncertain: Mapping[str, Any]
-) -> tuple[dict[str, Mapping[str, Any]], list[str]]:
+    effects: Mapping[str, Values], gravity: float, uncertain: Values
+) -> tuple[dict[str, Values], list[str]]:
     """Return effects with the series of their records instead of file names, and remarks about the records.
 
     Gravity is in m/s^2, and must not be among the uncertain keys.
@@ -48,7 +48,7 @@ def with_records(
     return read, remarks
 
 
-def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], remarks: list[str]) -> Samples:
+def _samples(quantity: Quantity, file: str, settings: Values, remarks: list[str]) -> Samples:
     """Return the samples of a record with the settings of an effect, and add remarks about unused columns."""
     options = Options(**{key: settings[key] for key in Options._fields if key in settings})
     samples, unused = read_samples(quantity, file, options)
@@ -56,7 +56,7 @@ def _samples(quantity: Quantity, file: str, settings: Mapping[str, Any], remarks
     return samples
 
 
-def _pore_pressure(settings: Mapping[str, Any], remarks: list[str]) -> dict[str, Any]:
+def _pore_pressure(settings: Values, remarks: list[str]) -> ValueDict:
     """Return a pore pressure ratio or a pressure from a record."""
     file = settings["record"]
     series = pressure_of(_samples(PORE_PRESSURE, file, settings, remarks), file)
@@ -68,7 +68,7 @@ def _pore_pressure(settings: Mapping[str, Any], remarks: list[str]) -> dict[str,
     return others | series
 
 
-def _shaking(settings: Mapping[str, Any], gravity: float, remarks: list[str]) -> dict[str, Any]:
+def _shaking(settings: Values, gravity: float, remarks: list[str]) -> ValueDict:
     """Return k_h(t) and k_v(t) from a record, divided by gravity."""
     for way in ("horizontal", "pulse"):
         if way in settings:
@@ -84,7 +84,7 @@ def _shaking(settings: Mapping[str, Any], gravity: float, remarks: list[str]) ->
     if "vertical_record" in settings or "vertical_column" in settings:
         of_vertical = {"record": settings.get("vertical_record", settings["record"])}
         chosen["vertical"] = {**settings, **of_vertical, "column": settings.get("vertical_column")}
-    series: dict[str, Any] = {}
+    series: ValueDict = {}
     for name, of_record in chosen.items():
         file = of_record["record"]
         samples = _samples(ACCELERATION, file, of_record, remarks)

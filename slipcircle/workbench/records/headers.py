@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from slipcircle.base.checks import INFINITY
+from slipcircle.base.kinds import TextDict
 from slipcircle.workbench.records.columns import is_direction
 
 
@@ -19,7 +20,7 @@ class Header(NamedTuple):
     units: str
     component: str
     scale: float  # acceleration per count about the mean, or 0
-    fields: dict[str, str]
+    fields: TextDict
 
 
 class Format(NamedTuple):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Names
 from slipcircle.workbench.common.textfiles import (
     CLOCK,
     Lines,
@@ -51,7 +51,7 @@ class Options(NamedTuple):
     gaps: str = "refuse"
     of_all: bool = True  # whether the roles apply to every table, or only to tables with as many columns
 
-    def roles(self, quantity: Quantity) -> tuple[str, ...]:
+    def roles(self, quantity: Quantity) -> Names:
         """Return the roles of the columns from a sequence or a text with commas."""
         parts = self.columns.split(",") if isinstance(self.columns, str) else self.columns
         roles = tuple(str(part).strip().lower() for part in parts)
@@ -170,7 +170,7 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     return found
 
 
-def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> tuple[str, ...]:
+def _roles(quantity: Quantity, name: str, table: Table, options: Options) -> Names:
     """Return the roles of the columns from the options, empty if the option applies to other tables."""
     roles = options.roles(quantity)
     has_names = any(column.name for column in table.columns)

@@ -8,7 +8,6 @@ therefore be declared as one or the other. `Record` treats arrays as driving by 
 """
 
 from collections.abc import Sequence
-from os import PathLike
 from pathlib import Path
 from typing import Literal
 
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, array_of, frozen, mistakes, raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, PathName
 from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (
     ACCELERATION,
@@ -32,7 +31,7 @@ _GAP = 1.5  # least gap over the step of an evenly sampled record
 
 
 def read_record(
-    path: str | PathLike[str],
+    path: PathName,
     *,
     holds: Literal["ground", "driving"],
     units: str | None = None,
@@ -158,7 +157,7 @@ class Record(Series):
 
 
 def read_pore_pressure(
-    path: str | PathLike[str],
+    path: PathName,
     *,
     units: str | None = None,
     column: int | str | None = None,
@@ -209,7 +208,7 @@ _TIMES: dict[str, Bounds] = {
 }
 
 
-def read_samples(quantity: Quantity, path: str | PathLike[str], options: Options) -> tuple[Samples, list[str]]:
+def read_samples(quantity: Quantity, path: PathName, options: Options) -> tuple[Samples, list[str]]:
     """Return checked samples of the single record in a file, and a line for each unused column."""
     name = str(path)
     times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.checks import InputError, raise_all
+from slipcircle.base.kinds import PathName, ValueDict, Values
 from slipcircle.base.progress import track
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
@@ -106,7 +107,7 @@ class Entry:
     is_vertical: bool = False
     drift: str = ""
     kept: Series | None = field(default=None, repr=False)  # samples of arrays and small suites
-    reading: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    reading: Values = field(default_factory=dict, repr=False)
 
     @property
     def peak(self) -> float:
@@ -189,7 +190,7 @@ class Suite:
         drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
         return self.not_used + drifts
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> ValueDict:
         """Return the records with their intensity measures, and the unused files, for JSON."""
         known = ("name", "file", "station", "component", "samples", "step", "unit")
         plain = [{name: getattr(entry, name) for name in known} for entry in self.entries]
@@ -227,7 +228,7 @@ class Suite:
 
 
 def read_suite(
-    paths: Iterable[str | PathLike[str]],
+    paths: Iterable[PathName],
     *,
     strict: bool = False,
     holds: Literal["ground", "driving"] = "ground",
@@ -282,9 +283,7 @@ def read_suite(
     return suite
 
 
-def _read_all(
-    files: Sequence[Path], vertical: str | None, reading: Mapping[str, Any]
-) -> tuple[list[Entry], list[Unread]]:
+def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> tuple[list[Entry], list[Unread]]:
     """Return the records of files, the first of which remain in memory, and the unused files and columns."""
     entries = list[Entry]()
     unread = list[Unread]()
@@ -320,7 +319,7 @@ def _nothing_read(paths: Iterable[Any], reasons: Sequence[str]) -> str:
     return f"records: {where}: holds no horizontal record{shown}{more}"
 
 
-def _entries(file: Path, vertical: str | None, reading: Mapping[str, Any]) -> Iterator[Entry | Unread]:
+def _entries(file: Path, vertical: str | None, reading: Values) -> Iterator[Entry | Unread]:
     """Yield the records of a file, and its unused columns."""
     channels = contents(ACCELERATION, str(file), file, reading["options"])
     read = [channel for channel in channels if channel.samples]
@@ -361,7 +360,7 @@ def _entry(
     place: Place,
     series: Series,
     unit: str,
-    reading: Mapping[str, Any] | None = None,
+    reading: Values | None = None,
     is_vertical: bool = False,
 ) -> Entry:
     digest = hashlib.sha256(series.time.tobytes() + series.values.tobytes()).hexdigest()

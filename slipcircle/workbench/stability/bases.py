@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.ground import Ponds
 from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays
 
@@ -150,7 +150,7 @@ class Bases:
         cohesion = self._cohesion() / scale
         return Stresses(soil, load, pond, displaced, pressure, cohesion, none, none, pond)
 
-    def _free_water(self, ponds: Ponds) -> tuple[Floats, Floats]:
+    def _free_water(self, ponds: Ponds) -> ArrayPair:
         """Return the pressure of free water on the ground, and minus the weight of water displaced by soil below it."""
         depth = np.zeros((3, len(self.arc)))
         filled = np.zeros(len(self.arc))

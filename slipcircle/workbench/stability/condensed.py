@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.workbench.stability.columns import SoilArrays
 from slipcircle.workbench.stability.descent import FINEST, in_order
 from slipcircle.workbench.stability.family import COARSE_NODES, FINE_NODES, NONE, Search
@@ -70,7 +70,7 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Fl
     return best
 
 
-def _screened(search: Search) -> tuple[Floats, Floats]:
+def _screened(search: Search) -> ArrayPair:
     """Return the best of the coarse family with merged soils, some touching each boundary, and the steps."""
     arrays = search.arrays
     soils, firsts = merged(arrays.soils, _MERGED)

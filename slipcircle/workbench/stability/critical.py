@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.forms import Pictured
-from slipcircle.base.kinds import Floats, Numbers, cached_property
+from slipcircle.base.kinds import Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
 from slipcircle.core import AS_ENTERED, Motion, Scene
 from slipcircle.ground import Section, ends_above
 from slipcircle.layers import LayeredSection
@@ -71,10 +71,10 @@ class Critical(Pictured):
 
     slope: Slope = field(repr=False, compare=False)
     factors_of_safety: dict[str, float | None]
-    centre: tuple[float, float]
+    centre: Pair
     radius: float
-    entry: tuple[float, float]
-    exit: tuple[float, float]
+    entry: Pair
+    exit: Pair
     facing: int
     negative: float
     warning: str
@@ -86,14 +86,14 @@ class Critical(Pictured):
     refused: int = 0
     centres: Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False, compare=False)
     values: Floats = field(default_factory=lambda: np.empty(0), repr=False, compare=False)
-    limits: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    limits: Values = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def factor_of_safety(self) -> float | None:
         return self.factors_of_safety[self.start]
 
     @property
-    def between(self) -> tuple[float, float]:
+    def between(self) -> Pair:
         """Range of x of both ends, which selects one of the masses that the circle cuts off."""
         left, right = sorted([self.entry[0], self.exit[0]])
         return left, right
@@ -102,9 +102,9 @@ class Critical(Pictured):
         """Return a copy without the evaluated circles."""
         return replace(self, centres=self.centres[:0], values=self.values[:0])
 
-    def record(self) -> dict[str, Any]:
+    def record(self) -> ValueDict:
         """Return the circle for JSON, in SI units."""
-        further: dict[str, Any] = {}
+        further: ValueDict = {}
         if self.factors_of_safety_without_k_h:
             further["factors_of_safety_without_k_h"] = self.factors_of_safety_without_k_h
         if self.method == YIELD:
@@ -130,14 +130,14 @@ class Critical(Pictured):
     def section(self) -> Section:
         slope = self.slope
         names = ("ground", "level", "water_unit_weight", "base", "confined", "ponds")
-        common: dict[str, Any] = {name: getattr(slope, name) for name in names}
+        common: ValueDict = {name: getattr(slope, name) for name in names}
         common |= {"centre": self.centre, "radius": self.radius, "between": self.between}
         if slope.layers or slope.surcharge or slope.crack:
-            loads: dict[str, Any] = {"surcharge": slope.surcharge, "crack": slope.crack}
+            loads: ValueDict = {"surcharge": slope.surcharge, "crack": slope.crack}
             return LayeredSection(**common, **loads, layers=slope.layers or one_layer(vars(slope)))
         return Section(**common, unit_weight=float(slope.unit_weight or 0.0))
 
-    def scene(self, effects: Mapping[str, Any] | Iterable[str] = (), **given: Any) -> SlopeScene[Any]:
+    def scene(self, effects: Values | Iterable[str] = (), **given: Any) -> SlopeScene[Any]:
         """Return the scene of the motion along the circle, which starts from `factor_of_safety` without k_h.
 
         Parameters
@@ -162,10 +162,10 @@ class Critical(Pictured):
         every_effect = self._own_effects() | dict(named)
         return SlopeScene(self.section, effects=every_effect, **fields)
 
-    def _own_effects(self) -> dict[str, Any]:
+    def _own_effects(self) -> ValueDict:
         """Return the pore pressure of the slope as an effect, and the cohesion of a single soil."""
         slope = self.slope
-        effects = dict[str, Any]()
+        effects = ValueDict()
         water = {"pressure": slope.pressure}
         if not isinstance(self.section, LayeredSection):
             water["ratio"] = slope.pore_ratio
@@ -200,7 +200,7 @@ class SlopeScene(Scene[Numbers]):
     """
 
     stability: Critical | None = None
-    remarks: tuple[str, ...] = ()
+    remarks: Names = ()
     start: str = OF_CLOSURE
     set_by_start: Any = AS_ENTERED
 
@@ -298,7 +298,7 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
     )
 
 
-def _point(points: Floats) -> tuple[float, float]:
+def _point(points: Floats) -> Pair:
     return float(points[0, 0]), float(points[0, 1])
 
 

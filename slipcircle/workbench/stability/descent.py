@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 
 _LEAST_SHARE = 0.005
 _SHRINK = 0.5  # of the steps of a grid without a better neighbour
@@ -149,7 +149,7 @@ def _leaps(values: Floats) -> Floats:
     return np.round(short, 2)
 
 
-def _derivatives(grid: Floats) -> tuple[Floats, Floats]:
+def _derivatives(grid: Floats) -> ArrayPair:
     """Return first and second derivatives in the middle of grids (n, 3, 3, 3) of unit steps, (n, 3) and (n, 3, 3)."""
     gradient = np.empty((len(grid), 3))
     curvature = np.empty((len(grid), 3, 3))

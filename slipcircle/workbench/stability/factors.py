@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.bases import Arcs, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
@@ -33,7 +33,7 @@ class Driven(NamedTuple):
 
 def circle_factors(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1
-) -> dict[str, Floats]:
+) -> ArrayDict:
     """Return factors of safety of the masses between circles and the ground, with ends at two points of the ground.
 
     Parameters
@@ -74,7 +74,7 @@ def circle_factors(
 
 def factors_by(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
-) -> tuple[Floats, Floats]:
+) -> ArrayPair:
     """Return factors by one method, or yield coefficients, and the direction in which each mass slides."""
     driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -233,7 +233,7 @@ def bishop_normal(slices: Slices, factor: Floats) -> Any:
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
 
 
-def lever_range(slices: Slices) -> tuple[Floats, Floats]:
+def lever_range(slices: Slices) -> ArrayPair:
     """Return the least and greatest 1/F for which m_alpha remains above its least value, for each arc."""
     greatest = 1.0 / _LEAST_FACTOR
     friction = slices.friction * slices.way

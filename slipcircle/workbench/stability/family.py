@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.base.progress import counted
 from slipcircle.ground import circle_through, circle_touching
 from slipcircle.workbench.stability.bases import angle_from_below
@@ -277,7 +277,7 @@ class Search:
                 positions.append(within)
         return np.unique(np.concatenate(positions))
 
-    def coarse_family(self, touching: bool = True) -> tuple[Floats, Floats]:
+    def coarse_family(self, touching: bool = True) -> ArrayPair:
         """Return circles between all pairs of positions, with all openings and tangent to boundaries, and steps."""
         ends = self._positions()
         shape = len(ends), len(ends), len(_SHARES)
@@ -300,7 +300,7 @@ class Search:
             families_steps.append(steps[pairs])
         return np.concatenate(families), np.concatenate(families_steps)
 
-    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
+    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None]) -> ArrayPair:
         """Return the best circles of a family without better neighbours, and their steps."""
         values = self.evaluate(q, COARSE_NODES)
         if not np.any(np.isfinite(values)):
@@ -312,9 +312,7 @@ class Search:
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
 
-    def refined(
-        self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = FINE_NODES
-    ) -> tuple[Floats, Floats]:
+    def refined(self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = FINE_NODES) -> ArrayPair:
         """Return the best circles in order after descent from all of them, and their first steps."""
         descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:

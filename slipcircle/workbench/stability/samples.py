@@ -1,11 +1,10 @@
 """Critical circles of many similar slopes, from the coarse family of one slope and circles of neighbours."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Values
 from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import COARSE_NODES, Search, valleys_of
 from slipcircle.workbench.stability.stability import METHODS, Slope
@@ -29,7 +28,7 @@ class SampleSearch:
         entry, exit and depth, as of `critical`.
     """
 
-    def __init__(self, slope: Slope, method: str, limits: Mapping[str, Any]) -> None:
+    def __init__(self, slope: Slope, method: str, limits: Values) -> None:
         self._method = method
         self._limits = limits
         search = Search(slope, method, **limits)

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Pair, Values
 from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import Critical, circle_of
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
 
-Range = tuple[float, float]
+Range = Pair
 
 
 def critical(
@@ -104,7 +104,7 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
     return sentences
 
 
-def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
+def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
         return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.bases import Arcs, Bases, Stresses
 from slipcircle.workbench.stability.columns import SlopeArrays
@@ -172,7 +172,7 @@ def _any_of_each(rows: Floats) -> NDArray[np.bool_]:
 
 
 @cache
-def _gauss(nodes: int) -> tuple[Floats, Floats]:
+def _gauss(nodes: int) -> ArrayPair:
     return np.polynomial.legendre.leggauss(nodes)
 
 

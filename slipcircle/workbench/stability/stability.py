@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, freeze, raise_all
-from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, ValueDict, Values
 from slipcircle.base.units import take_units
 from slipcircle.core import cohesion_mistakes, law_mistakes
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
@@ -101,8 +101,8 @@ class Slope:
     """
 
     ground: ArrayLike
-    cohesion: float | Parameters | Callable[[Any], Any] = 0.0
-    friction: float | Parameters | Callable[[Any], Any] = 0.0
+    cohesion: float | Parameters | Function = 0.0
+    friction: float | Parameters | Function = 0.0
     unit_weight: float | None = None
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
@@ -163,7 +163,7 @@ class Slope:
         return found
 
     @property
-    def _strength(self) -> dict[str, Any]:
+    def _strength(self) -> ValueDict:
         """Return cohesion and friction of one soil at the start."""
         return {"cohesion": cohesion_at_rest(self.cohesion), "friction": friction_at_rest(self.friction)}
 
@@ -226,7 +226,7 @@ def require_drive(section: Section) -> None:
         raise InputError("Section", [f"{where}: {why}"])
 
 
-def factors_of_safety(scene: Any) -> dict[str, Floats]:
+def factors_of_safety(scene: Any) -> ArrayDict:
     """Return factors of safety of a section at the start of its motion, for a scene or each scene of an ensemble.
 
     Parameters
@@ -278,7 +278,7 @@ def _of_one_slope(value: Any, axes: int = 0) -> Floats:
     return np.asarray(value, dtype=np.float64)[None]
 
 
-def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
+def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
     """Return a function that selects values of some scenes of an ensemble."""
     lanes = shape or (1,)
     some = np.unravel_index(numbers, lanes)
@@ -294,9 +294,9 @@ def _of_scenes(shape: tuple[int, ...], numbers: Any) -> _ByLane:
     return by_lane
 
 
-def _slope_of_section(section: Section, strength: Mapping[str, Any], by_lane: _ByLane, slipped: bool) -> SlopeArrays:
+def _slope_of_section(section: Section, strength: Values, by_lane: _ByLane, slipped: bool) -> SlopeArrays:
     """Return the slopes of sections."""
-    numbers: dict[str, Any] = {"water_unit_weight": section.water_unit_weight}
+    numbers: ValueDict = {"water_unit_weight": section.water_unit_weight}
     if isinstance(section, LayeredSection):
         return _slope_arrays(by_lane, section, section.layers, section.surcharge, numbers, slipped)
     layers = one_layer({"unit_weight": section.unit_weight, **strength})
@@ -309,7 +309,7 @@ def _slope_arrays(
     slope: Slope | Section,
     layers: _Layers,
     surcharge: Sequence[Any],
-    numbers: Mapping[str, Any],
+    numbers: Values,
     slipped: bool = False,
 ) -> SlopeArrays:
     """Return slopes with their lines, soils and surcharges, and further numbers."""
@@ -333,7 +333,7 @@ def _slope_arrays(
     )
 
 
-def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
+def _ends(section: Section, by_lane: _ByLane) -> ArrayPair:
     """Return left and right ends of arcs."""
     rightward = by_lane(section.facing)[:, None] > 0.0
     entry = by_lane(section.entry, 1)
@@ -341,7 +341,7 @@ def _ends(section: Section, by_lane: _ByLane) -> tuple[Floats, Floats]:
     return np.where(rightward, entry, exit_), np.where(rightward, exit_, entry)
 
 
-def one_layer(numbers: Mapping[str, Any]) -> _Layers:
+def one_layer(numbers: Values) -> _Layers:
     """Return homogeneous ground as its only layer."""
     return [(Soil(**{name: numbers[name] for name in _OF_ONE_SOIL if name in numbers}, name="soil"), None)]
 
@@ -371,7 +371,7 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
     return level_line(by_lane(top), ground)
 
 
-def soil(friction: Any, effects: Any, slipped: bool = False) -> dict[str, Any]:
+def soil(friction: Any, effects: Any, slipped: bool = False) -> ValueDict:
     """Return strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
 
     Strength is that before any slip, or after much.

@@ -79,7 +79,7 @@ class Design:
         return min(REPLICATES, self.n) if self.method == "sobol" else 1
 
     def share(self, replicate: int) -> int:
-        """How many samples a replicate has."""
+        """Return the number of samples of a replicate."""
         return self.n // self.replicates + (replicate < self.n % self.replicates)
 
     @property
@@ -123,7 +123,7 @@ class Design:
         return {name: np.dtype(_TYPES.get(name, np.float64)) for name in (*names, "status")}
 
     def piece(self, index: int) -> tuple[tuple[int, ...], int, int]:
-        """Stream, start and length of a block of samples, of a replicate's last maybe 0, or of one of base points."""
+        """Return stream, start and length of a block of samples, which may be empty at the end, or of base points."""
         batches = min(BATCHES, self.base)
         batch = index - self.sample_blocks
         if batch >= 0:
@@ -154,11 +154,11 @@ class Design:
         return slice(first, first + self._together), slice(None), slice(None), lanes
 
     def scenes(self, index: int) -> int:
-        """How many scenes a block solves."""
+        """Return the number of scenes that a block solves."""
         return math.prod(len(range(*part.indices(n))) for part, n in zip(self.place(index), self.shape, strict=True))
 
     def points(self, index: int, dimensions: int) -> Floats:
-        """Points of the unit cube that a block draws, (dimensions, count)."""
+        """Draw the points of a block in the unit cube, (dimensions, count)."""
         stream, start, length = self.piece(index)
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
@@ -172,7 +172,7 @@ class Design:
         return replace(self, records=self.records.part(first, first + self._together)).run_block, block
 
     def values(self, index: int) -> list[Floats]:
-        """Values of each input at the scenes of a block, in its key's unit."""
+        """Return the values of each input at the scenes of a block, in its key's unit."""
         if self.method == "grid":
             return _on_grid(self, index)
         d = len(self.inputs)
@@ -192,7 +192,7 @@ class Design:
         return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
 
     def _si(self, index: int) -> dict[str, Floats]:
-        """The same in SI units, by name."""
+        """Return the values of the inputs at the scenes of a block by name, in SI units."""
         with np.errstate(all="ignore"):
             return {
                 name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
@@ -235,7 +235,7 @@ class Design:
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
-    """Values of each input, in its key's unit, at points of the unit cube, (inputs, ...)."""
+    """Return the values of each input, in its key's unit, at points of the unit cube (inputs, ...)."""
     is_correlated = np.any(design.correlation != np.eye(len(points)))
     if is_correlated:  # a Gaussian copula: normal scores are mixed
         mixing = np.linalg.cholesky(design.correlation)
@@ -249,7 +249,7 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
 
 
 def _on_grid(design: Design, index: int) -> list[Floats]:
-    """The same of a block of a grid."""
+    """Return the values of each input at the scenes of a block of a grid."""
     _, start, length = design.piece(index)
     shape = [len(level) for level in design.levels]
     places = np.unravel_index(np.arange(start, start + length), shape)

@@ -44,7 +44,7 @@ def _known(given: Any) -> Any:
 
 
 def _seed(rng: Any, folder: Any) -> int:
-    """A seed from whatever NumPy takes as one; that of the folder's study where there is none."""
+    """Return a seed from anything that NumPy accepts, by default the seed of the study in the folder."""
     if rng is None and folder is not None and (held := stored(folder)):
         return int(held["seed"])
     try:
@@ -140,14 +140,14 @@ def _design(
 
 
 def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
-    """Base points of sensitivity indices, by default as many as samples if the inputs are independent."""
+    """Return the number of base points, by default that of the samples if the inputs are independent."""
     if asked is not None:
         return asked
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
-    """Of all inputs, from pairs of their keys or names."""
+    """Return the correlation matrix of all inputs from pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
     mistakes = list[str]()
@@ -169,7 +169,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
 
 
 def _size(n: int, method: str) -> int:
-    """Samples of a block."""
+    """Return the number of samples of a block."""
     sequences = REPLICATES if method == "sobol" else 1
     each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
@@ -221,7 +221,7 @@ def grid(
 
 
 def varied_number(scene: Scene, path: str, values: Any) -> Number:
-    """The number of a scene that takes the values of a list."""
+    """Return the number of a scene that takes the values of a list."""
     number = number_in(scene, path)
     if parameter_value(scene, number.name) is None:
         keys = by_name(scene)
@@ -249,7 +249,7 @@ def conduct(
 
 
 def _described(design: Design) -> dict[str, Any]:
-    """What identifies a study in the folder of its blocks."""
+    """Return the description that identifies a study in its folder."""
     scene = design.scene
     searched = stability_of(scene) if design.with_factors else None
     described = {

@@ -31,11 +31,8 @@ class Row(NamedTuple):
     estimate: Estimate
 
 
-_Groups = dict[tuple[str, str], list[Row]]
-
-
 def estimates(study: Any) -> Iterator[Row]:
-    """Every estimate of a study."""
+    """Yield every estimate of a study."""
     yield Row("probability of moving", "moves", "", math.nan, study.moving)
     for method, failure in study.failure.items():
         yield Row("probability of failure", "factor_of_safety", method, math.nan, failure)
@@ -55,7 +52,7 @@ def estimates(study: Any) -> Iterator[Row]:
 
 
 def _of_output(study: Any, name: str) -> Iterator[Row]:
-    """Mean and standard deviation, quantiles and the exceedance curve of an output."""
+    """Yield mean, standard deviation, quantiles and the exceedance curve of an output."""
     yield Row("mean", name, "", math.nan, study.mean(name))
     yield Row("std", name, "", math.nan, study.std(name))
     if name in study.linear:
@@ -64,98 +61,93 @@ def _of_output(study: Any, name: str) -> Iterator[Row]:
         yield Row("linear std", name, "", math.nan, std)
     for p in QUANTILES:
         yield Row("quantile", name, "", p, study.quantile(name, p))
+    for at, probability in _curve(study, name):
+        yield Row("exceedance", name, "", at, probability)
+
+
+def _curve(study: Any, name: str) -> Iterator[tuple[float, Estimate]]:
+    """Yield values of an output and the probabilities that they are exceeded."""
     curve = np.stack(study.exceedance(name), axis=1)
     for at, *probability in curve.tolist():
-        yield Row("exceedance", name, "", at, Estimate(*probability))
-
-
-def _grouped(study: Any) -> _Groups:
-    """The same by table and output; a pair that there is none of is not among them."""
-    groups: _Groups = {}
-    for row in estimates(study):
-        groups.setdefault((row.table, row.output), []).append(row)
-    return groups
+        yield at, Estimate(*probability)
 
 
 def rows(study: Any) -> list[list[Any]]:
-    """The same as rows of one CSV file, under `HEAD`."""
+    """Return the estimates as rows of one CSV file, under `HEAD`."""
     return [[table, output, key, _cell(at), *map(_cell, e)] for table, output, key, at, e in estimates(study)]
 
 
 def record(study: Any) -> dict[str, Any]:
     """Return a study for JSON, in SI units but for inputs."""
-    if study.design.records is not None:
-        return _under_records(study)
-    design, groups = study.design, _grouped(study)
-    failure = groups.get(("probability of failure", "factor_of_safety"), ())
-    return {
+    design = study.design
+    common = {
         "scene": study.scene.name,
-        "inputs": [u.record for u in design.drawn.values()],
+        "inputs": [uncertain.record for uncertain in design.drawn.values()],
         "correlation": design.correlations,
         "method": design.method,
+        "seed": design.seed,
+        "accuracy": design.accuracy,
+        "warnings": study.warnings,
+    }
+    return common | (_of_samples(study) if design.records is None else _under_records(study))
+
+
+def _of_samples(study: Any) -> dict[str, Any]:
+    """Return counts, estimates and curves of independent samples for JSON."""
+    design = study.design
+    keys = [number.key for number in design.inputs.values()]
+    return {
         "samples": design.n,
         "valid_samples": study.n,
         "samples_without_result": study.without_result,
         "samples_outside_range": study.outside_range,
-        "seed": study.seed,
         "block": study.size,
-        "accuracy": design.accuracy,
         "confidence": study.confidence,
         "status": {s.name: int(study.counts[s]) for s in Status},
         "moving": _record(study.moving),
-        "probability_of_failure": {row.input: _record(row.estimate) for row in failure},
-        "outputs": {name: _output(study, groups, name) for name in OUTCOMES},
+        "probability_of_failure": {method: _record(estimate) for method, estimate in study.failure.items()},
+        "outputs": {name: _output(study, name) for name in OUTCOMES},
         "no_linear": study.no_linear or None,
         "sensitivity_base": design.base,
         "sensitivity": [
-            {"output": output, "input": first.input, "first": _record(first.estimate), "total": _record(total.estimate)}
-            for output in study.sensitivity
-            for first, total in zip(groups["first-order index", output], groups["total index", output], strict=True)
+            {"output": output, "input": key, "first": _record(first), "total": _record(total)}
+            for output, indices in study.sensitivity.items()
+            for key, first, total in zip(keys, *indices, strict=True)
         ],
         "convergence": [
             {"n": c.n, "moving": _record(c.moving), "run_out_median": _record(c.median), "run_out_95": _record(c.upper)}
             for c in study.convergence
         ],
-        "warnings": study.warnings,
     }
 
 
-def _output(study: Any, groups: _Groups, name: str) -> dict[str, Any]:
-    """The statistics of one output, as JSON holds them."""
-    exceedance = groups.get(("exceedance", name), ())
+def _output(study: Any, name: str) -> dict[str, Any]:
+    """Return the statistics of one output for JSON."""
     return {
         "unit": OUTCOMES[name].unit,
-        "mean": _record(groups["mean", name][0].estimate),
-        "std": _record(groups["std", name][0].estimate),
+        "mean": _record(study.mean(name)),
+        "std": _record(study.std(name)),
         "linear": study.linear[name]._asdict() if name in study.linear else None,
-        "quantiles": [{"p": row.at} | _record(row.estimate) for row in groups["quantile", name]],
-        "exceedance": [{"at": row.at} | _record(row.estimate, "probability") for row in exceedance],
+        "quantiles": [{"p": p} | _record(study.quantile(name, p)) for p in QUANTILES],
+        "exceedance": [{"at": at} | _record(estimate, "probability") for at, estimate in _curve(study, name)],
     }
 
 
 def _under_records(study: Any) -> dict[str, Any]:
     """Return records, axes, results (record, polarity, scale, sample) and their statistics for JSON, in SI units."""
-    design, records = study.design, study.records
-    displacement = study.displacement
+    records, displacement = study.records, study.displacement
     described = {
-        "scene": study.scene.name,
         **study.suite.to_dict(),
         "polarities": records.polarities,
         "scale_is": "pga_g" if records.to_pga else "factor",
         "yield_coefficient": study.yield_coefficient,
         "block_factor": study.block_factor,
-        "seed": design.seed,
-        "method": design.method,
-        "accuracy": design.accuracy,
-        "inputs": [uncertain.record for uncertain in design.drawn.values()],
-        "correlation": design.correlations,
         "distribution": [
             {"scale": scale} | distribution(displacement, k)._asdict() for k, scale in enumerate(study.scales.tolist())
         ],
         "fragility": [curve.to_dict() for curve in study.fragility()],
         "exceedance": study.fragility_columns(),
         "median_record": study.suite.entries[study.median_record(study.own_scale)].name,
-        "warnings": study.warnings,
     }
     results = {name: values for name, values in arrays(study).items() if name not in ("record", "polarity", "sample")}
     return dict(plain(described | results))
@@ -228,12 +220,12 @@ def dataset(study: Any) -> Any:
 
 
 def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:
-    """An estimate as JSON holds it."""
+    """Return an estimate for JSON."""
     return dict(zip((value, "low", "high"), map(_cell, estimate), strict=True))
 
 
 def _cell(value: float) -> float | str | None:
-    """A number of a file: none where it is not given."""
+    """Return a number for a file: None for NaN, a word for infinity."""
     if math.isnan(value):
         return None
     return value if math.isfinite(value) else BEYOND

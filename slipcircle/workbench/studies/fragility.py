@@ -55,7 +55,7 @@ class FragilityCurve(NamedTuple):
     quantile: float = math.nan
 
     def probability(self, pga: ArrayLike) -> Floats:
-        """Probability of exceedance at positive peak accelerations over gravity and its interval, (3, ...)."""
+        """Return the probability of exceedance at peak accelerations over gravity, and its interval, (3, ...)."""
         log_pga = np.log(np.asarray(pga, dtype=np.float64))
         intercept, slope = self.coefficients
         (of_intercept, joint), (_, of_slope) = self.covariance
@@ -66,13 +66,13 @@ class FragilityCurve(NamedTuple):
         return np.asarray(special().ndtr(bounds))
 
     def to_dict(self) -> dict[str, Any]:
-        """The curve for JSON."""
+        """Return the curve for JSON."""
         fitted = {"median_pga_g": self.median._asdict(), "dispersion": self.dispersion._asdict()}
         return {"threshold_m": self.threshold} | fitted | {"reason": self.reason}
 
 
 def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCurve:
-    """The lognormal fragility curve of greatest likelihood.
+    """Fit the lognormal fragility curve of greatest likelihood.
 
     The likelihood is that of Baker (2015), of motions by record and scale, whether all records have the same peak
     acceleration at a scale (stripes) or each its own (a cloud). In a and b of Phi(a + b ln PGA), with b = 1/dispersion
@@ -125,7 +125,7 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
 
 
 def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile: float) -> FragilityCurve:
-    """The curve of a and b, with intervals by the derivatives of ln median = -a/b and ln dispersion = -ln b."""
+    """Return the curve of a and b, with intervals from derivatives of ln median = -a/b and ln dispersion = -ln b."""
     intercept, slope = coefficients.tolist()
     log_median = -intercept / slope
     log_dispersion = -math.log(slope)
@@ -137,7 +137,7 @@ def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile:
 
 
 def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -> str:
-    """Why there is no curve; empty where there is one, and with any one of the records left out, too.
+    """Return the reason for no curve; empty if there is one, and one without each of the records.
 
     Where one record makes the difference, the dispersion would be small and its interval too narrow.
     """
@@ -154,7 +154,7 @@ def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -
 
 
 def _without_maximum(share: Floats, log_pga: Floats) -> str:
-    """Why the likelihood has no maximum at a finite median and dispersion; empty where it has one.
+    """Return the reason why the likelihood has no maximum at a finite median and dispersion, or nothing.
 
     It has none where a peak acceleration separates what exceeds from what does not (Albert and Anderson 1984).
     """
@@ -181,7 +181,7 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
 
 
 def _most_likely(terms: Floats, share: Floats) -> Floats:
-    """Coefficients of greatest likelihood."""
+    """Return the coefficients of greatest likelihood."""
     from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:
@@ -194,14 +194,14 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
 
 
 def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Floats:
-    """Covariance of the coefficients, from those without each record."""
+    """Return the covariance of the coefficients from fits without each record."""
     without = np.array([_most_likely(terms[record != one], share[record != one]) for one in np.unique(record)])
     count = len(without)
     return (count - 1) ** 2 / count * np.cov(without.T)
 
 
 def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
-    """Log-likelihood of shares at arguments of Phi, its derivative, and its expected second derivative, negative."""
+    """Return log-likelihoods of shares at arguments of Phi, their derivatives and negative expected second ones."""
     log_above = special().log_ndtr(argument)
     log_below = special().log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
@@ -214,7 +214,7 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:
-    """A positive number and its interval from the standard error of its logarithm."""
+    """Return a positive number and its interval from the standard error of its logarithm."""
     variance = np.maximum(derivative @ covariance @ derivative, 0.0)  # not below it by rounding
     half = quantile * math.sqrt(variance)
     value = math.exp(log_value)

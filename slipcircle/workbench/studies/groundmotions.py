@@ -94,7 +94,7 @@ def ground_motions(
 
 
 def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
-    """Numbers that cannot be uncertain where there are records."""
+    """Yield a message for each number that cannot be uncertain under records."""
     for name, number in inputs.items():
         if name.startswith("shaking."):
             yield f"{number.key}: belongs to the scene's shaking, which the records replace; leave it out"
@@ -103,7 +103,7 @@ def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
 
 
 def _record_mistakes(motions: GroundMotions) -> Iterator[str]:
-    """Records that cannot be scaled as they are to be."""
+    """Yield a message for each record that cannot be scaled."""
     for entry in motions.suite:
         if motions.to_pga and entry.peak == 0.0:
             yield f"{entry.name}: is zero at all times, so that it has no peak to scale; leave it out"

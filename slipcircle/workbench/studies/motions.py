@@ -12,7 +12,7 @@ from slipcircle.workbench.common.quantities import factors
 
 
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:
-    """The motions of a scene with arrays of values, SI, by name; what is no scene is `Status.INVALID`."""
+    """Solve a scene with arrays of values by name, in SI units; the status of invalid scenes is `Status.INVALID`."""
     with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
         lanes, invalid = _lanes(scene, values)
         return solve(lanes, accuracy, invalid=invalid)
@@ -27,6 +27,6 @@ def factors_at_start(scene: Scene, values: Mapping[str, Any], accuracy: float) -
 
 
 def _lanes(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Any]:
-    """The scene with the values, and which lanes are no scenes."""
+    """Return the scene with the values, and its invalid lanes."""
     arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
     return with_parameter_arrays(scene, arrays)

@@ -29,7 +29,7 @@ class Linear(NamedTuple):
 
 
 def propagated(design: Design) -> dict[str, Linear]:
-    """Mean and standard deviation of each outcome.
+    """Return mean and standard deviation of each outcome to first order.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def _outcomes(motion: Any) -> Any:
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:
-    """A sentence where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
+    """Return a warning if both differ by more than a share of the spread and by more than chance."""
     differences = []
     unit = OUTCOMES[output].unit
     for name, one, other, error, share in (

@@ -21,7 +21,7 @@ def _seeded(seed: int, stream: tuple[int, ...]) -> np.random.SeedSequence:
 
 
 def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
-    """Random points ``start`` to ``start + count``, an array (dimensions, count); start a multiple of 4.
+    """Draw random points ``start`` to ``start + count``, (dimensions, count); start is a multiple of 4.
 
     The counter of Philox is set to the place: it gives four numbers a step.
     """
@@ -32,7 +32,7 @@ def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dime
 
 
 def sobol(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
-    """Points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
+    """Draw points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
     sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
     with warnings.catch_warnings(action="ignore", category=UserWarning):  # that some counts are not balanced
         if start:

@@ -21,7 +21,7 @@ SEARCHED = "searched "  # before the name of a method: by this method, the circl
 
 
 def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.bool_]) -> dict[str, Floats]:
-    """By ``SEARCHED`` and a method, for values of the scene's numbers in SI units; NaN of what is not valid."""
+    """Return factors by ``SEARCHED`` and method for values of the scene's numbers in SI units; NaN if not valid."""
     stability = stability_of(scene)
     assert isinstance(scene, SlopeScene)
     assert stability is not None
@@ -42,7 +42,7 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.b
 
 
 def search_mistakes(scene: Any) -> list[str]:
-    """A sentence where a scene has no circle to be searched."""
+    """Return a message if a scene has no circle to be searched."""
     stability = stability_of(scene)
     if stability is not None and stability.method:
         return []
@@ -50,7 +50,7 @@ def search_mistakes(scene: Any) -> list[str]:
 
 
 def effect_of_searching(study: Any, method: str) -> str:
-    """How much it changes factors of safety that the circle is searched for every sample."""
+    """Return the effect of a search for every sample on factors of safety, in words."""
     method = method if method in METHODS else "paper"
     both = (method, f"{SEARCHED}{method}")
     below, below_searched = (f"{study.failure[name].value:.3g}" for name in both)

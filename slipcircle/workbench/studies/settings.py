@@ -91,7 +91,7 @@ def setting_mistakes(scene: Scene, given: Mapping[str, Any], records: Any) -> li
 
 
 def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
-    """A sentence for each distribution of which much lies where there is no scene: it is truncated only by name."""
+    """Return a message for each distribution with much of its probability outside the bounds of its number."""
     found = []
     for uncertain in drawn.values():
         number, distribution = uncertain.number, uncertain.distribution

@@ -91,7 +91,7 @@ class Shaken:
         return float(solve(shaken).outcomes["peak_velocity"]) / (0.1 * gravity * 1e-3)
 
     def regressions(self, scale: int, magnitude: float = math.nan, period: float = 0.0) -> list[Comparison]:
-        """Displacements at a scale beside published regressions of sliding blocks.
+        """Compare displacements at a scale with published regressions of sliding blocks.
 
         Of each record the mean of polarities and the median of samples, over `block_factor`.
 
@@ -118,17 +118,17 @@ class Shaken:
         return comparisons(by_record / self.block_factor, shaking)
 
     def _by_record(self, scale: int) -> Floats:
-        """Displacement of each record at a scale, m: mean of polarities, median of samples."""
+        """Return the displacement of each record at a scale, m: mean of polarities, median of samples."""
         return np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
 
     def fragility(self) -> list[FragilityCurve]:
-        """Lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""
+        """Fit lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""
         thresholds = self.records.thresholds.tolist()
         displacement, pga = self.displacement, self.pga
         return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
 
     def fragility_columns(self) -> dict[str, list[Any]]:
-        """Exceedance at every threshold and scale, in columns: of the motions, and of the fragility curve.
+        """Return exceedance at every threshold and scale by columns, of the motions and of the fragility curve.
 
         Each with its interval of 95 %, the curve at the median peak acceleration of the scale; or why there is none.
         """
@@ -159,12 +159,12 @@ class Shaken:
         return columns | {"reason": reasons.tolist()}
 
     def median_record(self, scale: int) -> int:
-        """The place of the record with the median displacement at a scale, the lower one of two."""
+        """Return the place of the record with the median displacement at a scale, the lower one of two."""
         order = np.argsort(self._by_record(scale), kind="stable")
         return int(order[(order.size - 1) // 2])
 
     def motions_of(self, record: int, scale: int) -> list[Motion]:
-        """The motions under a record at a scale, by their places, one a polarity, at medians of uncertain numbers."""
+        """Solve the motions under a record at a scale in each polarity, at medians of uncertain numbers."""
         unscaled = self.suite.entries[record].record()
         motions = []
         for factor in (self.factors[record, scale] * self.polarities).tolist():
@@ -178,7 +178,7 @@ class Shaken:
         return int(np.argmin(np.abs(self.factors - 1.0).max(axis=0)))
 
     def scale_text(self, scale: int) -> str:
-        """A scale, by its place, in words."""
+        """Return a scale, by its place, in words."""
         value = shown(float(self.scales[scale]))
         return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
@@ -191,7 +191,7 @@ class Shaken:
         return found
 
     def by_record(self, scale: int = 0) -> dict[str, list[Any]]:
-        """A table of the records at one of the scales: columns by their heads, medians over the samples.
+        """Return a table of the records at a scale as columns by their heads, medians over the samples.
 
         Displacement of each polarity and their mean, m; of both the greatest peak velocity, m/s, and rotation, rad,
         and the most slips.

@@ -47,12 +47,12 @@ BEYOND = "beyond"  # in place of an infinite value: exceeded by samples that sli
 
 
 def value_text(value: float) -> str:
-    """A value of an estimate as people read it."""
+    """Return a value of an estimate in words."""
     return BEYOND if value == math.inf else shown(value)
 
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
-    """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
+    """Return the interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
     hits = np.asarray(hits, dtype=np.float64)
     tail = (1.0 - confidence) / 2
     misses = n - hits
@@ -64,20 +64,20 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
 
 def standard_error(values: Floats) -> Any:
-    """Standard error of the mean of a few independent estimates, along the first axis."""
+    """Return the standard error of the mean of independent estimates along the first axis."""
     deviation = np.std(values, axis=0, ddof=1)
     return deviation / math.sqrt(len(values))
 
 
 def student(values: Floats, confidence: float) -> Any:
-    """Half the width of the interval of that mean; NaN of a single estimate."""
+    """Return half the width of the interval of a mean of independent estimates; NaN for a single estimate."""
     if len(values) < 2:
         return np.full(np.shape(values)[1:], np.nan)
     return width(confidence, len(values)) * standard_error(values)
 
 
 def share_width(shares: Floats, size: float, confidence: float) -> Any:
-    """Half the width of the interval of a mean of shares (replicates, ...) of so many samples each.
+    """Return half the width of the interval of a mean of shares (replicates, ...), each of a number of samples.
 
     NaN where the interval would not have its confidence (`python -m tests.campaigns.coverage`): for few samples, in
     the tails, and where the replicates differ by less than a sample, as sequences in one dimension do.
@@ -90,7 +90,7 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
 
 
 def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
-    """Probabilities and their intervals from counts (replicates, ...) among valid samples (replicates,)."""
+    """Return probabilities and their intervals from counts (replicates, ...) among valid samples (replicates,)."""
     samples = int(valid.sum())
     total = hits.sum(axis=0)
     if not samples:
@@ -108,7 +108,7 @@ def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Float
 
 
 def width(confidence: float, replicates: int = 1) -> float:
-    """Standard errors of half an interval: of many samples, or of a few replicates."""
+    """Return half the width of an interval in standard errors, of many samples or of a few replicates."""
     tail = (1.0 + confidence) / 2
     if replicates > 1:
         return float(special().stdtrit(replicates - 1, tail))
@@ -116,7 +116,7 @@ def width(confidence: float, replicates: int = 1) -> float:
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
-    """Ranks, from 1, of the samples that hold the p-quantile between them; 0 or n + 1 where there is none.
+    """Return the ranks, from 1, of the samples around the p-quantile; 0 or n + 1 for an unknown end.
 
     The number of samples below the quantile is binomial, whatever the distribution.
     """
@@ -211,7 +211,7 @@ class Indices(NamedTuple):
 
 
 def indices(sums: Floats, confidence: float) -> Indices:
-    """Indices of one output from the `sums` of independent batches, (batches, 3 + 3 inputs).
+    """Return the indices of one output from the `sums` of independent batches, (batches, 3 + 3 inputs).
 
     First-order as Saltelli et al. (2010), centred, and total as Jansen (1999); intervals from leaving out each batch
     in turn. NaN where the output does not vary, or is infinite somewhere.
@@ -230,7 +230,7 @@ def indices(sums: Floats, confidence: float) -> Indices:
 
 
 def _indices(sums: Floats) -> Floats:
-    """First-order and total indices, (..., 2, inputs)."""
+    """Return first-order and total indices, (..., 2, inputs)."""
     n, both, squares = (sums[..., k, None] for k in range(3))
     of_inputs = sums[..., 3:]
     by_input = of_inputs.reshape(*sums.shape[:-1], -1, 3)
@@ -246,7 +246,7 @@ def _indices(sums: Floats) -> Floats:
 
 
 def sums(y: Floats) -> Floats:
-    """What `indices` needs of one output, from yA, yB and then yAB of each input, by rows.
+    """Return the sums that `indices` needs, from rows of yA, yB and yAB of each input.
 
     The number of points, sums of yA + yB and yA**2 + yB**2; for each input of (yAB - yA)**2, yB (yAB - yA), yAB - yA.
     """
@@ -293,7 +293,7 @@ class Distribution(NamedTuple):
 
 
 def distribution(displacement: Floats, scale: int) -> Distribution:
-    """The distribution of displacements at a scale, by its place."""
+    """Return the distribution of displacements at a scale, by its place."""
     values = _valid(displacement, scale)
     if not values.size:
         unknown = (math.nan,) * len(Distribution._fields)
@@ -308,13 +308,13 @@ def distribution(displacement: Floats, scale: int) -> Distribution:
 
 
 def _valid(displacement: Floats, scale: int) -> Floats:
-    """The displacements of a scale in a row, without what is no scene."""
+    """Return the displacements of the valid scenes at a scale as one row."""
     values = displacement[:, :, scale].ravel()
     return values[~np.isnan(values)]
 
 
 def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
-    """Share of a record's motions at a scale that exceed a threshold, m, (record, scale); NaN if none is known."""
+    """Return the share of motions that exceed a threshold, m, (record, scale); NaN if no motion is valid."""
     known = ~np.isnan(displacement)
     exceeds = (displacement > threshold) & known
     with np.errstate(invalid="ignore"):
@@ -322,7 +322,7 @@ def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
 
 
 def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
-    """Probabilities that displacements exceed thresholds, m, by scale and threshold.
+    """Return the probabilities that displacements exceed thresholds, m, by scale and threshold.
 
     The intervals are those of a share of as many draws as there are records (Clopper and Pearson 1934): as if both
     polarities and all samples of a record exceeded a threshold together, which is never too short. Counting motions
@@ -349,7 +349,7 @@ class Shares(NamedTuple):
 
 
 def variance_shares(displacement: Floats, scale: int) -> Shares:
-    """First-order shares of the variance at a scale: variances of means over all else; NaN where they are not known."""
+    """Return first-order shares of the variance at a scale, from variances of means; NaN if they are unknown."""
     values = displacement[:, :, scale]
     if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
         return Shares(math.nan, math.nan, math.nan)

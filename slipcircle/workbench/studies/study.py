@@ -157,8 +157,9 @@ class Study(Shaken, Pictured):
         return motions(self.scene, si, self.design.accuracy)[0]
 
     def to_dict(self) -> dict[str, Any]:
-        """Statistics, curves and indices for JSON, in SI units except for inputs. None if undefined, "beyond" for a
-        quantile among samples that move without a result.
+        """Return statistics, curves and indices for JSON, in SI units except for inputs.
+
+        An undefined value is None, a quantile among samples that move without a result "beyond".
         """
         return export.record(self)
 
@@ -290,13 +291,13 @@ class Study(Shaken, Pictured):
         return self._of_output(output).quantile(p, self.confidence)
 
     def mean(self, output: str) -> Estimate:
-        """Mean of an output; samples that do not move count as 0. None if some samples move without a result."""
+        """Return the mean of an output, 0 of samples that do not move; NaN if some samples move without a result."""
         value, error, *_ = self._sampled(output)
         half = error * width(self.confidence, self.design.replicates)
         return Estimate(value, value - half, value + half)
 
     def std(self, output: str) -> Estimate:
-        """Standard deviation of an output; samples that do not move count as 0.
+        """Return the standard deviation of an output, which is 0 of samples that do not move.
 
         Without an interval: few samples are in the tail on which its error depends.
         """

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.tables import Series
 
 _DRIFT = 0.05  # of the peak velocity
@@ -77,7 +77,7 @@ def _velocity(time: Floats, values: Floats) -> Floats:
     return np.cumsum(np.diff(time) * means)
 
 
-def _with_zeros(record: Series) -> tuple[Floats, Floats]:
+def _with_zeros(record: Series) -> ArrayPair:
     """Times and values with the places between samples where the acceleration passes zero: there the velocity peaks."""
     time, values = record.time, record.values
     before, after = values[:-1], values[1:]

@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
 RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) take a mass for rigid
@@ -99,7 +99,7 @@ class Regression:
     source: str
     median: Mapping[str, float]
     deviation: Mapping[str, float]
-    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    limits: Mapping[str, Pair] = field(default_factory=dict)
     least_cm: float = 0.0
     motion: Mapping[str, float] = field(default_factory=dict)
 

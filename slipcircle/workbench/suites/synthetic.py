@@ -1,14 +1,13 @@
 """Synthetic records: noise that swells and fades, of an Arias intensity and a duration."""
 
 import math
-import os
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, PathName
 from slipcircle.tables import Series
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import special
@@ -96,7 +95,7 @@ def _filter(frequencies: Floats) -> Floats:
     return amplitude * slow
 
 
-def write_records(records: Mapping[str, Series], folder: str | os.PathLike[str]) -> None:
+def write_records(records: Mapping[str, Series], folder: PathName) -> None:
     """Write driving accelerations into a folder as tables of time and acceleration of the ground, their opposite.
 
     The folder may be new. `read_suite` reads the same records from it, in the same order and with the same bits.
