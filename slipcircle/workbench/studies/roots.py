@@ -37,6 +37,8 @@ def solve_exact(problem: SearchProblem) -> list[float]:
         misfit = outcomes.reshape(rows.shape) - target
         if at_ends is not None:
             misfit[:, 0], misfit[:, -1] = at_ends
+        elif np.fmax.reduce(np.abs(misfit), axis=None) <= _FLAT * abs(target):
+            return []  # the number has no effect
         first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
         size = np.abs(misfit)
         is_met = size <= _ROUNDING * abs(target)
