@@ -97,14 +97,12 @@ def check() -> int:
         _check_law(law)
     for effect in effects:
         _check_effect(effect)
-    defined: dict[tuple[str, ...], str] = {}
+    by_weight: dict[sp.Expr, str] = {}
     for moment in moments:
-        definition = moment.definition
-        if definition in defined:
-            raise ProofError(
-                _claim(moment, "weight"), f"{moment.weight}, as of {defined[definition]}", "another weight"
-            )
-        defined[definition] = moment.name
+        _ = moment.definition
+        first = by_weight.setdefault(moment.weight, moment.name)
+        if first != moment.name:
+            raise ProofError(_claim(moment, "weight"), f"{moment.weight}, as of {first}", "another weight")
     return len((*laws, *effects, *moments))
 
 
