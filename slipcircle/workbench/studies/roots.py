@@ -29,6 +29,7 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     may jump there.
     """
     target = float(problem.targets[0])
+    scale = abs(target)
     rows = problem.ranges[0][None, :]
     fine: list[Floats] = []
     at_ends: Any = None
@@ -37,15 +38,15 @@ def solve_exact(problem: SearchProblem) -> list[float]:
         misfit = outcomes.reshape(rows.shape) - target
         if at_ends is not None:
             misfit[:, 0], misfit[:, -1] = at_ends
-        elif np.fmax.reduce(np.abs(misfit), axis=None) <= _FLAT * abs(target):
-            return []  # the number has no effect
-        first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
+        elif _is_flat(misfit, scale):
+            return []
+        first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), scale)
         size = np.abs(misfit)
-        is_met = size <= _ROUNDING * abs(target)
+        is_met = size <= _ROUNDING * scale
         fine.append(rows[is_met])
         left = rows[first]
         right = rows[last]
-        is_level = np.maximum(size[first], size[last]) <= _FLAT * abs(target)
+        is_level = np.maximum(size[first], size[last]) <= _FLAT * scale
         is_flat = is_level & _apart(left, right, _WIDE)
         is_fine = is_flat | (is_met[first] & is_met[last]) | ~_apart(left, right, 4 * EPS)
         fine += [left[is_fine], right[is_fine]]
@@ -55,6 +56,12 @@ def solve_exact(problem: SearchProblem) -> list[float]:
         at_ends = misfit[first][rough], misfit[last][rough]
         rows = _divided(left[rough], right[rough])
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
+
+
+def _is_flat(misfit: Floats, scale: float) -> bool:
+    """Return whether the number has no effect: all outcomes are the observation, to more than their rounding."""
+    largest = np.fmax.reduce(np.abs(misfit), axis=None)
+    return bool(largest <= _FLAT * scale)
 
 
 def limit_value(problem: SearchProblem) -> list[float]:
