@@ -9,6 +9,7 @@ import os
 import shlex
 import sys
 from collections.abc import Sequence
+from contextvars import copy_context
 from importlib import import_module
 from textwrap import wrap
 from threading import active_count
@@ -53,12 +54,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         options = _parser(argv[0]).parse_args(argv)
         options.line = shlex.join(["slipcircle", *argv])
-        from slipcircle.workbench.commands.common import check_files
-
-        check_files(options)
-        answer = options.run(options)
-        _write(answer, options)
-        _print(answer, options.json)
+        copy_context().run(_answer, options)  # in which the units of output are selected
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
@@ -115,6 +111,17 @@ def _parser(called: str) -> argparse.ArgumentParser:
             module.options(added)
             added.set_defaults(run=module.run)
     return parser
+
+
+def _answer(options: argparse.Namespace) -> None:
+    """Run a command, write its files and print its answer."""
+    from slipcircle.workbench.commands.common import check_files, choose_units
+
+    check_files(options)
+    choose_units(options)
+    answer = options.run(options)
+    _write(answer, options)
+    _print(answer, options.json)
 
 
 def _write(answer: "Answer", options: argparse.Namespace) -> None:

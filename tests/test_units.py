@@ -1,6 +1,8 @@
 """Units of keys and of quantities, and profiles from spreadsheets and drawings."""
 
 import argparse
+import csv
+import json
 import math
 import re
 from collections.abc import Iterator
@@ -11,6 +13,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Scene, Section, Slope, Soil, load
+from slipcircle.__main__ import main
 from slipcircle.workbench.commands import backanalyse
 from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.files.document import Document
@@ -275,6 +278,89 @@ top_file_unit = "ft"
     ):
         with pytest.raises(ValueError, match=re.escape(said)):
             scene_of(tmp_path, text.replace(old, new))
+
+
+# --- units of output ---------------------------------------------------------------------------------------------
+
+IN_US = {"m": ("ft", 0.3048), "m/s": ("ft/s", 0.3048), "Pa": ("psf", 4.4482216152605 / 0.3048**2)}
+IN_US |= {"kPa": ("ksf", 4448.2216152605 / 0.3048**2 / 1e3), "m^2": ("ft^2", 0.3048**2)}
+SCENE = """[ground]
+points_m = [[0, 20], [20, 20], [50, 4], [90, 4]]
+unit_weight_kN_m3 = 20
+[circle]
+centre_m = [46, 42]
+radius_m = 38.5
+[friction]
+angle_deg = 12
+[cohesion]
+cohesion_kPa = 4
+[rotation]
+[centripetal]
+[observed]
+run_out_m = [5, 12]
+"""
+
+
+def numbers_of(text: str) -> list[tuple[float, str]]:
+    """Every number of a table in its order, with the word after it."""
+    found = re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e-?\d+)?)(?:,? +(?:to +)?)([a-zA-Z][a-zA-Z/^2]*)?", text)
+    return [(float(value), unit) for value, unit in found]
+
+
+@pytest.mark.parametrize("command", ["run --verbose", "search", "backanalyse", "sensitivity"])
+def test_tables_in_both_units(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Lengths, velocities and stresses in feet and psf are those in SI units; JSON is the same.
+
+    Sizes are those of the international foot and the pound-force; stresses are compared where both have a prefix.
+    """
+    file = tmp_path / "slope.toml"
+    file.write_text(SCENE, "utf-8")
+
+    def printed(*more: str) -> str:
+        assert main([*command.split(), str(file), *more]) == 0
+        return capsys.readouterr().out
+
+    in_si = printed()
+    in_us = printed("--units", "us")
+    file.write_text(SCENE + '[output]\nunits = "US"\n', "utf-8")
+    assert printed() == in_us
+    assert printed("--units", "SI") == in_si
+    assert json.loads(printed("--json")) == json.loads(printed("--json", "--units", "si"))
+    assert "ft" in in_us
+    assert "(m" not in in_us
+    pairs = list(zip(numbers_of(in_si), numbers_of(in_us), strict=True))
+    converted = 0
+    for (si, unit), (us, name) in pairs:
+        if unit in IN_US and name == IN_US[unit][0]:
+            assert us == pytest.approx(si / IN_US[unit][1], rel=2e-3, abs=2e-3)
+            converted += 1
+    assert converted >= {"run --verbose": 20, "search": 3}.get(command, 0)
+
+
+def test_units_of_output_that_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, other = tmp_path / "a.toml", tmp_path / "b.toml"
+    file.write_text(SCENE + '[output]\nunits = "metric"\n', "utf-8")
+    assert main(["run", str(file)]) == 1
+    assert 'output.units = "metric": must be one of SI, US' in capsys.readouterr().err
+    file.write_text(SCENE + '[output]\nunits = "SI"\n', "utf-8")
+    other.write_text(SCENE + '[output]\nunits = "us"\n', "utf-8")
+    assert main(["run", str(file), str(other)]) == 1
+    assert "select different units of output; give --units SI or US" in capsys.readouterr().err
+    assert main(["sweep", str(file), "--grid", "friction.angle_deg=11,12", "--units", "yd"]) == 1
+    assert "--units yd: must be SI or US" in capsys.readouterr().err
+
+
+def test_sweep_in_feet(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Run-outs of a grid in feet on the screen, in metres in the file."""
+    file, table = tmp_path / "a.toml", tmp_path / "a.csv"
+    file.write_text(SCENE, "utf-8")
+    grid = ["sweep", str(file), "--grid", "friction.angle_deg=11,12", "--units", "US", "--csv", str(table)]
+    assert main(grid) == 0
+    *_, first, second = (line.split() for line in capsys.readouterr().out.splitlines() if line[:1].isdigit())
+    with table.open() as opened:
+        rows = list(csv.DictReader(opened))
+    for shown, row in zip((first, second), rows, strict=True):
+        assert float(shown[1]) == pytest.approx(float(row["run_out (m)"]) / 0.3048, rel=1e-3)
 
 
 # --- profiles of many points -----------------------------------------------------------------------------------------

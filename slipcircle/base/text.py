@@ -1,8 +1,12 @@
 """Formatting of numbers and text."""
 
 import math
+from collections.abc import Mapping
+from contextvars import ContextVar
 
 DIGITS = 4  # significant digits of printed numbers
+# Units of output by SI unit with their sizes; empty for SI.
+PRINTED: ContextVar[Mapping[str, tuple[str, float]]] = ContextVar("PRINTED", default={})  # noqa: B039
 
 
 def shown(value: float, digits: int = DIGITS) -> str:
@@ -13,6 +17,18 @@ def shown(value: float, digits: int = DIGITS) -> str:
         return "infinite" if value > 0.0 else "-infinite"
     rounded = float(f"{value:.{digits - 1}e}") + 0.0  # no -0
     return f"{rounded:.{max(digits, 6)}g}"
+
+
+def printed(unit: str) -> tuple[float, str]:
+    """Return the factor from an SI unit to the unit of output, and that unit."""
+    name, size = PRINTED.get().get(unit, (unit, 1.0))
+    return 1.0 / size, name
+
+
+def measured(value: float, unit: str, digits: int = DIGITS) -> str:
+    """Return a quantity in an SI unit as text with its unit of output."""
+    factor, name = printed(unit)
+    return f"{shown(factor * value, digits)} {name}".rstrip()
 
 
 def digits_left(error: float) -> int:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import digits_left, shown
+from slipcircle.base.text import digits_left, measured, shown
 from slipcircle.core.motion.states import Status
 
 OUTSIDE = "outside the range of the method"
@@ -60,4 +60,4 @@ def swings_back(motion: Any) -> Any:
 def range_words(motion: Any) -> str:
     """Return when and where a single motion leaves the range of validity, as text; empty if it does not."""
     state = motion.range_end
-    return f"after {shown(state.time, 3)} s, {shown(state.displacement, 3)} m" if state else ""
+    return f"after {shown(state.time, 3)} s, {measured(state.displacement, 'm', 3)}" if state else ""

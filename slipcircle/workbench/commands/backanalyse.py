@@ -6,9 +6,9 @@ from functools import partial
 from itertools import combinations
 from typing import Any
 
-from slipcircle.base.text import digits_left, shown
+from slipcircle.base.text import digits_left, printed, shown
 from slipcircle.workbench.commands import values
-from slipcircle.workbench.commands.common import add_files, add_scene
+from slipcircle.workbench.commands.common import add_files, add_scene, add_units
 from slipcircle.workbench.common import records
 from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
@@ -52,6 +52,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     )
     method = "method of the factor of safety, from which the motion starts, too; by default that of the scene"
     parser.add_argument("--method", choices=METHODS, help=method)
+    add_units(parser)
     add_files(parser, "what was observed over the fields")
     add_scene(parser)
 
@@ -106,7 +107,8 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
         if not (name in fit.observed or quantity.where(motion)):
             continue
         value = float(quantity.read(motion))
-        cells[quantity.heading] = shown(value, digits_left(motion.error_estimate)) + _observation(fit, name, value)
+        cells[quantity.heading] = shown(printed(quantity.unit)[0] * value, digits_left(motion.error_estimate))
+        cells[quantity.heading] += _observation(fit, name, value)
     if fit.method == FITTED:
         weighted = all(sigma for _, sigma in fit.observed.values())
         label = f"chi-square, degrees of freedom {fit.degrees_of_freedom}" if weighted else "misfit"
@@ -118,10 +120,11 @@ def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
     """An observation in brackets, with its standard error if it has one; whether a value is inside an interval."""
     if name not in fit.observed:
         return ""
+    factor, _ = printed(OBSERVABLE[name].unit)
     if name in fit.intervals:
         interval = fit.intervals[name]
         side = "inside" if interval.low <= computed <= interval.high else "outside"
-        return f" ({side if interval.limit is None else 'limit:'} {interval})"
+        return f" ({side if interval.limit is None else 'limit:'} {interval.times(factor)})"
     value, sigma = fit.observed[name]
-    error = f" +- {sigma:.2g}" if sigma else ""
-    return f" (observed {shown(value, 6)}{error})"
+    error = f" +- {factor * sigma:.2g}" if sigma else ""
+    return f" (observed {shown(factor * value, 6)}{error})"

@@ -5,8 +5,11 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from slipcircle.base.checks import InputError
+from slipcircle.base.text import PRINTED
 from slipcircle.core import Scene
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.units import SYSTEMS
+from slipcircle.workbench.files.scenefile import units_of_files
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures
 
@@ -38,6 +41,30 @@ def check_files(options: argparse.Namespace) -> None:
     if "--plot" in outputs or "--report" in outputs:
         for path in options.plot or [""]:
             pictures.check(options.command, path, len(scenes))
+
+
+def add_units(parser: argparse.ArgumentParser) -> None:
+    """Declare the option that selects the units of output."""
+    units = "units of tables, pictures, reports and pages, by default [output] units of the scene file, or SI"
+    parser.add_argument("--units", type=str.upper, choices=SYSTEMS, help=units)
+
+
+def choose_units(options: argparse.Namespace) -> None:
+    """Select the units of output that the options give, or else the scene files.
+
+    Another value of ``units`` is that of records and remains.
+    """
+    values = vars(options)
+    scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
+    if not scenes:
+        return
+    given = (values.get("units") or "").upper()
+    if given in SYSTEMS:
+        options.units = None
+    chosen = {given} & {*SYSTEMS} or units_of_files(scenes) or {"SI"}
+    if len(chosen) > 1:
+        raise ValueError(f"{options.command}: the scene files select different units of output; give --units SI or US")
+    PRINTED.set(SYSTEMS[chosen.pop()])
 
 
 def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:

@@ -41,7 +41,7 @@ def add_reading(parser: Any) -> None:
     parser.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
     parser.add_argument("--columns", metavar="ROLES", default=(), help=roles)
     parser.add_argument("--vertical", metavar="PATTERN", help=vertical)
-    parser.add_argument("--units", help=units)
+    parser.add_argument("--units", help=f"{units}; of sweep also US or SI, units of output")
     parser.add_argument("--step", type=float, metavar="S", help="time between samples of files without times, s")
 
 

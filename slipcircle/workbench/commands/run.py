@@ -8,7 +8,7 @@ from slipcircle.base.progress import track
 from slipcircle.core import Motion, solve
 from slipcircle.words import OUTSIDE
 from slipcircle.workbench.commands import values
-from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, with_scene_context
+from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, add_units, with_scene_context
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
@@ -26,6 +26,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
     table = "the motion over time, in SI units and full precision"
     slide = "a page on which one can drag the slide, which needs nothing else"
+    add_units(parser)
     add_files(parser, picture, report=REPORT, csv=table, live=slide)
     varied = "the first slider of --live, and its range: friction.residual_deg=8:18"
     parser.add_argument("--vary", metavar="KEY=FROM:TO", help=varied)

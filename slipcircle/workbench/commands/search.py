@@ -4,7 +4,7 @@ import argparse
 from functools import partial
 
 from slipcircle.base.progress import say, track
-from slipcircle.workbench.commands.common import add_files
+from slipcircle.workbench.commands.common import add_files, add_units
 from slipcircle.workbench.files.scenefile import critical_of_file, with_circle
 from slipcircle.workbench.outputs import pictures, tables
 from slipcircle.workbench.outputs.tables import Answer, Files, Part
@@ -21,6 +21,7 @@ def options(parser: argparse.ArgumentParser) -> None:
     least = "what is least on the circle: the factor of safety, or the yield coefficient, the k_h that makes it slide"
     parser.add_argument("--least", choices=("factor", YIELD), default="factor", help=least)
     written = "a scene file of the motion along the circle, which must not exist yet"
+    add_units(parser)
     add_files(parser, "the section, the circle and the factors over centres", write=written)
 
 

@@ -4,7 +4,7 @@ import argparse
 from functools import partial
 
 from slipcircle.core import solve
-from slipcircle.workbench.commands.common import add_files, add_scene
+from slipcircle.workbench.commands.common import add_files, add_scene, add_units
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import pictures
@@ -15,6 +15,7 @@ from slipcircle.workbench.studies.standstill import standstills
 
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
+    add_units(parser)
     add_files(parser, "what a change of each number changes")
     add_scene(parser)
 

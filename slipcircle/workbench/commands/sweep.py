@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
 from slipcircle.workbench.commands import values as read
@@ -136,6 +136,8 @@ def _check_options(options: argparse.Namespace) -> None:
     if given and not under_records:
         names = ", ".join(f"--{name.replace('_', '-')}" for name in given)
         raise ValueError(f"sweep: {names}: of records; give --records FOLDER as well")
+    if options.units and not under_records:
+        raise ValueError(f"sweep: --units {options.units}: must be SI or US; other units are those of --records")
     if options.period is not None and not 0.0 <= options.period < math.inf:
         raise ValueError(f"sweep: --period {options.period:g}: must be a time in s, at least 0")
 
@@ -233,7 +235,8 @@ def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str
     """Return the run-outs on a grid of two inputs, and words where there is none."""
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
-    known = [w if math.isnan(r) else r for r, w in zip(run_outs, words, strict=True)]
+    factor, _ = printed(OUTCOMES["run_out"].unit)
+    known = [w if math.isnan(r) else factor * r for r, w in zip(run_outs, words, strict=True)]
     rows = [[at, *known[k * len(along) : (k + 1) * len(along)]] for k, at in enumerate(down)]
     title = f"{study.scene.name}: {OUTCOMES['run_out'].heading} by {keys[0]} (rows) and {keys[1]} (columns)"
     return Part([keys[0], *map(shown, along)], rows, title, note)
@@ -243,7 +246,9 @@ def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
     """Return a row for each scene of a grid: inputs, outcomes, the factor of safety of the start, status."""
     heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
     heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
-    columns = {heads[name] or name: study.samples[name].tolist() for name in heads if name in study.samples}
+    factors = {name: printed(q.unit)[0] for name, q in OUTCOMES.items()}
+    known = [name for name in heads if name in study.samples]
+    columns = {heads[name] or name: (factors.get(name, 1.0) * study.samples[name]).tolist() for name in known}
     rows = [[*row, w] for *row, w in zip(*columns.values(), words, strict=True)]
     return Part([*columns, "status"], rows, study.scene.name)
 

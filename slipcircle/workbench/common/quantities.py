@@ -15,7 +15,7 @@ import numpy as np
 
 from slipcircle.base import JSON_FORMAT
 from slipcircle.base.kinds import Floats, Function, Pair, ValueDict
-from slipcircle.base.text import DIGITS, digits_left, shown
+from slipcircle.base.text import DIGITS, digits_left, printed, shown
 from slipcircle.words import OUTSIDE, VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 from slipcircle.workbench.stability.starting import OF_CLOSURE
@@ -70,7 +70,8 @@ class Quantity:
         if isinstance(value, str):
             return value
         if self.point:
-            return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
+            factor, unit = printed(self.unit)
+            return f"{', '.join(map(shown, (factor * np.asarray(value)).tolist()))} {unit}"
         value, unit = self.seen(value)
         return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
 
@@ -83,8 +84,8 @@ class Quantity:
 
     @property
     def heading(self) -> str:
-        """Name and unit as tables have them."""
-        return words(self.name, self.unit)
+        """Return name and unit of output as tables have them."""
+        return words(self.name, printed(self.unit)[1])
 
     @property
     def head(self) -> str:
@@ -179,7 +180,7 @@ JOURNEY: tuple[Quantity, ...] = (
 # Of sections, which have a position.
 POSITION: tuple[Quantity, ...] = (
     Quantity("area", "m^2", "area of the section", "plan.scene.arc.area"),
-    Quantity("mass_per_metre", "kg/m", "mass per metre of width", "plan.scene.arc.mass_per_metre"),
+    Quantity("mass_per_metre", "kg/m", "mass per unit width", "plan.scene.arc.mass_per_metre"),
     Quantity("chord", "m", "chord of the slip circle under the mass", "plan.scene.arc.chord"),
     Quantity("depth", "m", "greatest thickness of the mass", "plan.scene.arc.depth"),
     Quantity("entry", "m", "upper end of the slip surface, x and y", "plan.scene.arc.entry", point=True),
@@ -255,6 +256,10 @@ class Interval(NamedTuple):
     def standard_error(self) -> float:
         """Of a uniform distribution; negative where the ends are reversed."""
         return (self.high - self.low) / math.sqrt(12.0)
+
+    def times(self, factor: float) -> Self:
+        """Return the interval in another unit."""
+        return type(self)(factor * self.low, factor * self.high)
 
     @classmethod
     def of_limit(cls, text: str) -> Self:
@@ -341,9 +346,12 @@ def time_text(nanoseconds: float) -> str:
 
 
 def prefixed(values: Any, unit: str) -> tuple[float, str]:
-    """A factor for convenient sizes of stresses, energies and forces, and the unit with its prefix."""
+    """Return a factor for convenient sizes of stresses, energies and forces, and the unit of output."""
     size = float(np.max(np.abs(values), initial=0.0))
-    if unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
-        return 1.0, unit
+    factor, name = printed(unit)
+    if name == "psf" and factor * size >= 1e3:
+        return factor / 1e3, "ksf"
+    if name != unit or unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
+        return factor, name
     per, prefix = next(((p, name) for p, name in _PREFIXES if size >= p), (1.0, ""))
     return 1.0 / per, prefix + unit

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import ValueDict
-from slipcircle.base.text import shown
+from slipcircle.base.text import measured
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.starting import OF_CLOSURE
@@ -75,5 +75,5 @@ def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:
             yield f"no result from {_WHOSE[method]} {symbol}"
             continue
         run_out = float(motion.run_out)
-        moved = f"{shown(run_out, 3 if abs(run_out) >= 1.0 else 2)} m" if motion.moves else "does not move"
+        moved = measured(run_out, "m", 3 if abs(run_out) >= 1.0 else 2) if motion.moves else "does not move"
         yield f"{moved} from {_WHOSE[method]} {symbol} = {value:.3f}"

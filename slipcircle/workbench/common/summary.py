@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import TextDict
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import range_words, swings_back
 from slipcircle.workbench.common.quantities import (
@@ -70,8 +70,8 @@ def end_words(motion: Motion) -> TextDict:
 
 def _observation(motion: Motion, name: str, seen: Any) -> str:
     """Return what was observed of an outcome, with its error, or whether the motion is inside an interval."""
-    unit = OBSERVABLE[name].unit
+    factor, unit = printed(OBSERVABLE[name].unit)
     if isinstance(seen, Interval):
         side = "inside" if seen.low <= observable(motion, name) <= seen.high else "outside"
-        return f"{side} the observed {seen} {unit}"
-    return f"observed {' +- '.join(map(shown, np.ravel(seen).tolist()))} {unit}"
+        return f"{side} the observed {seen.times(factor)} {unit}"
+    return f"observed {' +- '.join(map(shown, np.multiply(factor, np.ravel(seen)).tolist()))} {unit}"

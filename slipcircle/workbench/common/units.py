@@ -24,7 +24,18 @@ UNITS_OF_KEYS: Mapping[str, Mapping[str, float]] = {  # by SI unit; the first is
     "N/m^3": {"kN/m3": 1e3, "pcf": _POUND / _FOOT**3},
     "Pa/m": {f"{s}/{d}": size / depth for d, depth in LENGTHS.items() for s, size in STRESSES.items()},
 }
-US_UNITS = {"m": "ft", "m/s": "ft/s", "m/s^2": "ft/s2", "Pa": "psf", "N/m^3": "pcf", "Pa/m": "psf/ft"}
+SYSTEMS: Mapping[str, Mapping[str, tuple[str, float]]] = {  # units of output by SI unit, with their sizes
+    "SI": {},
+    "US": {
+        "m": ("ft", _FOOT),
+        "m/s": ("ft/s", _FOOT),
+        "m/s^2": ("ft/s^2", _FOOT),
+        "m^2": ("ft^2", _FOOT**2),
+        "Pa": ("psf", _PSF),
+        "kg/m": ("lb/ft", 0.45359237 / _FOOT),
+        "J": ("kip-ft", 1e3 * _POUND * _FOOT),
+    },
+}
 GRAVITIES = {"g": 1.0, "%g": 1e-2, "mg": 1e-3}  # units that follow the scene's own gravity
 UNITS = {  # m/s^2
     "g": 9.81,

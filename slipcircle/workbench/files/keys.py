@@ -17,7 +17,7 @@ from slipcircle.base import SCENE_FORMAT
 from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.given import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
-from slipcircle.workbench.common.units import published
+from slipcircle.workbench.common.units import SYSTEMS, published
 
 _MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
@@ -369,6 +369,17 @@ REPORT = Table(
         "checker": Key("checker", "who checks"),
     },
 )
-FURTHER = {"observed": OBSERVED, "report": REPORT}
+OUTPUT = Table(
+    "how the command line prints",
+    {
+        "units": Key(
+            "units",
+            "units of tables, pictures, reports and pages; JSON, CSV files and Python have SI units",
+            f"one of {', '.join(SYSTEMS)}",
+            kind="|".join(SYSTEMS).lower(),
+        )
+    },
+)
+FURTHER = {"observed": OBSERVED, "report": REPORT, "output": OUTPUT}
 TOP = table_of("a scene of slipcircle", _TOP, _TEXT)
 WITH_ARC = TOP._replace(tables={"arc": ARC_TABLE, "friction": FRICTION, **EFFECT_TABLES, **FURTHER})

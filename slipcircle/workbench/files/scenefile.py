@@ -4,7 +4,7 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
@@ -16,6 +16,7 @@ from generated.effects import EFFECTS
 from slipcircle.base.checks import InputError, Message
 from slipcircle.core import Arc, Scene, law_mistakes
 from slipcircle.ground import Section
+from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
@@ -132,6 +133,14 @@ def _with_tables(text: str, tables: Mapping[str, Mapping[str, Any]]) -> str:
         texts.append("".join([f"[{name}]\n", *lines]))
     replaced, count = _CIRCLE.subn(lambda _: texts[0], text, 1)
     return "\n".join([replaced, *texts[count:]])
+
+
+def units_of_files(names: Iterable[str]) -> set[str]:
+    """Return the units of output that scene files choose."""
+    contents = (_content(source, str(source)) for source in map(find, names))
+    tables = (content.get("output") for content in contents)
+    chosen = {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)}
+    return chosen & {*SYSTEMS}
 
 
 _ADVICE = (

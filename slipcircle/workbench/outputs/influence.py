@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import words
 from slipcircle.workbench.files.numbers import Number, by_name, lengths
@@ -50,7 +50,8 @@ def _is_point(name: str) -> bool:
 
 def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str) -> Part:
     """Return a table of derivatives per unit of the key of each number, with the value at which the mass would stay."""
-    rows: list[list[Any]] = [["", "", "", "", *(table.at[output] for output in table.outputs)]]
+    outcomes = (printed(unit)[0] * table.at[output] for output, unit in table.outputs.items())
+    rows: list[list[Any]] = [["", "", "", "", *outcomes]]
     keys = by_name(table.scene)
     for parameter in names:
         key = keys[parameter]
@@ -62,7 +63,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapp
         cells = [_cell(table, output, parameter, key) for output in table.outputs]
         rows.append([_label(table, key), shown(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
-    head += [words(output, unit) for output, unit in table.outputs.items()]
+    head += [words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
     return Part(head, rows, name, _note(table, names))
 
 
@@ -81,7 +82,7 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Number) -> str:
     per_si = table.derivative(output, parameter)
     is_noise = abs(per_si) <= table.error(output, parameter)
     per_unit = 0.0 if is_noise else float(per_si * key.slope(value))
-    text = shown(per_unit)
+    text = shown(printed(table.outputs[output])[0] * per_unit)
     if at and per_unit * value and per_unit == per_unit:
         text += f" ({per_unit * value / at:+.2g})"
     kind = table.kind(output, parameter)

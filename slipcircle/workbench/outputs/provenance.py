@@ -53,7 +53,7 @@ def _of_table(
     keys, prefix = tables[path].keys, f"{path}." if path else ""
     for name, value in given.items():
         where = f"{prefix}{name}"
-        if where == "report":
+        if where in ("report", "output"):
             continue
         if where in tables:
             if not value:

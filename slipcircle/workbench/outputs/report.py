@@ -9,12 +9,13 @@ import hashlib
 import os
 import time
 import tomllib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.progress import track
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
@@ -32,6 +33,7 @@ from slipcircle.workbench.outputs.tables import (
     Part,
     beside,
     cell_text,
+    in_unit,
     motion_groups,
     stability_columns,
     stretches_part,
@@ -296,15 +298,21 @@ def parts(study: Study, verbose: bool = True) -> Iterator[Part]:
     quantiles: list[list[Any]] = []
     for p in export.QUANTILES:
         factors = [study.factor_quantile(method, p) for method in methods]
-        quantiles.append([f"{1 - p:.2g}", *factors, *(study.quantile(name, p) for name in OUTCOMES)])
+        quantiles.append([f"{1 - p:.2g}", *factors, *_of_outcomes(partial(study.quantile, p=p))])
     note = "; ".join(_quantile_notes(study))
     yield Part(["exceedance probability", *of_methods, *heads], quantiles, "How safe, how far and how fast", note)
     yield _moments(study, heads, verbose)
     if study.sensitivity:
         yield _indices(study)
     if verbose:
-        head = ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"]
-        yield Part(head, [[c.n, c.moving, c.median, c.upper] for c in study.convergence], "Convergence")
+        names = (words(name, printed("m")[1]) for name in ("median run-out", "95 % quantile"))
+        rows = [[c.n, c.moving, in_unit(c.median, "m"), in_unit(c.upper, "m")] for c in study.convergence]
+        yield Part(["samples", "probability of moving", *names], rows, "Convergence")
+
+
+def _of_outcomes(estimate: Callable[[str], Any]) -> Iterator[Any]:
+    """Yield the estimate of each outcome in its unit of output."""
+    return (in_unit(estimate(name), quantity.unit) for name, quantity in OUTCOMES.items())
 
 
 def _probabilities(study: Study, methods: Sequence[str]) -> Part:
@@ -328,9 +336,9 @@ def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
     rows: list[list[Any]] = []
     notes = ["standard deviations have no interval, as their errors depend on few samples in the tails"]
     for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
-        rows.append([name, *map(estimate, OUTCOMES)])
+        rows.append([name, *_of_outcomes(estimate)])
         if study.linear and verbose:
-            rows.append([f"linear {name}", *(study.linear[outcome][moment] for outcome in OUTCOMES)])
+            rows.append([f"linear {name}", *_of_outcomes(lambda name, linear=study.linear, k=moment: linear[name][k])])
     if verbose:
         reason = f"no linear propagation: {study.no_linear}"
         notes.insert(0, reason if study.no_linear else "linear: derivatives at the means")

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from slipcircle.base.progress import is_terminal
-from slipcircle.base.text import DIGITS, clean, shown
+from slipcircle.base.text import DIGITS, clean, measured, printed, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
 from slipcircle.words import VelocityTimes
@@ -167,10 +167,13 @@ def stretches_part(motion: Motion) -> Part | None:
     for name in stresses:
         whole[name] = sum(record["length"] * record[name] for record in records) / length
     rows = []
+    (of_length, length_unit), (of_stress, unit) = printed("m"), printed("Pa")
+    if unit == "Pa":
+        of_stress, unit = 1e-3, "kPa"
     for record in (*records, whole):
-        in_kilopascal = [record[name] / 1e3 for name in stresses]
-        rows.append([record["soil"], record["length"], f"{100 * record['weight_share']:.1f}", *in_kilopascal])
-    head = ["soil", "length (m)", "weight (%)", *(f"{words(name)} (kPa)" for name in stresses)]
+        in_unit = [of_stress * record[name] for name in stresses]
+        rows.append([record["soil"], of_length * record["length"], f"{100 * record['weight_share']:.1f}", *in_unit])
+    head = ["soil", words("length", length_unit), "weight (%)", *(words(name, unit) for name in stresses)]
     note = "From the upper end down: the share of the weight above each stretch, and means along it at the start."
     if beyond := foreland_words(motion.plan.scene.arc):
         note += f" Beyond the exit: {beyond}."
@@ -200,7 +203,9 @@ def stability_columns(critical: Critical) -> tuple[dict[str, str], dict[str, str
 def pond_row(soil: Any) -> dict[str, str]:
     """Free water on a slope or on the ground of a single section, by its label."""
     ponds = soil.free_water.of_one if isinstance(soil, Slope | Section) else []
-    texts = [f"x = {first:.8g} to {last:.8g} m, level {level:.8g} m" for first, last, level in ponds]
+    factor, unit = printed("m")
+    numbers = [[f"{factor * x:.8g}" for x in pond] for pond in ponds]
+    texts = [f"x = {first} to {last} {unit}, level {level} {unit}" for first, last, level in numbers]
     return {"free water": "; ".join(texts)} if texts else {}
 
 
@@ -209,7 +214,7 @@ def _circle(critical: Critical) -> dict[str, str]:
     column = {
         "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre, critical.radius),
-        "radius": f"{shown(critical.radius)} m",
+        "radius": measured(critical.radius, "m"),
         "circles evaluated, invalid": f"{critical.tried}, {critical.refused}",
     }
     if not math.isnan(critical.negative):  # NaN for an overhanging circle
@@ -227,8 +232,9 @@ def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> dict[st
 
 def _point(xy: Sequence[float], radius: float) -> str:
     """Coordinates to the last place of the radius as it is printed."""
-    places = DIGITS - 1 - math.floor(math.log10(radius))
-    return ", ".join(f"{round(value, places) + 0.0:.12g}" for value in xy) + " m"
+    factor, unit = printed("m")
+    places = DIGITS - 1 - math.floor(math.log10(factor * radius))
+    return ", ".join(f"{round(factor * value, places) + 0.0:.12g}" for value in xy) + f" {unit}"
 
 
 # --- plans and ladders -----------------------------------------------------------------------------------------------
@@ -253,7 +259,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
     for rung in rungs:
-        values = [f"{shown(getattr(rung, q.name))} {q.unit}" for q in outcomes]
+        values = [measured(getattr(rung, q.name), q.unit) for q in outcomes]
         end = "yes" if rung.peak_velocity else "does not move"
         rows.append(
             [
@@ -317,6 +323,12 @@ def cell_text(cell: Any) -> str:
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
     """Total width of columns wrapped at some width, with the gaps before them."""
     return sum(_widths(columns, most)) + _GAP * len(columns)
+
+
+def in_unit(cell: Any, unit: str) -> Any:
+    """Return an outcome in an SI unit, or an estimate of one, in the unit of output."""
+    factor, _ = printed(unit)
+    return Estimate(*(factor * x for x in cell)) if isinstance(cell, Estimate) else factor * cell
 
 
 def interval(e: Estimate) -> str:
