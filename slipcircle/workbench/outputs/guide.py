@@ -42,7 +42,7 @@ COMPARED = """\
 The factor is the moment of this strength about the centre, divided by the moment of the weight and of k_h times it \
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
 they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
-paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
+paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which assumes more normal stress on steep bases. The \
 motion starts from the factor by the method of the search, or by start in [circle]: strength is multiplied by \
 one number, which is constant during the motion; a Scene built by hand has 1. Below a water level the \
 paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \

@@ -56,7 +56,7 @@ def overview(name: str, critical: Critical) -> Drawing:
 
 
 def _outcome(critical: Critical) -> str:
-    """Return the least factor of safety or yield coefficient; empty for a given circle."""
+    """Return the least factor of safety or yield coefficient as text; empty for a given circle."""
     if critical.method == YIELD:
         return f"$k_y$ = {critical.yield_coefficient:.3f}"
     return f"$F$ = {critical.factors_of_safety[critical.method]:.3f}" if critical.method else ""
@@ -68,10 +68,10 @@ def _whose(critical: Critical) -> str:
 
 
 def _map(critical: Critical, ax: Any, view: View) -> View:
-    """Map of the least factor of all circles with centres in a cell, darkest at the minimum.
+    """Draw a map of the least factor of all circles with centres in a cell, darkest at the minimum; return the view.
 
-    The frame is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
-    high as wide, and is returned.
+    The view is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
+    high as wide.
     """
     from matplotlib.ticker import ScalarFormatter
 
