@@ -19,8 +19,8 @@ from slipcircle.workbench.cost.rows import Row, judged, medians
 
 KERNELS = (*CLOSED, *QUOTIENTS)
 SIZE = 10_000  # elements of the timed arrays, which stay in the cache
-POINTS = 10_000  # at which errors are evaluated
-_DECADES = {"float64": -96.0, "float32": -12.0}  # below which moments, alpha**3 or smaller, underflow
+POINTS = 10_000  # number of points for the errors
+_DECADES = {"float64": -96.0, "float32": -12.0}  # decades below which moments, alpha**3 or smaller, underflow
 _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
 
 
@@ -30,7 +30,7 @@ class Way(NamedTuple):
     name: str
     function: Callable[[Any], Any]
     kind: str = "float64"  # format of its input and result
-    bound: float | None = None  # proved, of the relative error
+    bound: float | None = None  # proved bound of the relative error
 
 
 class Exact(NamedTuple):
@@ -39,7 +39,7 @@ class Exact(NamedTuple):
     points: Floats
     nearest: Floats
     rest: Floats
-    least: float  # that errors are relative to
+    least: float  # least size to which errors are relative
 
     def errors(self, results: NDArray[Any]) -> Floats:
         """Return the relative errors of results at the points; infinite where a result is not finite."""
@@ -50,7 +50,7 @@ class Exact(NamedTuple):
 
 
 def of_kernel(name: str) -> list[Row]:
-    """Return errors and times of all ways to compute a kernel."""
+    """Return a row with error and time for each way to compute a kernel."""
     optional("flint", "the reference", "python-flint")
     inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
     every = list(ways(name))
@@ -130,7 +130,7 @@ def _balls(kind: str) -> dict[float, dict[str, Any]]:
 
     values = {}
     for alpha in inputs(kind).tolist():
-        # For 50 digits: closed forms are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
+        # For 50 digits: closed forms are O(alpha**3) differences of O(alpha) terms, 1 - cos a difference of O(1) terms.
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(320 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
@@ -139,7 +139,7 @@ def _balls(kind: str) -> dict[float, dict[str, Any]]:
             if not half < right_angle:
                 half = right_angle
             sine, cosine = half.sin(), half.cos()
-            tangent = sine / (1 + cosine)  # of x/2, as artanh(sin x) = 2 artanh(tan(x/2))
+            tangent = sine / (1 + cosine)  # tan(x/2), as artanh(sin x) = 2 artanh(tan(x/2))
             log = arb(0) if cosine.contains(0) else 2 * tangent.atanh()
             balls = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
             values[alpha] = {name: form(balls, half) for name, form in CLOSED.items()}

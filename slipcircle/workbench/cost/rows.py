@@ -12,14 +12,14 @@ from timeit import timeit
 
 import numpy as np
 
-ULP = 2.0**-52  # relative errors that differ by no more are equal
+ULP = 2.0**-52  # relative errors that differ by at most this are equal
 MARGIN = 1.2  # times and errors whose ratio is smaller are equal
 REPEATS = 9
 FRONTIER = "frontier"
 RECOMMENDED = "recommended"
 BEATEN = "beaten by "
-_TICK = 5e-4  # s, the shortest work that is timed
-_PATIENCE = 2.0  # s, after which no further turn begins
+_TICK = 5e-4  # s, shortest timed work
+_PATIENCE = 2.0  # s, after which the turns end
 
 
 @dataclass(frozen=True)
@@ -65,14 +65,14 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
 
     All pieces run in turns, so that disturbances affect them alike.
     """
-    # glibc gives the heap's top back to the system, and faults every page again, until a large array came and went:
-    # NumPy's expressions take up to three times longer before. Most programs are past that, so this one shall be.
+    # Until a large array has been allocated and freed, glibc returns the top of the heap to the system and faults its
+    # pages again, and NumPy expressions take up to three times longer. Most programs are past that state.
     np.ones(4_000_000)
     loops = []
     for work in works:
         work()  # a slow first run shall not be taken for long work
         count = 1
-        while count * _timed(work, count) < _TICK:  # by a coarse clock one loop may take no time
+        while count * _timed(work, count) < _TICK:  # a coarse clock may measure 0 for one loop
             count *= 2
         loops.append(count)
     samples: list[list[float]] = [[] for _ in works]
@@ -81,7 +81,7 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
         if turn and time.monotonic() - start > _PATIENCE:
             break
         for work, count, sample in zip(works, loops, samples, strict=True):
-            if count > 1:  # short work finds the caches as the one before left them
+            if count > 1:  # the preceding work has changed the caches
                 work()
             sample.append(_timed(work, count))
     return samples

@@ -15,23 +15,23 @@ from slipcircle.workbench.cost.rows import Row, judged, medians, recommended
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 
 Ranges = tuple[dict[str, tuple[float, ...]], bool]
-_PRIMES = (2, 3, 5, 7, 11, 13)  # whose roots spread several numbers independently
+_PRIMES = (2, 3, 5, 7, 11, 13)  # their square roots spread several numbers independently
 ACCURACIES = ("1e-3", "1e-6", "1e-9", "1e-12", "1e-15")
-DEFAULT = 1e-9  # of `solve`
-REFERENCE = 1e-16  # accuracy to which the reference is solved: one order more than the most accurate way
+DEFAULT = 1e-9  # default accuracy of `solve`
+REFERENCE = 1e-16  # accuracy of the reference, one order better than the most accurate way
 ALONE = "alone"
 ENSEMBLE = "ensemble"
 ANY = "any"  # accuracy: a single scene is solved to rounding
-SPREAD = 0.2  # of the strength, by which the cases of an ensemble differ from the scene without distributions
-QUANTILES = (0.01, 0.99)  # between which a distribution of the scene is covered
-_STRENGTH = ("friction", "cohesion", "soils.")  # beginnings of the names of its numbers
-_UNITS = ("", "Pa")  # units of these numbers
-MOST = 10_000  # cases
-PASS = 0.15  # s that an ensemble may take
+SPREAD = 0.2  # range of the strength to both sides, relative, in a scene without distributions
+QUANTILES = (0.01, 0.99)  # ends of the covered range of a distribution
+_STRENGTH = ("friction", "cohesion", "soils.")  # prefixes of the names of strength parameters
+_UNITS = ("", "Pa")  # units of strength parameters
+MOST = 10_000  # greatest number of cases of an ensemble
+PASS = 0.15  # s, greatest time of an ensemble
 
 
 def of_scene(scene: Scene, vary: Mapping[str, tuple[float, float]] | None = None) -> list[Row]:
-    """Return errors and times of a scene, alone and in an ensemble; a scene of arrays is the ensemble itself.
+    """Return rows with error and time of a scene, alone and in an ensemble; arrays are an ensemble themselves.
 
     Errors are the largest relative errors of run-out, peak velocity and duration over the ensemble, compared with a
     solution with more terms. The ensemble covers the ranges ``vary`` by key, in the unit of the key, or else the

@@ -32,7 +32,7 @@ from slipcircle.workbench.outputs.sheets import Drawing, sheet
 from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.ladder import Rung
 
-_MOST_BARS = 24  # further ones are summarised in text
+_MOST_BARS = 24  # greatest number; the other run-outs are summarised in text
 STILL = "does not move"
 _SECTION = 3.6  # heights in inches
 _CURVES = 2.8

@@ -18,7 +18,7 @@ from slipcircle.workbench.studies.study import Study
 __all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
-# By result, or by the records of a study: the overview among the pictures, its data, and the panels.
+# By type of the result, or of the records of a study: kind of the overview, function that gives its data, and panels.
 _DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
     Critical: ("search", lambda found: ("", found), {}),
     Motion: ("motions", lambda motion: [motion], plots.PANELS),

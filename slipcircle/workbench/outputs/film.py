@@ -20,7 +20,7 @@ class Film(NamedTuple):
     moving: tuple[Any, ...]
     draw: Callable[[int], tuple[Any, ...]]
     times: Floats
-    seconds: float  # of playing time
+    seconds: float  # playing time
 
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:

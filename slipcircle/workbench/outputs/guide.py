@@ -37,7 +37,7 @@ radial weight and J_theta the moment of the weight; A and lambda are (2.24) and 
 adds to these; notebooks/0_the_method.ipynb derives them.
 """
 
-# How the methods for factors of safety differ.
+# Comparison of the methods for factors of safety.
 COMPARED = """\
 The factor is the moment of this strength about the centre, divided by the moment of the weight and of k_h times it \
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
@@ -117,7 +117,7 @@ def _title(head: str, words: str) -> list[str]:
 
 
 def _keys(table: Table) -> Iterator[str]:
-    """Yield lines for each key of a table; two keys of which exactly one is required share an entry."""
+    """Yield lines for each key of a table; alternative keys share an entry if exactly one is required."""
     pairs = {pair[0]: pair[1] for pair in table.one_of}
     for k, key in table.keys.items():
         other = pairs.get(k)

@@ -23,9 +23,9 @@ _TERMS = {
 def important(table: Sensitivity) -> dict[str, float]:
     """Return the sizes of the numbers with the greatest effect on the run-out, in SI units by name, largest first.
 
-    The effect of a number is its derivative of the run-out times its size. The size of a place is the depth of the
-    mass, of an end of the arc half the opening angle, and otherwise the value itself. Among all coordinates of the
-    geometry, only the most important is listed.
+    The effect of a number is the derivative of the run-out times the size of the number. The size of a place is the
+    depth of the mass, of an end of the arc half the opening angle, and otherwise the value itself. Among all
+    coordinates of the geometry, only the most important is listed.
     """
     arc: Any = table.scene.arc
     effects = dict[str, float]()
@@ -52,8 +52,15 @@ def _is_point(name: str) -> bool:
 def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str) -> Part:
     """Return a table of derivatives of the outputs per unit of the key of each number.
 
-    For a number in ``stops`` the table adds the value at which F = 1, in SI units there, and its distance. ``names``
-    selects the numbers, and ``name`` is the title.
+    Parameters
+    ----------
+    table : Sensitivity
+    stops : mapping
+        Values in SI units at which F = 1, by name of the number. They are listed with their distance.
+    names : mapping
+        Names of the listed numbers, such as the result of `important`.
+    name : str
+        Title of the table.
     """
     rows: list[list[Any]] = [["", "", "", "", *(table.at[output] for output in table.outputs)]]
     keys = by_name(table.scene)

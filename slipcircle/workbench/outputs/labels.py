@@ -17,15 +17,15 @@ from matplotlib.text import Annotation, Text
 
 from slipcircle.base.kinds import Floats
 
-_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of a label from an anchor, in points
-_NEAR = 15.0  # points, within which a label needs no leader
+_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # distances of a label from an anchor, in points
+_NEAR = 15.0  # points, greatest distance of a label without a leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
-_SPACING, _MOST = 4.0, 1000  # of the sample points of a line, in pixels; their greatest number
-_GAP = 2.0  # around labels, in pixels
+_SPACING, _MOST = 4.0, 1000  # spacing of the sample points of a line, in pixels; their greatest number
+_GAP = 2.0  # free space around labels, in pixels
 # Costs: a covered point, a pixel outside the axis, an overlap with a label, a pixel of distance.
 _COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.25
 BACK = 1.5  # `zorder` below which artists may be covered
-_HALO = 2.5  # points of white around a label
+_HALO = 2.5  # width of the white outline of a label, in points
 
 
 class Label(Annotation):

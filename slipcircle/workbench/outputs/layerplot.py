@@ -12,10 +12,10 @@ from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, po
 from slipcircle.workbench.outputs.scenery import key_of, numbers_of
 from slipcircle.workbench.outputs.shapes import Mass
 
-_ACROSS = 400  # points of the stress
+_ACROSS = 400  # number of points of the stress curve
 _START = 6.0  # width of the arc at the start, in points
-_TURNED = 2.5  # of the turned arc
-_NAMED = 0.03  # of the arc; shorter stretches are not named
+_TURNED = 2.5  # width of the turned arc, in points
+_NAMED = 0.03  # relative to the arc; shorter stretches are not named
 
 
 def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence[float]) -> None:

@@ -36,7 +36,7 @@ from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS,
 from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
-_SAMPLES = 241  # of the solved motion
+_SAMPLES = 241  # number of samples of the solved motion
 _DIGITS = 8
 INTERPOLATED = 1e-6  # allowed error of inputs for a requested slider; the page shows the error
 _SHORTEST = 4.0  # seconds of the animation, as in `live.js`
@@ -92,7 +92,7 @@ def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
 
 def framed(motion: Motion) -> Raw:
     """Return the page of a motion in an isolated frame of another page, such as a notebook."""
-    size = 'width="100%" height="1560"'  # of the whole page where charts are in pairs
+    size = 'width="100%" height="1560"'  # height of the whole page where charts are in pairs
     attributes = f'sandbox="allow-scripts allow-downloads" {size} style="border: 0" title="the slide"'
     return Raw(f'<iframe {attributes} srcdoc="{escaped(page(motion))}"></iframe>')
 

@@ -25,10 +25,10 @@ from slipcircle.workbench.files.numbers import Number, by_name
 from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of
 from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
 
-DEGREE = 16  # of an interpolant in one number, at most
-ROUNDING = 4e-15  # of the greatest value, which coefficients have to exceed
-TRIALS = 64  # random places at which interpolants are compared with the exact inputs
-ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as a single scene's
+DEGREE = 16  # greatest degree of an interpolant in one number
+ROUNDING = 4e-15  # relative to the greatest value; smaller coefficients are dropped
+TRIALS = 64  # number of random places for the comparison of interpolants with exact inputs
+ACCURACY = 1e-12  # requested from an ensemble, so that its functions of the rotation are as close as for a single scene
 SHARE = 0.5  # default range of a slider to both sides of the value, relative to it
 CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
 # Numbers with sliders by default; those that shape a section are cheap to lay out for an arc alone.
@@ -36,9 +36,9 @@ _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
-SMOOTH = 1e-12  # error of inputs, relative to their greatest values, up to which a number has a slider
-MOST_COEFFICIENTS = 1300  # of interpolants, for a page below 130 kB
-MOST_NUMBERS = 60_000  # of tables
+SMOOTH = 1e-12  # greatest error of inputs of a default slider, relative to their greatest values
+MOST_COEFFICIENTS = 1300  # greatest number of coefficients of interpolants, for a page below 130 kB
+MOST_NUMBERS = 60_000  # greatest number of values in tables
 
 
 class Slider(NamedTuple):
@@ -170,7 +170,9 @@ class _Inputs:
         scene, invalid = with_parameter_arrays(self.scene, values)
         if np.any(invalid):
             worst = int(np.argmax(invalid))
-            with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises why
+            with_parameters(
+                self.scene, {name: float(value[worst]) for name, value in values.items()}
+            )  # raises the error of that place
         return scene
 
     def scaled(self) -> list[int]:
@@ -321,7 +323,7 @@ def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
 
 
 def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
-    """Return the data, ready for JSON, with which the page solves the scene for any values of its sliders."""
+    """Return JSON data for the page to solve the scene with any values of its sliders."""
     inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     fits = _fits(inputs)
     end = {Status.MOVING: FIRST} if scene.end_time is None else {}

@@ -16,14 +16,14 @@ from slipcircle.workbench.outputs.plotstyle import SOILS
 from slipcircle.workbench.outputs.scenery import Line, lines
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 
-WIDTH = 1000.0  # of the drawing, in its own unit
+WIDTH = 1000.0  # width of the drawing in its own unit
 _LOWEST = 0.42  # least height over width
 _TALLEST = 0.5  # greatest height over width
 _MARGIN = 0.08  # of the view
-_TICKS = 6, 4  # of the axes, at most
-_INSET = 12.0  # of names and numbers from the edges
-_NAME = 0.11  # of the height, for a name below its line on a narrow screen
-_FREE = 0.08, 0.06  # of an axis, without numbers at its two ends
+_TICKS = 6, 4  # greatest numbers of ticks of the axes
+_INSET = 12.0  # distance of names and numbers from the edges
+_NAME = 0.11  # space for a name below its line on a narrow screen, relative to the height
+_FREE = 0.08, 0.06  # parts of an axis without numbers at its two ends
 _STRAIGHT = 1e-6  # least change of slope at a vertex of a line
 _INSIDE = ("surcharge", "pond", "beyond")  # lines with their names at their middle
 _STEPS = (1.0, 2.0, 5.0, 10.0)
@@ -41,7 +41,7 @@ class Frame(NamedTuple):
     """Visible part of the section, its scale and its height in the drawing."""
 
     view: View
-    scale: float  # of the drawing for a metre
+    scale: float  # units of the drawing per metre
     height: float
 
     def points(self, world: Any) -> Floats:

@@ -22,10 +22,10 @@ from slipcircle.workbench.stability.factors import Driven, factor_by
 from slipcircle.workbench.stability.slices import Slices
 from slipcircle.workbench.stability.starting import OF_CLOSURE, driven_blocks
 
-_DEGREE = 32  # of a series, at most
+_DEGREE = 32  # greatest degree of a series
 _ROUNDING = 1e-15  # relative to the greatest coefficient; smaller terms are dropped
 _STEPS = 100
-_ERROR = 1e-13  # of strength factors
+_ERROR = 1e-13  # relative tolerance of strength factors
 
 
 class NoFit(Exception):
@@ -100,9 +100,10 @@ class Start(NamedTuple):
 
 
 def start_of(scene: Scene, probe: Scene) -> Start | None:
-    """Return the series for the start of a scene, or None if the start cannot be represented by series.
+    """Return the series for the start of a scene, or None if series cannot represent the start.
 
-    ``probe`` is an ensemble of the scene over the ranges of the sliders, with which the series are checked.
+    ``probe`` is an ensemble of the scene over the ranges of the sliders. It determines the bounds of the series and
+    checks them.
     """
     if not isinstance(scene, SlopeScene) or scene.strength_factor is not scene.set_by_start:
         return None

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.sheets import Drawing
 
 KINDS = ("png", "svg", "pdf", "jpg")
-_FRAMES = 12  # of an animation in a second
-_HOLD = 2000  # milliseconds that its last frame is held
-_COLOURS = 64  # of each frame
+_FRAMES = 12  # frames per second
+_HOLD = 2000  # milliseconds, duration of the last frame of a GIF
+_COLOURS = 64  # number of colours of each frame
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
@@ -70,9 +70,9 @@ def _played(film: "Film") -> bytes:
     figure = film.figure
     canvas: Any = FigureCanvasAgg(figure)
     for artist in film.moving:
-        artist.set_animated(True)  # and so not part of the background
+        artist.set_animated(True)  # excludes them from the background
     canvas.draw()
-    figure.set_layout_engine("none")  # it would lay out every frame again
+    figure.set_layout_engine("none")  # otherwise every frame would be laid out again
     background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
     images = []
     for frame in track(range(len(film.times)), "frames drawn"):

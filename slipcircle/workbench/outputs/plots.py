@@ -118,7 +118,7 @@ def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
-    """Return the factor from SI units and the unit in which curves of a quantity are drawn."""
+    """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit."""
     return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
 
 

@@ -13,7 +13,7 @@ from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.outputs.trace import drawn
 
-FIRST = "first standstill"  # the end of a motion that is followed no farther
+FIRST = "first standstill"  # end of a motion that is computed to its first standstill
 WIDTH = 8.6  # inches of a picture of several panels, about the width of a page, where texts have at least 8 points
 
 # The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
@@ -41,7 +41,7 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
     "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
-# For families of curves, likewise.
+# Styles for families of curves.
 SERIES: Sequence[tuple[str, Any, str]] = (
     ("#0072B2", "-", "o"),
     ("#D55E00", (0, (5, 2)), "s"),
@@ -53,7 +53,7 @@ SERIES: Sequence[tuple[str, Any, str]] = (
     ("0.35", (0, (2, 2)), "*"),
 )
 MEASURED = "measured"  # `gid` of labels with measured values, which differ from run to run
-REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of further curves
+REST: tuple[str, Any, str] = ("0.75", "-", ".")  # style of further curves
 # Of soils, from the ground down: colours of the band and of the stretch of the arc.
 SOILS: Sequence[tuple[str, str]] = (
     ("#F5E8C4", "#9C6F00"),

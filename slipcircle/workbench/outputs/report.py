@@ -108,7 +108,7 @@ def chapter(
             yield from _table(part)
     numbers = json_text(record)
     texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
-    for heading, text in texts.items():  # folded
+    for heading, text in texts.items():  # collapsed sections
         yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")
 
 

@@ -15,15 +15,15 @@ from slipcircle.core import Arc
 from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.shapes import Mass, View
 
-_ACROSS = 400  # points of a boundary
-_ON_CIRCLE = 100  # points of the ground along a circle
-_PLACES = 40  # for the name of a soil
-_EDGE = 0.06  # of the ground in view, at either end, without names
-_THICK = 0.6  # of the greatest thickness of a soil, least thickness at its name
-_VISIBLE = 0.003  # of the height of a view: a thinner soil is not named
-_LOAD = 0.05  # of the size of a view, height of the greatest surcharge
-_APART = 0.025  # of the size of a view, between arrows
-_HEAD = 0.3  # of the length of an arrow
+_ACROSS = 400  # number of points of a boundary
+_ON_CIRCLE = 100  # number of points of the ground along a circle
+_PLACES = 40  # greatest number of places for the name of a soil
+_EDGE = 0.06  # part of the ground in view, at either end, without names
+_THICK = 0.6  # least thickness of a soil at its name, relative to its greatest thickness
+_VISIBLE = 0.003  # least thickness of a named soil, relative to the height of a view
+_LOAD = 0.05  # height of the greatest surcharge, relative to the size of a view
+_APART = 0.025  # distance of arrows, relative to the size of a view
+_HEAD = 0.3  # length of the head of an arrow, relative to the arrow
 _NO_PLACES = np.empty((0, 2))
 
 

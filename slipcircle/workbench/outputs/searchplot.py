@@ -13,11 +13,11 @@ from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
-_MARGIN = 0.12  # of a view
+_MARGIN = 0.12  # relative to the size of a view
 _CONTOURS = 5
-_RANGE = 0.4  # of the scale of a map, relative to the least factor
-_CELLS = 24  # of the map of factors, across
-_VALLEY = 0.05  # factors in the frame of a map, relative to the least one
+_RANGE = 0.4  # range of the colours of a map, relative to the least factor
+_CELLS = 24  # number of cells across a map of factors
+_VALLEY = 0.05  # range of factors inside the frame of a map, relative to the least factor
 _TALL = 1.4  # greatest height over width
 
 

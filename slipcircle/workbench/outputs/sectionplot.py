@@ -35,8 +35,8 @@ from slipcircle.workbench.stability.stability import METHODS
 
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
 _WIDE = 0.1  # magnified displacement over chord
-_MARGIN = 0.1  # of the view
-_BELOW = 0.08  # of the size of a view, below the firm layer
+_MARGIN = 0.1  # relative to the size of the view
+_BELOW = 0.08  # space below the firm layer, relative to the size of a view
 _BLUE = LINES["main"]["color"]
 _NAMES = {"water": _BLUE, "pond": _BLUE}  # colours of names that differ from the others
 
@@ -185,7 +185,7 @@ def _notes(motion: Motion, magnification: float) -> Iterator[str]:
     where += [f"{OUTSIDE} {range_words(motion)}"] if motion.outside_range else []
     if where:
         yield "; ".join(where)
-    # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
+    # The paper turns the mass (1.2) but evaluates J_r and J_theta, which it finds practically constant, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
         yield "frozen geometry: the mass turns by $s/R$, its forces remain as at the start"
     if magnification > 1.0:

@@ -8,16 +8,16 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc
 
-ON_ARC = 200  # points along the arc, which an outline begins with
+ON_ARC = 200  # number of points along the arc, the first points of an outline
 
 
 class Mass(NamedTuple):
     """Geometry of a slip circle and the mass on it, in m and rad."""
 
-    ground: Floats  # of an arc its chord
+    ground: Floats  # (n, 2); the chord of an arc
     centre: Floats
     radius: float
-    ends: Any  # polar angles of both ends of its arc, increasing
+    ends: Any  # polar angles of both ends of the arc, increasing
 
     def on_circle(self, angles: Any) -> Floats:
         """Return the points of the circle at polar angles in rad, (..., 2)."""
@@ -113,7 +113,7 @@ def mass_of(circle: Any, soil: Any) -> Mass:
     centre = np.asarray(circle.centre, dtype=np.float64)
     from_centre = np.stack([circle.entry, circle.exit]) - centre
     across, up = from_centre.T
-    from_below = np.arctan2(across, -up)  # counted from straight below, angles do not jump
+    from_below = np.arctan2(across, -up)  # measured from straight below, angles do not jump
     ends = np.sort(1.5 * math.pi + from_below)
     ground = np.asarray(soil.ground, dtype=np.float64)
     return Mass(ground, centre, radius, ends)

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 DRAWN = ("run_out", "peak_velocity")
-_POINTS = 801  # of a curve, from 0 to the largest value
+_POINTS = 801  # number of points of a curve, from 0 to the largest value
 
 
 # --- samples ---------------------------------------------------------------------------------------------------------
@@ -306,16 +306,16 @@ def _around(field: Number, solved: Sequence[float], error: float) -> Any:
 
 
 def check_grid(counts: Sequence[int]) -> None:
-    """Raise ValueError for a grid with more than two numbers, which cannot be drawn."""
+    """Raise ValueError unless a grid, given by the counts of values, has one or two numbers."""
     if not 1 <= len(counts) <= 2:
         raise ValueError(
-            f"a picture of a grid shows one number or two, not {' x '.join(map(str, counts)) or 'samples'}: give --csv "
-            "or --npz"
+            f"a picture of a grid shows one number or two, not {' x '.join(map(str, counts)) or 'samples'}; use --csv "
+            "or --npz instead"
         )
 
 
 def overview(study: "Study") -> Drawing:
-    """Return exceedance of run-out and peak velocity, linear and logarithmic, above the sensitivity indices.
+    """Return the picture of a study: exceedance of run-out and peak velocity above the sensitivity indices.
 
     For a grid, run-out and peak velocity are drawn over its numbers.
     """
@@ -342,7 +342,7 @@ def outcome(study: "Study", output: str, ax: Any = None) -> Any:
     return (response if study.design.method == "grid" else exceedance)(study, output, ax)
 
 
-PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # of `Study.plot`, besides the overview
+PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # panels of `Study.plot`
 
 
 def _label(output: str) -> str:

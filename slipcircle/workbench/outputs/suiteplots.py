@@ -28,11 +28,11 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 _NAMED = 60  # greatest number of records with names
-_LEAST = 1e-3  # of the greatest displacement, which a logarithmic axis begins with
+_LEAST = 1e-3  # start of a logarithmic axis, relative to the greatest displacement
 _POLARITIES = ("as recorded", "reversed")
-_LONGEST = 44  # letters above a panel
-_SKEW = 10.0  # of the greatest displacement over the median, from which small ones are spread out
-_PANEL = 3.4  # inches, how high a row of curves is
+_LONGEST = 44  # greatest number of letters above a panel
+_SKEW = 10.0  # ratio of greatest to median displacement above which the axis spreads small displacements
+_PANEL = 3.4  # height of a row of curves, inches
 
 
 def displacements(study: "Study", ax: Any = None) -> Any:
@@ -75,7 +75,7 @@ def incremental(study: "Study", ax: Any = None) -> Any:
     if greatest == 0.0:
         return empty("does not move", ax, "x", "y")
     least = _LEAST * greatest
-    below = 0.1 * least  # of the view, in place of zeros
+    below = 0.1 * least  # below the view, in place of zeros
     ax.plot(study.scales, np.maximum(values, below).T, color="0.75", lw=0.6, zorder=1)
     ax.fill_between(study.scales, np.maximum(low, below), high, **AREAS["band"], alpha=0.6)
     ax.plot(study.scales, np.maximum(middle, below), **LINES["main"])
@@ -168,7 +168,7 @@ PANELS = {
 
 
 def overview(study: "Study") -> Drawing:
-    """Return displacements by record, curves against scale and acceleration, histories of the median record."""
+    """Return the picture of a suite: displacements by record, curves by scale, histories of the median record."""
     records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
     rows: list[Row] = [(records, [partial(displacements, study)])]
     if study.scales.size > 1:

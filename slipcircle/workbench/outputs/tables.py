@@ -38,9 +38,9 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 if TYPE_CHECKING:
     pass
 
-WIDTH = 100  # of a table in files and pipes
-WIDEST = 120  # of a table in a terminal
-_LEAST = 22  # width of a column of long cells
+WIDTH = 100  # columns of a table in files and pipes
+WIDEST = 120  # greatest number of columns of a table in a terminal
+_LEAST = 22  # least width of a column of long cells
 _GAP = 2  # between columns
 BOLD = "\x1b[1;36m"  # head of a table in a terminal
 PLAIN = "\x1b[0m"
@@ -323,7 +323,7 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
 
 
 def interval(e: Estimate) -> str:
-    """Return a value and its interval as text, to two digits of the width; one of them if the other is unknown."""
+    """Return a value and its interval as text, to two digits of the width; unknown parts are omitted."""
     if math.isnan(e.low) and math.isnan(e.high):
         return value_text(e.value)
     if e.low == math.inf:

@@ -26,7 +26,7 @@ from slipcircle.workbench.outputs.sheets import Drawing, sheet
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
 
-_MOST_BARS = 10  # further ones are summarised in text
+_MOST_BARS = 10  # greatest number; smaller changes are summarised in text
 Bar = tuple[float, str, str]  # a change, its step in words, and the name of the number
 _SHARE = 0.01  # relative change of each number if the scene has no uncertain numbers
 

@@ -15,7 +15,7 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import HISTORY
 
 SAMPLES = 400
-_JUMP = 1e-3  # of the greatest value: a larger change at a breakpoint is a jump
+_JUMP = 1e-3  # least jump at a breakpoint, relative to the greatest value
 
 
 def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
@@ -40,7 +40,7 @@ def even_times(motion: Motion) -> Floats:
 
 
 def telling_times(motion: Motion) -> Floats:
-    """Return the times in s at which a picture of a motion needs points.
+    """Return the times in s for a picture of a motion.
 
     These are equidistant times, the peak, times that cluster at both ends of each phase, breakpoints and crests of the
     input, and the time just before each jump of the input.
