@@ -28,7 +28,7 @@ from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
 DEGREE = 16  # greatest degree of an interpolant in one number
 ROUNDING = 4e-15  # relative to the greatest value; smaller coefficients are dropped
 TRIALS = 64  # number of random places for the comparison of interpolants with exact inputs
-ACCURACY = 1e-12  # requested from an ensemble, so that its functions of the rotation are as close as for a single scene
+ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as for a scene
 SHARE = 0.5  # default range of a slider to both sides of the value, relative to it
 CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
 # Numbers with sliders by default; those that shape a section are cheap to lay out for an arc alone.
@@ -170,9 +170,7 @@ class _Inputs:
         scene, invalid = with_parameter_arrays(self.scene, values)
         if np.any(invalid):
             worst = int(np.argmax(invalid))
-            with_parameters(
-                self.scene, {name: float(value[worst]) for name, value in values.items()}
-            )  # raises the error of that place
+            with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises
         return scene
 
     def scaled(self) -> list[int]:
@@ -183,10 +181,7 @@ class _Inputs:
         return rows
 
     def sizes(self, values: Floats) -> Floats:
-        """Return the greatest absolute value of each row, (rows,).
-
-        A coefficient of a table has the greatest value of the same power in any piece of the table.
-        """
+        """Return the greatest absolute value of each row, (rows,); for tables, over all pieces at each power."""
         sizes = np.abs(values).max(axis=1)
         at = len(self.names)
         for table in self.problem.tables():

@@ -173,7 +173,7 @@ def axis_words(quantity: Number) -> str:
 
 
 def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
-    """Add a polygon in a style of `AREAS` and return it."""
+    """Add a polygon with vertices (n, 2) in a style of `AREAS` and return it."""
     from matplotlib.patches import Polygon
 
     return ax.add_patch(Polygon(outline, closed=True, **{"zorder": 2, **AREAS[role], **more}))

@@ -96,7 +96,10 @@ def _heading(title: str, files: Iterable[bytes]) -> dict[str, str]:
 def chapter(
     plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes
 ) -> Iterable[Raw]:
-    """Yield note and warnings of a scene, its parts, its result as JSON, and its file; ``unit`` describes the JSON."""
+    """Yield note and warnings of a scene, its parts, its result as JSON, and its file.
+
+    ``record`` is the result, ``unit`` describes its units, and ``file`` is the content of the scene file.
+    """
     if plan.scene.note:
         yield tag("p", plan.scene.note)
     for warning in warnings:
@@ -363,7 +366,7 @@ def _quantile_notes(study: Study) -> Iterator[str]:
 
 
 def study_report(study: Study, file: bytes, command: str) -> str:
-    """Return a report on an ensemble of samples as HTML."""
+    """Return a report on an ensemble of samples as HTML; ``file`` is the content of the scene file."""
     return study_page("Uncertain slide", study, _of_study(study, file), export.record(study), file, command)
 
 

@@ -22,7 +22,10 @@ _CAPTION = (
 
 
 def suite_report(study: Study, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
-    """Return a report on a suite of records as HTML."""
+    """Return a report on a suite of records as HTML.
+
+    ``record`` is the result for JSON, and ``file`` is the content of the scene file.
+    """
     return study_page("Shaken slope", study, _contents(study, [*tables], file), record, file, command)
 
 
