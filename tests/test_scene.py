@@ -198,7 +198,7 @@ PRINTED: Any = load("vaiont-as-printed").arc
 @pytest.mark.parametrize(
     ("work", "said"),
     [
-        *((lambda x=x: ANY.load(x), "scene .*: must be the name of one that ships, or the path of its file")
+        *((lambda x=x: ANY.load(x), "scene .*: must be the name of a scene that ships, or the path of its file")
           for x in (3, VAIONT)),
         *((lambda f=f, more=more: getattr(ANY, f)("vaiont", *more), r"scene = 'vaiont': must be a Scene; load\('vaiont")
           for f, more in (("solve", ()), ("plan", ()), ("ensemble", (3,)), ("grid", (3,)))),

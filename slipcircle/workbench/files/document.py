@@ -172,7 +172,7 @@ class Document:
         misspelt = any(key.startswith(joined(path, "")) for key in self._meant)
         if not sets or present in map(set, sets) or misspelt:
             return
-        fault = "something is missing"
+        fault = "keys are missing"
         if present:
             fault = f"{' and '.join(sorted(present))} do not go together"
         allowed = [" with ".join(keys) for keys in sets]

@@ -130,7 +130,7 @@ def number_in(scene: Any, path: str) -> Number:
             return n.plain
     near = get_close_matches(path, known, 1)
     asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith((*_POINTS.values(),)) for n in near)
-    raise ValueError(f"{path}: is no number of a scene{asked or '; known are ' + listed(known)}")
+    raise ValueError(f"{path}: is not a parameter of this scene{asked or '; known are ' + listed(known)}")
 
 
 def listed(keys: Collection[str]) -> str:

@@ -102,10 +102,10 @@ def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]
             near = get_close_matches(soil, names, 1)
             meant.update(near)
             advice = f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
-            yield f"{path} = {shown(soil)}: is no soil of this file; {advice}"
+            yield f"{path} = {shown(soil)}: is not a soil of this file; {advice}"
     for name in names:
         if name not in places.values() and name not in meant:
-            yield f"soils.{name}: is the soil of no layer; use it in [[layers]], or leave it out"
+            yield f"soils.{name}: is not used by any layer; assign it to a layer, or leave it out"
 
 
 def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical) -> Iterator[str]:
@@ -117,7 +117,7 @@ def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical)
                 yield f"surcharge.{k}: lies beside the {what} (x = {first:.4g} to {last:.4g} m), and has no effect"
                 break
             if what == "ground" and (left < first or right > last):
-                yield f"surcharge.{k}: what lies beside the {what} (x = {first:.4g} to {last:.4g} m) has no effect"
+                yield f"surcharge.{k}: its part beside the {what} (x = {first:.4g} to {last:.4g} m) has no effect"
 
 
 def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
@@ -159,4 +159,4 @@ def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
         highest = int(np.argmax(excess))
         if excess[highest] > tolerance:
             place = f"at x = {x[highest]:.6g}"
-            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, {place}; what is above is cut off"
+            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, {place}; the part above is cut off"

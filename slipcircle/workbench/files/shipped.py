@@ -18,7 +18,7 @@ def shipped() -> tuple[str, ...]:
 def find(name: str | PathLike[str]) -> Any:
     """Return the file of a scene that ships, by its name, or of another scene, by its path."""
     if not isinstance(name, str | PathLike):
-        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
+        raise ValueError(f"scene {name!r}: must be the name of a scene that ships, or the path of a scene file")
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)

@@ -82,12 +82,12 @@ class SlopeInput:
         known = self.profile is not None or bool(self.strength)
         if "critical" in circle:
             if not known:
-                needs = "circle.critical: needs friction or cohesion, and a pore pressure that is no record"
+                needs = "circle.critical: needs friction or cohesion, and a pore pressure that is not a record"
                 raise InputError("critical", [needs])
             limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
             if least.radius > _FLATTEST * least.slope.size:
-                raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
+                raise InputError("critical", ["{depth}: is missing: the search leads to ever thinner masses"])
             found = replace(least, start=self.start)
             return {"centre": found.centre, "radius": found.radius, "between": found.between}, found
         circle = _circle(circle)
@@ -133,7 +133,7 @@ def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
     present = {"tension_crack": "tension_crack" in given, "surcharge": bool(numbered(given, "surcharge"))}
     for name in (name for name, there in present.items() if there and not layered):
         fix = "put the soil into [soils.NAME], with one [[layers]] of it"
-        mistakes.append(f"{name}: a motion takes it on layered ground alone: {fix}; or leave it out")
+        mistakes.append(f"{name}: a motion uses it on layered ground only: {fix}; or leave it out")
     return mistakes
 
 
