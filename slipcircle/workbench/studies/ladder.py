@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import partial
 
+from slipcircle.base.kinds import Names
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.ground import Section
 from slipcircle.workbench.cost.rows import medians
@@ -14,7 +15,7 @@ class Rung:
     """One step of the ladder."""
 
     added: str  # the effect added in this step, "" for none
-    effects: tuple[str, ...]  # all of this step
+    effects: Names  # all of this step
     method: str  # how it was solved
     seconds: float  # that a solution took here, the median
     peak_velocity: float  # m/s
@@ -55,7 +56,7 @@ def ladder(scene: Scene) -> list[Rung]:
     ]
 
 
-def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
+def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
     """The motion with some of the effects; where it never rests, or turns over, as long as the fullest takes."""
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:
