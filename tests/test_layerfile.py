@@ -163,7 +163,7 @@ def test_what_motions_do_not_know_is_searched_and_not_run(write: Write, refused:
 
 def test_a_shaken_motion_says_whose_loads_its_start_has(write: Write, said: Any) -> None:
     pulse = '[shaking]\npulse = "half-sine"\namplitude_g = 0.2\nduration_s = 1\n'
-    words = "those of the motion, also for k_y"
+    words = "as in the motion, also for k_y"
     assert words in said("run --verbose", write(SCENE, LOAD, pulse))
     assert words not in said("run --verbose", write(SCENE, LOAD)) + said("run --verbose", write(SCENE, pulse))
 
