@@ -163,9 +163,9 @@ def test_what_motions_do_not_know_is_searched_and_not_run(write: Write, refused:
 
 def test_a_shaken_motion_says_whose_loads_its_start_has(write: Write, said: Any) -> None:
     pulse = '[shaking]\npulse = "half-sine"\namplitude_g = 0.2\nduration_s = 1\n'
-    words = "those of the motion, also for k_y"
-    assert words in said("run", write(SCENE, LOAD, pulse))
-    assert words not in said("run", write(SCENE, LOAD)) + said("run", write(SCENE, pulse))
+    words = "as in the motion, also for k_y"
+    assert words in said("run", "--verbose", write(SCENE, LOAD, pulse))
+    assert words not in said("run", "--verbose", write(SCENE, LOAD)) + said("run", "--verbose", write(SCENE, pulse))
 
 
 def test_a_boundary_above_another_is_cut_off_and_said(write: Write, asked: Any) -> None:
