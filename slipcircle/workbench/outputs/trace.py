@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, Floats
 from slipcircle.base.text import measured
 from slipcircle.core import Motion
 from slipcircle.ground import Section
