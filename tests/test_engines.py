@@ -434,7 +434,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
 
     monkeypatch.setattr("slipcircle.workbench.commands.sweep._compute", lost)
     told = refused("sweep vaiont --grid friction.angle_deg=8,10")
-    assert "died; with --resume FOLDER it could continue" in told
+    assert "died; give --resume FOLDER to keep finished blocks" in told
     monkeypatch.setattr(Design, "run_block", lost)
     with ThreadPoolExecutor(2) as pool, pytest.raises(gone):
         ensemble(SCENE, 100, 1, pool)

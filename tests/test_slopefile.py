@@ -169,7 +169,7 @@ def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, ask
         assert "search.depth_m = 200000.0:" in mistakes
     assert "ever thinner masses" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
     assert "a search needs [ground]" in refused("search vaiont")
-    assert "is for one slope" in refused("search real-slope", write(ACADS), "--plot x.png")
+    assert "takes one slope" in refused("search real-slope", write(ACADS), "--plot x.png")
     assert "no-such-slope.toml: there is no such file" in refused("search no-such-slope.toml")
     assert asked("search", write(ACADS), "--method janbu")[0] == 2
 
@@ -290,7 +290,7 @@ def test_a_search_writes_the_scene_of_its_motion(write: Write, tmp_path: Path, s
         "quake.csv; write it beside it": SCENE + '[shaking]\nrecord = "quake.csv"\n',
     }.items():
         assert said_so in refused("search", write(faulty), "--write", new)
-    assert "is for one slope" in refused("search", path, path, "--write", new)
+    assert "takes one slope" in refused("search", path, path, "--write", new)
     assert not [*new.parent.iterdir()]
 
 
