@@ -47,6 +47,7 @@ OF_SERIES: set[type] = {sp.tanh}  # made of exponentials
 for _operation in OPERATIONS.values():
     for _meaning in _operation.means:
         OF_SERIES |= set(map(type, _meaning.atoms(sp.Function)))
+NEVER_NEGATIVE = ("resistance", "mu")
 FARTHEST = 1e6  # slip and speed, over the law's own
 STEEPEST = 10.0  # coefficient
 
@@ -96,8 +97,12 @@ def check() -> int:
         _check_law(law)
     for effect in effects:
         _check_effect(effect)
+    by_weight: dict[sp.Expr, str] = {}
     for moment in moments:
         _ = moment.definition
+        first = by_weight.setdefault(moment.weight, moment.name)
+        if first != moment.name:
+            raise ProofError(_claim(moment, "weight"), f"{moment.weight}, as of {first}", "another weight")
     return len((*laws, *effects, *moments))
 
 
@@ -329,7 +334,7 @@ def _check_terms(effect: Effect) -> set[sp.Symbol]:
 
 
 def _check_values(effect: Effect) -> None:
-    """Check that a resistance is nowhere negative, and that no term has a pole."""
+    """Check that resistance and friction are nowhere negative, that no term has a pole, and that states are bounded."""
     if effect in declared.SECTION_EFFECTS:
         return
     box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
@@ -342,11 +347,17 @@ def _check_values(effect: Effect) -> None:
         box[x] = box[value]
         formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
     for what, e in formulas.items():
-        of_sign = e if what == "resistance" else e**2 + 1
+        of_sign = e if what in NEVER_NEGATIVE else e**2 + 1
         symbols = sorted(e.free_symbols, key=str)
         place, _ = domain.fault(of_sign, {x: box[x] for x in symbols})
         if place:
-            raise ProofError(_claim(effect, what), place, "finite numbers, of a resistance none below 0")
+            raise ProofError(_claim(effect, what), place, "finite numbers, of resistance and friction none below 0")
+    for state in effect.states:
+        feedback = -sp.diff(effect.growth, state)
+        of_growth = {x: box.get(x, (0.0, STEEPEST)) for x in sorted(feedback.free_symbols, key=str)}
+        place, _ = domain.fault(feedback, of_growth)
+        if place:
+            raise ProofError(_claim(effect, "growth"), f"{effect.growth}, which rises with {state}", "a bounded state")
 
 
 def _check_cells(effects: Sequence[Effect], taken: set[str]) -> None:

@@ -1,8 +1,8 @@
 """Sphinx configuration of the book, which `./run book` builds from this folder: notebooks as stored, and pages.
 
-Two directives show what the program itself says when the book is built. `{command}` runs a command line, prints what it
-prints and shows the picture that it draws; `{scene-keys}` is the reference of scene files. Scene files that a page
-shows (TOML blocks with a caption) are there for the commands of that page.
+Two directives show output of the program. `{command}` runs a command line when the book is built and shows its output
+and the picture that it draws; `{scene-keys}` is the reference of scene files. Scene files on a page (TOML blocks with a
+caption) are available to the commands of that page.
 """
 
 import contextlib
@@ -36,17 +36,17 @@ nb_execution_mode = "off"  # the outputs are stored, and tests/test_notebooks.py
 nb_merge_streams, nb_render_markdown_format = True, "myst"
 myst_enable_extensions = ["dollarmath", "amsmath", "deflist"]
 myst_heading_anchors, myst_dmath_double_inline = 3, True
-autodoc_typehints = "none"  # numpydoc sections say them in words
+autodoc_typehints = "none"  # the numpydoc sections state the types
 autodoc_member_order = "bysource"
 add_module_names = False
 numpydoc_show_class_members = False
 nitpicky = True
 html_math_renderer = "mathml"
-FILES = "_files"  # what commands write, beside the pages
+FILES = "_files"  # files written by commands, beside the pages
 
 
 class Command(SphinxDirective):
-    """A command line, what it prints, and the picture or page that it writes."""
+    """Directive for a command line, its output, and the picture or page that it writes."""
 
     required_arguments, final_argument_whitespace, has_content = 1, True, True
     option_spec = {"quiet": directives.flag, "markdown": directives.flag, "alt": directives.unchanged}
@@ -63,16 +63,16 @@ class Command(SphinxDirective):
         return [block, *(nodes.raw("", self.shown(name), format="html") for name in written)]
 
     def shown(self, name):
-        words = escape(self.options.get("alt", f"what {self.arguments[0]} draws"), quote=True)
+        words = escape(self.options.get("alt", f"picture drawn by {self.arguments[0]}"), quote=True)
         if name.endswith(".html"):
             return f'<iframe class="slide" src="{name}" title="{words}" loading="lazy"></iframe>'
         return f'<a class="picture" href="{name}"><img src="{name}" alt="{words}" loading="lazy"></a>'
 
 
 def run(line, folder, files):
-    """What a command prints; it runs in a folder of its own with these files in it, and its files are kept.
+    """Return the output of a command, run in a temporary folder with the given files, and keep the files it writes.
 
-    A folder that a command writes with ``--out`` is there for the commands after it.
+    A folder written with ``--out`` is available to later commands.
     """
     from slipcircle.__main__ import main
 
@@ -106,7 +106,7 @@ def run(line, folder, files):
 
 
 def run_module(words):
-    """Run `python -m MODULE ...` here."""
+    """Run `python -m MODULE ...` in this process."""
     argv, sys.argv = sys.argv, words
     try:
         runpy.run_module(words[0], run_name="__main__", alter_sys=True)
@@ -115,7 +115,7 @@ def run_module(words):
 
 
 class SceneKeys(SphinxDirective):
-    """The text of `slipcircle schema --text`, its keys as tables."""
+    """Directive for the text of `slipcircle schema --text`, with its keys in tables."""
 
     def run(self):
         text = run("slipcircle schema --text", Path(self.env.app.outdir) / FILES, {})
@@ -123,7 +123,7 @@ class SceneKeys(SphinxDirective):
 
 
 def sections(text):
-    """Markdown of the guide: each of its blocks is a head in the first columns, with words and keys beside it."""
+    """Yield the Markdown of the guide, whose blocks have a heading and keys in the first columns and text beside them."""
     head, rest = text.split("\n\nAbove the first table\n")
     yield f"## Conventions\n\n```text\n{head}\n```\n"
     for block in ("Above the first table\n" + rest).split("\n\n"):
@@ -146,20 +146,20 @@ def sections(text):
 
 
 def name_of(title):
-    """Keys and tables as code, words as they are."""
+    """Return keys and tables as code and other words unchanged."""
     keys = re.fullmatch(r"\S+( or \S+)?|law = .*", title)
     return "`" + title.replace(" or ", "` or `") + "`" if keys else title
 
 
 def prose(words):
-    """Words as Markdown; what stands between backticks stays."""
+    """Escape words for Markdown, except between backticks."""
     parts = words.split("`")
     parts[::2] = [re.sub(r"([\\*_|<\[\]])", r"\\\1", part) for part in parts[::2]]
     return "`".join(parts)
 
 
 def math(display):
-    """Visits mathematics: MathML needs no script and no network."""
+    """Return a visitor that writes mathematics as MathML, which needs no script and no network."""
 
     def visit(self, node):
         written = convert(node.astext(), display=display)
@@ -170,7 +170,7 @@ def math(display):
 
 
 def keep_files(app, docname, source):
-    """The scene files that a page shows, by their captions."""
+    """Keep the scene files of a page, by their captions, for its commands."""
     found = re.findall(r"```\{code-block\} toml\n:caption: (\S+)\n\n?(.*?)```", source[0], re.DOTALL)
     app.env.metadata[docname]["files"] = dict(found)
 

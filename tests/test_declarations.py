@@ -48,6 +48,7 @@ COEFFICIENTS = '_friction("coefficient", "coefficients", "angle_deg", "list")'
 FALLS = "_R + (_P - _R) * sp.exp(-SLIP / _L)"
 C = 'sp.Symbol("c_new", real=True)'
 OF_PRESSURE = '"c", "Pa", "help", "c_kPa"'
+STATE = 'sp.Symbol("gathered", real=True)'
 WRONG = [
     # names
     (law(FALLS, name="exponential"), "name: found 'exponential', what something else is called"),
@@ -67,6 +68,17 @@ WRONG = [
     (moment("r", "polar_moment"), "name: found 'polar_moment', what something else is called"),
     (moment("r", "resistance_factor"), "name: found 'resistance_factor', what something else is called"),
     (moment("-r*sp.sin(theta)", "new", ', amplitude=("polar_moment", "K")'), "name: found 'polar_moment', what"),
+    # moments, friction and states
+    (moment("r**2"), "weight: found r**2, as of polar_moment, wanted another weight"),
+    (moment('sp.Symbol("r")'), "new: weight: found Symbol('r'), wanted r of derive.declare.symbols"),
+    (
+        effect("friction=-" + C, '"c", "", "help", "c"'),
+        "mu: found -3.16 at c_new = 3.16, wanted finite numbers, of resis",
+    ),
+    (
+        effect(f"pressure={STATE}, states=({STATE},), growth={STATE}*{C}", '"c", "", "help", "c"'),
+        "growth: found c_new*gathered, which rises with gathered, wanted a bounded",
+    ),
     # help and source
     (moment("r", more=', equation="9.9"'), "equation: found '9.9', wanted one of the paper"),
     (moment("r", more=', equation="2.4", source="Bell"'), "equation: found '2.4' beside source='Bell'"),

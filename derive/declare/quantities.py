@@ -19,12 +19,13 @@ TURNS = (sp.Integer(1), sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(th
 class Moment:
     """Double integral over the moving mass, dimensionless (r* = r/R).
 
-    ``weight`` is integrated over r from the chord to 1 and over theta from theta_1 to theta_2: r^n, or r^n sin(theta)
-    or r^n cos(theta) with a sign, n = 1 to 5. Of others the best tier is not proved within 1 ulp, or the integral
-    vanishes at some arc, where no relative error can be bounded, as that of r^n cos(m theta), m > 1. Where it turns
-    with the direction of the bisector, ``amplitude`` is the name and symbol of the integral of r^n cos(u),
-    u = theta - theta_m, which is left of it as a function of alpha alone. ``equation`` is its number in the paper,
-    ``source`` that of a moment which is not there.
+    ``weight`` is integrated over r from the chord to 1 and over theta from theta_1 to theta_2: r^n, or r^n
+    sin(theta) or r^n cos(theta) with a sign, n = 1 to 5. The checker of certificates defines these integrals alone.
+    The best tier of r^6 is not proved within 1 ulp. The integral of r^n cos(m theta), m > 1, which cos(theta)^2
+    contains, vanishes at some arc, where no relative error can be bounded. A factor such as 2 or -1 belongs to the
+    caller. Where it turns with the direction of the bisector, ``amplitude`` is the name and symbol of the integral
+    of r^n cos(u), u = theta - theta_m, which is left of it as a function of alpha alone. ``equation`` is its number
+    in the paper, ``source`` that of a moment which is not there.
     """
 
     name: str
@@ -44,6 +45,9 @@ class Moment:
     def definition(self) -> tuple[str, ...]:
         """Definition of the function of alpha in its certificates."""
         forms = {r**n * turn: n for n in range(1, HIGHEST + 1) for turn in TURNS}
+        strange = [x for x in self.weight.free_symbols - {r, theta} if str(x) in ("r", "theta")]
+        if strange:
+            raise ProofError(f"{self.name}: weight", sp.srepr(strange[0]), f"{strange[0]} of derive.declare.symbols")
         if self.weight not in forms:
             allowed = f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}"
             raise ProofError(f"{self.name}: weight that can be certified", self.weight, allowed)
@@ -97,7 +101,7 @@ RESISTANCE = Elementary("resistance_factor", "lambda", "3.14", 2 * alpha * (1 - 
 
 QUOTIENTS = (
     Quotient("dynamic_coefficient", "A", "2.24", "polar_moment", "resistance_factor",
-             "share of the centripetal term in the mean normal stress"),
+             "coefficient of the square of the angular velocity in the mean normal stress (2.20)"),
     Quotient("weight_moment_per_inertia", "C_theta/Theta*", "3.17", "weight_moment_amplitude", "moment_of_inertia",
              "drive of gravity in the equation of motion"),
     Quotient("radial_weight_per_inertia", "C_r/Theta*", "3.17", "radial_weight_amplitude", "moment_of_inertia",

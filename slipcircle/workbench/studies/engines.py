@@ -196,19 +196,19 @@ def compute(
     with _deferred_interrupt() as interrupted:
 
         def save_until(left: int) -> None:
-            while len(under_way) > left:
-                if interrupted.is_set():
-                    raise KeyboardInterrupt
+            while len(under_way) > left and not interrupted.is_set():
                 save(wait(under_way, 0.1, FIRST_COMPLETED).done)
+            if interrupted.is_set():
+                raise KeyboardInterrupt
 
         try:
             for index in range(design.blocks):
+                save_until(_AHEAD)
                 if store.has(index):
                     progress(design.scenes(index), design.scenes(index))
                     continue
                 work, argument = design.task(index)
                 under_way[executor.submit(work, argument)] = index
-                save_until(_AHEAD)
             save_until(0)
         finally:  # after an error or Ctrl-C, finished blocks are stored as well
             for future in [*under_way]:
