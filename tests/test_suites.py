@@ -355,7 +355,7 @@ def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path
         ("records more --synthetic 3:1.5:4", "give either files or folders of records, or --synthetic"),
         ("records --synthetic 2:4", "2:4: must be COUNT:ARIAS:DURATION, such as 20:1.5:12"),
         ("sweep newmark-pulse --records . --strict --step 1", "slammer: units are missing"),
-        ("sweep newmark-pulse --samples 3 --magnitude 7 --period 0.2", "--magnitude, --period: of records"),
+        ("sweep newmark-pulse --samples 3 --magnitude 7 --period 0.2", "--magnitude, --period: for earthquake records"),
         ("sweep newmark-pulse --records site.txt --period -1", "--period -1: must be a time in s, at least 0"),
         ("sweep newmark-pulse --records site.txt --samples 3", "--samples: the scene has no uncertain parameter"),
         ("sweep newmark-pulse --polarities", "or --records FOLDER"),
