@@ -190,9 +190,10 @@ def test_rows_of_scenes(name: str) -> None:
     assert tuple(row.way for row in ensemble) == scenes.ACCURACIES
     assert {row.count for row in ensemble} == {2 if scene.shape else 10}
     assert [row.verdict for row in ensemble].count("recommended") == 1
+    rounding = 5e-13 if name == "shaken-slope" else 1e-13  # one of its cases hardly moves
     for row in ensemble:
         assert row.misses == (row.error > float(row.way))
-        assert row.error < max(10 * float(row.way), 1e-12)  # near the limit of friction, which lies within the range
+        assert row.error < max(float(row.way), rounding)
         assert row.error <= (row.bound or 0.0)
         assert row.seconds > 0.0
 

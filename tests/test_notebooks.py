@@ -237,7 +237,7 @@ def test_the_method_names_every_effect_law_and_operation() -> None:
     [("0_the_method", "frozen", "True", 2), ("0_the_method", "frozen", "as printed it does: False", 1),
      ("1_derivation", "picture", "one line, as it stands: finite at 31 of 32 angles", 1),
      ("1_derivation", "picture", "certified kernel: within its proved bound everywhere: True", 1),
-     ("1_derivation", "program", "as checked in: True", 1), ("1_derivation", "source", "as checked in: True", 1),
+     ("1_derivation", "source", "as checked in: True", 1),
      ("1_derivation", "certificate", "of these programs: True", 1), ("1_derivation", "certificate", "refused", 2),
      ("3_what_accuracy_costs", "accuracy", "True", 3),
      ("3_what_accuracy_costs", "accuracy", "refused: radial_weight_amplitude cannot promise", 1),

@@ -160,7 +160,7 @@ def test_it_is_printed_and_counted_and_no_number_is_left_out(said: Any, records:
         "utf-8",
     )
     cells = columns(said(f"run {file}"))
-    assert cells["outside the range of the method"] == [words]
+    assert cells["range of validity"] == [f"left {words}"]
     assert cells["run-out along the arc"] == [f"{motion.run_out:.4g} m"]
     (record,) = records(f"run {file}")
     assert (record["outside_range"], record["range_end"]["time"]) == (True, pytest.approx(end.time, rel=1e-9))

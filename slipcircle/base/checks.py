@@ -295,14 +295,10 @@ def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> l
     if _are_plain(given, parameters):
         return []
     known = {p.name: p for p in parameters if p.kind != "rotation"}
-    sentences: list[str] = []
-    for name, p in known.items():
-        required = not p.optional
-        if required and name not in given:
-            sentences.append(f"{path}: {name!r} is missing: {p.help}")
-    for name in given:
-        if name not in known:
-            sentences.append(f"{path}: {name!r} is unknown; known are {', '.join(known) or 'none'}")
+    missing = [p for name, p in known.items() if not p.optional and name not in given]
+    sentences = [f"{path}: {p.name!r} is missing: {p.help}" for p in missing]
+    names = ", ".join(known) or "none"
+    sentences += [f"{path}: {name!r} is unknown; known are {names}" for name in given if name not in known]
     for name, p in known.items():
         if name in given:
             sentences += _value_mistakes(path, p, given[name])

@@ -3,16 +3,13 @@
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
-
-Mask = NDArray[np.bool_]
+from slipcircle.base.kinds import Flags, Floats
 
 
 def first_section(
-    holds: Callable[[Floats], Mask], low: Floats, high: Floats, shares: Floats
-) -> tuple[Floats, Floats, Mask]:
+    holds: Callable[[Floats], Flags], low: Floats, high: Floats, shares: Floats
+) -> tuple[Floats, Floats, Flags]:
     """Return the ends of the first section of each interval in which a condition changes from false to true.
 
     Parameters

@@ -81,22 +81,16 @@ class Sensitivity:
         return outputs.index(output), parameters.index(parameter)
 
     def __str__(self) -> str:
-        head = ["by", "value"]
-        for name, unit in self.outputs.items():
-            head.append(f"d {name} [{unit}] (elasticity)")
-        rows = [head]
+        heads = [f"d {name} [{unit}] (elasticity)" for name, unit in self.outputs.items()]
+        rows = [["by", "value", *heads]]
         for name, unit in self.parameters.items():
             title = f"{name} [{unit}]" if unit else name
             value = f"{self.at[name]:.6g}"
             rows.append([title, value, *self._row(name)])
-        widths = []
-        for cells in zip(*rows, strict=True):
-            longest = max(map(len, cells))
-            widths.append(longest)
+        widths = [max(map(len, cells)) for cells in zip(*rows, strict=True)]
         lines = []
         for row in rows:
-            padded = map(str.ljust, row, widths)
-            line = "  ".join(padded)
+            line = "  ".join(map(str.ljust, row, widths))
             lines.append(line.rstrip())
         return "\n".join(lines)
 

@@ -74,9 +74,7 @@ def neighbour_derivatives(
             known = found.get(number.name, by_number)
             pairs = zip(known, by_number, strict=True)
             found[number.name] = [_nearer(*pair) for pair in pairs]
-            ladders = LADDERS
-            if _is_shape(scene, number):
-                ladders = OF_SHAPE
+            ladders = OF_SHAPE if _is_shape(scene, number) else LADDERS
             is_last = ladder + 1 == ladders
             if not is_last and _is_open(by_number, goal):
                 are_open.append(number)
@@ -85,9 +83,7 @@ def neighbour_derivatives(
             break
     columns = []
     for name in Derivatives._fields:
-        rows = []
-        for by_outcome in found.values():
-            rows.append([getattr(one, name) for one in by_outcome])
+        rows = [[getattr(one, name) for one in by_outcome] for by_outcome in found.values()]
         columns.append(np.array(rows).swapaxes(0, 1))
     return Derivatives(*columns)
 

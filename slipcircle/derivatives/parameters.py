@@ -11,11 +11,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import effects as declared
 from slipcircle.base.checks import InputError, array_of, plain, real_number
-from slipcircle.base.kinds import Flags, Function, ValueDict, Values
+from slipcircle.base.kinds import Flags, Floats, Function, ValueDict, Values
 from slipcircle.core.scene.arc import ARC_BOUNDS
 from slipcircle.core.scene.effects import declared_parameters, without_soil
 from slipcircle.core.scene.friction import law_parts, law_paths, number_name
@@ -131,8 +130,8 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
     free = dict[str, Free]()
     for name in names:
         known = possible[name]
-        number = scene.arc.dip if name == DIP.name else scene.numbers[name]
-        value = float(np.asarray(number))
+        value = parameter_value(scene, name)
+        assert value is not None
         scale = _scale(scene.arc, known, value)
         free[name] = Free(name, known.unit, known.lower, known.upper, value, scale)
     return free
@@ -264,7 +263,7 @@ def taken(scene: Scene, select: Function) -> Scene:
     return replace_unchecked(some, changed | factors | {"arc": arc})
 
 
-def with_parameter_arrays(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, Flags]:
+def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[Scene, Flags]:
     """Return a scene with arrays of numbers in SI units, and a mask of its invalid lanes, for `solve`.
 
     A value out of bounds or an impossible section makes its lane invalid and raises no error. In such lanes the scene

@@ -21,12 +21,9 @@ def _names(field: str, shape: Shape) -> Indices:
     if not shape:
         return {field: ()}
     names = {}
-    for index in np.ndindex(shape):
-        *point, axis = index
-        coordinate = "xy"[axis]
-        parts = [field, *map(str, point), coordinate]
-        name = ".".join(parts)
-        names[name] = index
+    for *point, axis in np.ndindex(shape):
+        name = ".".join([field, *map(str, point), "xy"[axis]])
+        names[name] = (*point, axis)
     return names
 
 
@@ -64,16 +61,13 @@ def changed_fields(arc: Any, values: Values) -> ValueDict:
     """Return the fields of an arc or a section that change if some of its numbers have other values."""
     changed: ValueDict = {}
     for field, axes in arc.quantities.items():
-        indices = indices_of(arc, field)
-        names = [name for name in indices if name in values]
-        replaced = {name: indices[name] for name in names}
+        replaced = {name: index for name, index in indices_of(arc, field).items() if name in values}
         if not replaced:
             continue
         if not axes:
             changed[field] = values[field]
             continue
-        value = getattr(arc, field)
-        points = np.asarray(value, dtype=np.float64)
+        points = np.asarray(getattr(arc, field), float)
         changed[field] = _with_coordinates(points, axes, replaced, values)
     known = arc.other_numbers()
     others = {name: values[name] for name in values if name in known}

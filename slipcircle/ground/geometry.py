@@ -29,11 +29,8 @@ class SectionGeometry(TurningMass):
     @cached_property
     def shape(self) -> Shape:
         """Shape of the results."""
-        leading = []
-        for name in ("radius", "centre", "ground", "level"):
-            axes = self.quantities[name]
-            leading.append(leading_shape(getattr(self, name), axes))
-        return np.broadcast_shapes(*leading)
+        names = ("radius", "centre", "ground", "level")
+        return np.broadcast_shapes(*(leading_shape(getattr(self, name), self.quantities[name]) for name in names))
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:

@@ -130,11 +130,7 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
         are_two = np.shape(pair) == (2,)
         if not are_two or pair[0] >= pair[1]:
             wrong.append("between")
-    errors = []
-    for name in wrong:
-        _, _, allowed = bounds[name]
-        errors.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
-    return errors
+    return [f"{{{name}}} = {given[name]!r}: must be {bounds[name][-1]}" for name in wrong]
 
 
 def _bounds_of(given: Values) -> dict[str, Bounds]:
@@ -207,8 +203,8 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
 
 def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Vectors, Vectors]:
     """Return two points, or many pairs of points, ordered from left to right."""
-    p = np.asarray(first, dtype=np.float64)
-    q = np.asarray(second, dtype=np.float64)
+    p = np.asarray(first, float)
+    q = np.asarray(second, float)
     p_x = p[..., :1]
     q_x = q[..., :1]
     left = np.where(p_x > q_x, q, p)
@@ -277,7 +273,7 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     u = h (run^2 - l (h - l))/(h run + sqrt(h l (run^2 + (h - l)^2))) from the higher point, towards the lower one.
     """
     p, q = _from_left(first, second)
-    base = np.asarray(level, dtype=np.float64)
+    base = np.asarray(level, float)
     run = q.x - p.x
     left_height = p.y - base
     right_height = q.y - base

@@ -55,18 +55,13 @@ class Ponds(NamedTuple):
 
 def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Ponds:
     """Return free water over grounds (n or 1, V, 2): ponds, and water below unconfined levels (n or 1, W, 2)."""
-    bodies = []
-    for ground, level in _pairs(grounds, levels):
-        bodies.append(_bodies(ground, level, confined, ponds))
+    bodies = [_bodies(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
     lanes = len(bodies)
     count = max(map(len, bodies), default=0)
     x, y = grounds[:, 0].min(axis=0, initial=np.inf)
     outside = x - 1.0
     nothing = [outside, outside, y, 0.0]  # where a lane has less water
-    padded = []
-    for of_lane in bodies:
-        missing = count - len(of_lane)
-        padded.append(of_lane + missing * [nothing])
+    padded = [of_lane + (count - len(of_lane)) * [nothing] for of_lane in bodies]
     table: Floats = np.reshape(padded, (lanes, count, 4))
     return Ponds(*table.T)
 
@@ -95,12 +90,7 @@ def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
     """Return the water of a pond from shore to shore."""
     first, last, level = pond
     line = np.array([[first, level], [last, level]])
-    bodies = []
-    for body in _below(ground, line):
-        left, right, *_ = body
-        if left < last and right > first:
-            bodies.append(body)
-    return bodies
+    return [body for body in _below(ground, line) if body[0] < last and body[1] > first]
 
 
 def _below(ground: Floats, level: Floats) -> Bodies:
@@ -122,10 +112,8 @@ def _below(ground: Floats, level: Floats) -> Bodies:
     bodies = []
     for first, last in shores.reshape(-1, 2).tolist():
         heights = np.interp(x[first : last + 1], *level.T)
-        low = heights.min()
-        high = heights.max()
-        middle_height = (low + high) / 2
-        bodies.append([x[first], x[last], middle_height, high - low])
+        low, high = heights.min(), heights.max()
+        bodies.append([x[first], x[last], (low + high) / 2, high - low])
     return bodies
 
 

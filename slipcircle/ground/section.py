@@ -272,7 +272,7 @@ class Section(SectionGeometry, Mass):
 
     def _rotations(self, rotation: Any) -> tuple[Shape, Floats]:
         """Return the shape of results after rotations, and the rotations by lane, (rotations, lanes)."""
-        turn = np.asarray(rotation, dtype=np.float64)
+        turn = np.asarray(rotation, float)
         shape = np.broadcast_shapes(turn.shape, self.shape)
         own = len(self.shape)
         rotations = math.prod(shape[: len(shape) - own])

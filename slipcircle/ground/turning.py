@@ -30,7 +30,7 @@ class TurningMass:
         """Ground above the mass of a single section, from its left to its right end, m."""
         ends = [tuple(self.entry), tuple(self.exit)]
         left, right = sorted(ends)
-        ground = np.asarray(self.ground, dtype=np.float64)
+        ground = np.asarray(self.ground, float)
         x = ground[:, 0]
         after_left = x > left[0]
         before_right = x < right[0]
@@ -44,7 +44,7 @@ class TurningMass:
         """
         if self.level is None or self.confined:
             return 0.0
-        level = np.asarray(self.level, dtype=np.float64)
+        level = np.asarray(self.level, float)
         depths = [0.0]
         (standing,) = self.standing_level
         lowest = self.centre[1] + self.radius * standing

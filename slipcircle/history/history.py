@@ -109,7 +109,7 @@ class History:
         """Return times as an array, after checking that no lane still moves at a time beyond its end."""
         faults = mistakes({"times": times}, {"times": ALLOWED_TIMES})
         raise_all("Motion.at", faults)
-        time = np.asarray(times, dtype=np.float64)
+        time = np.asarray(times, float)
         status = self._final[ix.STATUS]
         known_until = choose(status == ix.PAUSED, self.plan.scene.until, self._duration)
         moving = status != ix.ARRESTED

@@ -18,19 +18,17 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import ArrayPair, Floats
-from slipcircle.base.sections import Mask, first_section
+from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
+from slipcircle.base.sections import first_section
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.friction import depends_on
 from slipcircle.core.walk import compiled
 from slipcircle.core.walk.compiled import Samples
 
-Lanes = NDArray[np.intp]
 Integrate = Callable[[Floats, Samples | None], Floats]  # final cells from initial cells
 
 CRITICAL = 4.0 / (1.0 + (math.pi / math.log(EPS)) ** 2)  # d^2 over K above which a mass creeps
@@ -55,7 +53,7 @@ class Now(NamedTuple):
     """Some lanes of a problem, with their current cells or the cells of all lanes."""
 
     problem: Problem
-    lanes: Lanes
+    lanes: Integers
     cells: Floats
 
 
@@ -162,7 +160,7 @@ def _first_steps(explicit_steps: Floats) -> Floats:
     return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 
-def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> None:
+def _settle(cells: Floats, lanes: Integers, rotation: Floats, arrival: Floats) -> None:
     """Set the final cells of creeping lanes to their equilibrium at an infinite time."""
     cells[ix.TIME, lanes] = np.inf
     cells[ix.REST_SINCE, lanes] = arrival
@@ -176,14 +174,14 @@ def _settle(cells: Floats, lanes: Lanes, rotation: Floats, arrival: Floats) -> N
     cells[ix.REACH_TIME, farther] = np.inf
 
 
-def _until(begin: Floats, which: Lanes, end_time: Floats) -> Floats:
+def _until(begin: Floats, which: Integers, end_time: Floats) -> Floats:
     """Return the cells with other end times for some lanes."""
     cells = begin.copy()
     cells[ix.END_TIME, which] = end_time
     return cells
 
 
-def _candidates(problem: Problem, cells: Floats) -> tuple[Lanes, Floats, Floats]:
+def _candidates(problem: Problem, cells: Floats) -> tuple[Integers, Floats, Floats]:
     """Return the lanes without end time that are overdamped at the equilibrium ahead, their first end time, and d."""
     begins = cells[ix.STATUS] == ix.START
     endless = cells[ix.END_TIME] == np.inf
@@ -207,7 +205,7 @@ def _direction(towards: Floats) -> Floats:
     return np.where(towards < 0.0, -1.0, 1.0)
 
 
-def _caught(problem: Problem, which: Lanes, final: Floats) -> tuple[Any, Floats]:
+def _caught(problem: Problem, which: Integers, final: Floats) -> tuple[Any, Floats]:
     """Return whether lanes have almost arrived and can no longer pass their equilibrium, and its rotation."""
     cells = final.copy()
     rotation = final[ix.END_ROTATION]
@@ -232,7 +230,7 @@ def _ahead(now: Now) -> Ahead:
     low = np.zeros(count)
     high = np.full(count, np.pi)
 
-    def stops(distance: Floats) -> Mask:
+    def stops(distance: Floats) -> Flags:
         return _net(now, distance) <= 0.0
 
     low, high, falls = first_section(stops, low, high, AHEAD)

@@ -11,12 +11,11 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import layout as ix
 from generated import walk
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.core.walk.compiled import Log, Samples, engine
@@ -46,9 +45,7 @@ SHORT_STEP = 10
 FIRST, GROWS, SHRINKS, DIVERGES = 4.0, 4.0, 0.1, 0.25  # factors of explicit steps, and from one step to the next
 
 
-def integrate(
-    problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
-) -> None:
+def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers) -> None:
     """Integrate some lanes one after the other from their present states, as `generated.walk.integrate` does."""
     for number in which:
         lane_number = np.array([number])

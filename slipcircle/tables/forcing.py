@@ -83,8 +83,7 @@ def _water(given: Parameters) -> ValueDict:
     if "time" not in given:  # without it a list is an ensemble
         return rest
     time = array_of(given["time"])
-    numbers = {name: value for name, value in rest.items() if not callable(value)}
-    lists = [name for name in numbers if np.ndim(numbers[name]) == 1]
+    lists = [name for name, value in rest.items() if not callable(value) and np.ndim(value) == 1]
     if time.ndim != 1 or not lists:
         raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
     for name in lists:

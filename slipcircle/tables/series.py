@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import INFINITY, Bounds, array_of, frozen, mistakes, raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Integers
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
 
@@ -66,7 +66,7 @@ class Series:
             given = array_of(getattr(self, name))
             if given.ndim != 1 or given.dtype.kind not in "iuf":
                 raise ValueError(f"Series: {name}: must be a plain list of numbers, without mask or unit")
-            object.__setattr__(self, name, frozen(given.astype(np.float64, copy=False)))
+            object.__setattr__(self, name, frozen(given.astype(float, copy=False)))
         if self.time.shape != self.values.shape or self.time.size < 2:
             raise ValueError(
                 f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "
@@ -82,7 +82,7 @@ class Series:
     def __call__(self, t: ArrayLike) -> Any:
         """Return the values at times in s."""
         outside = {} if self.held else {"left": 0.0, "right": 0.0}
-        return np.interp(np.asarray(t, dtype=np.float64), self.time, self.values, **outside)
+        return np.interp(np.asarray(t, float), self.time, self.values, **outside)
 
     @property
     def kinks(self) -> Floats:
@@ -111,7 +111,7 @@ class LaneSeries:
     """
 
     series: tuple[Series, ...]
-    which: NDArray[np.intp]
+    which: Integers
 
     def __call__(self, t: ArrayLike) -> Any:
         """Return the values of each lane's function at times in s. Lanes are the first axis."""
@@ -178,7 +178,7 @@ class Pulse:
 
     def __call__(self, t: Any) -> Any:
         """Return the values at times in s."""
-        time = np.asarray(t, dtype=np.float64)
+        time = np.asarray(t, float)
         tau = np.clip(time - self.start, 0.0, self.duration)
         shape = np.ones_like(tau)
         if self._phase:

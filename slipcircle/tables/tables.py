@@ -5,11 +5,11 @@ from itertools import chain
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape
+from slipcircle.base.kinds import ArrayDict, Floats, Integers, Parameters, Shape
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import LaneSeries, Pulse, Series
@@ -25,8 +25,8 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tupl
     law = LAWS[name]
     (argument,) = law.depends_on
     of_places, of_values = law.parameters
-    places = np.asarray(parameters[of_places.name], dtype=np.float64)
-    values = np.asarray(parameters[of_values.name], dtype=np.float64)
+    places = np.asarray(parameters[of_places.name], float)
+    values = np.asarray(parameters[of_values.name], float)
     table = of_list(argument, places, values)
     return table, 1.0, of_places.unit
 
@@ -34,8 +34,8 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tupl
 def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> list[str]:
     """Return the mistakes in a tabulated law, where ``values`` names its second list."""
     argument = LAWS[name].parameters[0].name
-    places = np.asarray(parameters[argument], dtype=float)
-    coefficients = np.asarray(parameters[values], dtype=float)
+    places = np.asarray(parameters[argument], float)
+    coefficients = np.asarray(parameters[values], float)
     key = f"{{{path}.{argument}}}"
     is_list = places.ndim == 1 and places.size > 1
     is_pair = places.shape == coefficients.shape
@@ -189,41 +189,27 @@ def of_time(function: Series | LaneSeries | Pulse) -> Data:
     return lines(function.time, function.values, 0.0, 0.0)
 
 
-def _side_by_side(tables: Sequence[Data], which: NDArray[np.intp]) -> Data:
+def _side_by_side(tables: Sequence[Data], which: Integers) -> Data:
     """Return functions of time one after the other, each followed by a piece that begins at infinity."""
-    breaks = list[Floats]()
-    coefficients = list[Floats]()
-    jumps = list[Floats]()
-    firsts = list[int]()
-    pieces = 0
     infinity = np.array([np.inf])
     nothing = np.zeros((1, 2))
     never = continuous(infinity, nothing)
-    for table in tables:
-        firsts.append(pieces)
-        for part in (table, never):
-            breaks.append(part.breaks)
-            coefficients.append(part.coefficients)
-            jumps.append(part.jumps)
-            pieces += len(part.breaks)
-    first = np.array(firsts)[which]
-    every_break = np.concatenate(breaks)
-    every_coefficient = np.concatenate(coefficients)
-    every_jump = np.concatenate(jumps)
-    return Data(every_break, every_coefficient, every_jump, first=first)
+    parts = [part for table in tables for part in (table, never)]
+    pieces = [len(part.breaks) for part in parts]
+    ends = np.cumsum([0, *pieces])
+    first = ends[::2][which]
+    breaks = np.concatenate([part.breaks for part in parts])
+    coefficients = np.concatenate([part.coefficients for part in parts])
+    jumps = np.concatenate([part.jumps for part in parts])
+    return Data(breaks, coefficients, jumps, first=first)
 
 
 def _of_pulse(pulse: Pulse) -> Data:
     amplitude = pulse.amplitude
-    half_waves = 1.0
-    match pulse.name:
-        case "rectangular":
-            values = np.array([amplitude, amplitude])
-            return lines(pulse.kinks, values, 0.0, 0.0)
-        case "triangular":
-            values = np.array([0.0, amplitude, 0.0])
-            return lines(pulse.kinks, values, 0.0, 0.0)
-        case "sine":
-            half_waves = 2 * pulse.cycles
-    rate = np.pi * half_waves / pulse.duration
-    return waves(pulse.start, pulse.duration, amplitude, rate)
+    if pulse._phase:
+        rate = pulse._phase / pulse.duration
+        return waves(pulse.start, pulse.duration, amplitude, rate)
+    is_constant = pulse.name == "rectangular"
+    heights = [amplitude, amplitude] if is_constant else [0.0, amplitude, 0.0]
+    values = np.array(heights)
+    return lines(pulse.kinks, values, 0.0, 0.0)

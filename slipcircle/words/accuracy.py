@@ -54,11 +54,8 @@ def _moves(program: Program, rounding: float) -> Floats:
     """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths."""
     inputs = program.cells[len(ix.CELLS) : program.given]
     moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
-    for table in program.tables:
-        factor_of_values = table.cells + ix.SCALED_BY
-        moved.append(factor_of_values)
-    count = len(program.cells)
-    signs = np.zeros((count, RUNS))
+    moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
+    signs = np.zeros((len(program.cells), RUNS))
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
         signs[cell, 1:] = SIGNS[:, factor]

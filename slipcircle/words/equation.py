@@ -123,14 +123,11 @@ class Equation:
         """Equation in LaTeX, aligned, without numbers."""
         sums = {self.balance.symbol: [self.balance.latex]}
         for term in self.sums:
-            addends = sums.setdefault(term.symbol, [])
-            addends.append(term.latex)
+            sums.setdefault(term.symbol, []).append(term.latex)
         rows = list[str]()
         for symbol, addends in sums.items():
-            left = _latex(symbol)
-            right = " + ".join(addends)
-            right = right.replace("+ - ", "- ")
-            rows.append(f"{left} &= {right}")
+            right = " + ".join(addends).replace("+ - ", "- ")
+            rows.append(f"{_latex(symbol)} &= {right}")
         body = " \\\\\n".join(rows)
         return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 

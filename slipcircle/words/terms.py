@@ -192,10 +192,8 @@ def _of_the_soils(scene: Scene, soils: tuple[Any, ...], of_arc: Parameters) -> d
         return {}
     arc: Any = scene.arc
     theta = of_arc["Theta"]
-    added = []
-    for soil in soils:
-        of_soil = arc.arc_strength.of_soil(soil)
-        added.append({name: _per_lane(value, scene) for name, value in of_soil.items()})
+    by_soil = map(arc.arc_strength.of_soil, soils)
+    added = [{name: _per_lane(value, scene) for name, value in of_soil.items()} for of_soil in by_soil]
     whole = sum(of_soil["angle"] for of_soil in added)
     rows = []
     for of_soil in added:

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
-from slipcircle.base.sections import Mask, first_section
+from slipcircle.base.kinds import Flags, Floats
+from slipcircle.base.sections import first_section
 
 # Lower limits of all classes but the slowest, m/s: 16 mm/year, 1.6 m/year, 13 m/month, 1.8 m/hour, 3 m/min, 5 m/s.
 LIMITS = (5e-10, 5e-8, 5e-6, 5e-4, 5e-2, 5.0)
@@ -71,7 +71,7 @@ def _time_above(motion: Any, times: Floats, limit: float) -> float:
     end = times[1:][crosses]
     low, high = start, end
 
-    def has_passed(inside: Floats) -> Mask:
+    def has_passed(inside: Floats) -> Flags:
         return (_speed(motion, inside) > limit) != begins_faster
 
     for _ in range(ROUNDS if start.size else 0):

@@ -86,10 +86,7 @@ def effect_mistakes(name: str, parameters: Parameters) -> list[str]:
     faults = []
     if name == "cohesion" and ("law" in parameters or callable(parameters.get(name))):
         law = dict(parameters)
-        of_growth = {}
-        for p in OF_GROWTH:
-            if p.name in law:
-                of_growth[p.name] = law.pop(p.name)
+        of_growth = {p.name: law.pop(p.name) for p in OF_GROWTH if p.name in law}
         faults = parameter_mistakes(path, of_growth, OF_GROWTH)
         given = law if "law" in law else law[name]
         return cohesion_mistakes(given, path) + faults
@@ -124,11 +121,7 @@ def cohesion_law(given: Any) -> Law | None:
     if not isinstance(given, MAPPING) or given["law"] == "constant":
         return None
     law = COHESION_LAWS[given["law"]]
-    parameters = {}
-    for p in law.parameters:
-        name = "coefficient" if p.name == "cohesion" else p.name
-        parameters[name] = given[p.name]
-    return law.name, parameters
+    return law.name, {"coefficient" if p.name == "cohesion" else p.name: given[p.name] for p in law.parameters}
 
 
 def resolved(name: str, given: Frozen) -> Frozen:

@@ -71,10 +71,8 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
         return (("constant", {"coefficient": friction}),)
     rate = law_parts(friction["rate"]) if "rate" in friction else ()
     if "soils" in friction:
-        of_soils = []
-        for k, law in enumerate(friction["soils"].values()):
-            name, parameters = law_parts(law)[0]
-            of_soils.append((f"{name}{OF_SOIL}{k}", parameters))
+        laws = [law_parts(law)[0] for law in friction["soils"].values()]
+        of_soils = [(f"{name}{OF_SOIL}{k}", parameters) for k, (name, parameters) in enumerate(laws)]
         return (*of_soils, *rate)
     parameters = dict(friction)
     name = parameters.pop("law")

@@ -98,10 +98,8 @@ def program_integers(program: Program) -> list[int]:
         len(later),
         int(program.autonomous),
     ]
-    roles = []
-    for name in ix.ROLES:
-        place = program.roles.get(name, -1)
-        roles.append(place if name.startswith("cell_") else _begin(place))
+    places = {name: program.roles.get(name, -1) for name in ix.ROLES}
+    roles = [place if name.startswith("cell_") else _begin(place) for name, place in places.items()]
     integers = [*sizes, *roles, *scalar, *series, *later]
     for cell, register, rate in program.states:
         integers += [cell, _begin(register), _begin(rate)]

@@ -38,7 +38,7 @@ def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:
     """Results by name in SI units, with the numbers that vary before them; or histories at times, s."""
     if times is not None:
         motion.at(times)  # raises an error for times outside the motion
-        time = np.asarray(times, dtype=np.float64)
+        time = np.asarray(times, float)
         return {name: q.at(motion, time) for name, q in HISTORY.items()}
     columns: ValueDict = {name: value for name, value in motion.plan.scene.numbers.items() if np.ndim(value)}
     for quantity in results(motion):
@@ -82,10 +82,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
         dims = lane_dims[len(lane_dims) - np.ndim(value) :]
         varying = [dim for dim, size in zip(dims, np.shape(value), strict=True) if size > 1]
         coordinates[name] = (varying, np.squeeze(np.asarray(value)))
-    variables = {}
-    for name, values in columns.items():
-        attributes = {"units": units.get(name, "")}
-        variables[name] = ([*axes], np.asarray(values), attributes)
+    variables = {n: ([*axes], np.asarray(values), {"units": units.get(n, "")}) for n, values in columns.items()}
     return xarray.Dataset(variables, coordinates, {"scene": motion.plan.scene.name})
 
 
@@ -98,7 +95,7 @@ def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDic
         columns = to_dict(motion, None)
         by_method = columns.pop("factors_of_safety")
         return axes, columns | {f"factors_of_safety.{method}": factor for method, factor in by_method.items()}
-    axes["time"] = np.ravel(np.asarray(times, dtype=np.float64))
+    axes["time"] = np.ravel(np.asarray(times, float))
     columns = to_dict(motion, axes["time"])
     del columns["time"]
     return axes, columns

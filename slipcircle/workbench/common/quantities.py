@@ -12,10 +12,9 @@ from operator import attrgetter
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base import JSON_FORMAT
-from slipcircle.base.kinds import Function, Pair, ValueDict
+from slipcircle.base.kinds import Floats, Function, Pair, ValueDict
 from slipcircle.base.text import DIGITS, digits_left, shown
 from slipcircle.words import OUTSIDE, VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
@@ -53,11 +52,11 @@ class Quantity:
         value = self.read(motion)
         return {f"{self.name}_{x}": value[..., k] for k, x in enumerate("xy")} if self.point else {self.name: value}
 
-    def at(self, motion: Any, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    def at(self, motion: Any, times: Floats) -> Floats:
         """The values of a quantity over time."""
         method, _, part = self.path.partition(".")
         values = getattr(motion, method)(times)
-        return np.asarray(getattr(values, part) if part else values, dtype=np.float64)
+        return np.asarray(getattr(values, part) if part else values, float)
 
     def text(self, motion: Any) -> str:
         """The printed value of a single motion, with as many digits as its error justifies."""

@@ -106,7 +106,7 @@ class Bases:
 
     def of_slope(self, value: Any) -> Floats:
         """Return a number of the slope, or of each slope, by interval."""
-        values = np.asarray(value, dtype=np.float64)
+        values = np.asarray(value, float)
         if values.size == 1:
             return np.broadcast_to(values, len(self.arc))
         return values[:, None] if self.is_shared else values[self.arc]

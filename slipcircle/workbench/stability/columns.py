@@ -87,11 +87,7 @@ class SlopeArrays:
         """Return levels of free water as lines above the whole ground."""
         if self.ponds is None:
             return []
-        lines = []
-        for level in np.unique(self.ponds.level, axis=0):
-            line = level_line(level, self.ground)
-            lines.append(self._over_ground(line))
-        return lines
+        return [self._over_ground(level_line(level, self.ground)) for level in np.unique(self.ponds.level, axis=0)]
 
     def _over_ground(self, line: Floats) -> Floats:
         x = self.ground[..., 0]
@@ -131,12 +127,9 @@ class SlopeArrays:
     def _kinks(self) -> Floats:
         """Return x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any), sorted."""
         kinks = [line[:, 1:-1, 0] for line in (*self.lines, *self._datum_lines)]
-        for one, other in combinations(self.lines, 2):
-            kinks.append(line_crossings(one, other))
-        for x1, x2, *_ in self.surcharge:
-            kinks.append(np.array([[x1, x2]]))
-        for level in self._pond_levels:
-            kinks.append(line_crossings(self.lines[0], level))
+        kinks += [line_crossings(one, other) for one, other in combinations(self.lines, 2)]
+        kinks += [np.array([[x1, x2]]) for x1, x2, *_ in self.surcharge]
+        kinks += [line_crossings(self.lines[0], level) for level in self._pond_levels]
         if self.ponds is not None:
             kinks += [self.ponds.first.T, self.ponds.last.T]
         slopes = max(map(len, kinks))

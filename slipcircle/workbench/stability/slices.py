@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.bases import Arcs, Bases, Stresses
 from slipcircle.workbench.stability.columns import SlopeArrays
@@ -49,7 +49,7 @@ class Slices(NamedTuple):
     steps: Floats  # of the unit weight below each surface, 0 where it is not above the arc, (surfaces, intervals)
     constant: Floats  # height of a surface above the centre is constant + gradient sine
     gradient: Floats
-    shaken: NDArray[np.bool_]  # surfaces of soil, not of water
+    shaken: Flags  # surfaces of soil, not of water
 
     def at(self, linear: Any) -> Any:
         """Return the value at each point from three numbers per interval."""
@@ -166,7 +166,7 @@ class Slices(NamedTuple):
         return self.at(self.stresses.cohesion)
 
 
-def _any_of_each(rows: Floats) -> NDArray[np.bool_]:
+def _any_of_each(rows: Floats) -> Flags:
     """Return which rows have a number other than 0."""
     return np.any(rows.reshape(len(rows), -1), axis=1)
 

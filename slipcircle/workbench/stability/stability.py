@@ -136,9 +136,8 @@ class Slope:
         fields, mistakes = {name: value for name, value in vars(self).items() if name not in _LAYERED}, list[str]()
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
-            for name in _OF_ONE_SOIL:
-                if getattr(self, name) not in (0.0, None):
-                    mistakes.append(f"{name}: is given by the soils of the layers; leave it out")
+            excluded = [name for name in _OF_ONE_SOIL if getattr(self, name) not in (0.0, None)]
+            mistakes += [f"{name}: is given by the soils of the layers; leave it out" for name in excluded]
             mistakes += layer_mistakes(self.layers, self.surcharge)
         else:
             if self.unit_weight is None:
@@ -275,7 +274,7 @@ _ByLane = Callable[..., Floats]  # of a value, whose last axes (0 by default) ar
 
 
 def _of_one_slope(value: Any, axes: int = 0) -> Floats:
-    return np.asarray(value, dtype=np.float64)[None]
+    return np.asarray(value, float)[None]
 
 
 def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
@@ -284,7 +283,7 @@ def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
     some = np.unravel_index(numbers, lanes)
 
     def by_lane(value: Any, axes: int = 0) -> Floats:
-        array = np.asarray(value, dtype=np.float64)
+        array = np.asarray(value, float)
         if array.ndim == axes:
             return array[None]
         inner = array.shape[array.ndim - axes :]

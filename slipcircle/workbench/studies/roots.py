@@ -28,22 +28,23 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     rounding, and change their signs. A point that meets the observation is a root without a bracket, as the outcome
     may jump there.
     """
-    target = float(problem.targets[0])
+    scale = abs(float(problem.targets[0]))
     rows = problem.ranges[0][None, :]
     fine: list[Floats] = []
     at_ends: Any = None
     for _ in range(_ROUNDS):
-        outcomes, kind = problem.outcomes(rows.reshape(1, -1))
-        misfit = outcomes.reshape(rows.shape) - target
+        misfit, kind = _misfit(problem, rows)
         if at_ends is not None:
             misfit[:, 0], misfit[:, -1] = at_ends
-        first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), abs(target))
+        elif _is_flat(misfit, scale):
+            return []
+        first, last = bracket_candidates(rows, misfit, kind, scale)
         size = np.abs(misfit)
-        is_met = size <= _ROUNDING * abs(target)
+        is_met = size <= _ROUNDING * scale
         fine.append(rows[is_met])
         left = rows[first]
         right = rows[last]
-        is_level = np.maximum(size[first], size[last]) <= _FLAT * abs(target)
+        is_level = np.maximum(size[first], size[last]) <= _FLAT * scale
         is_flat = is_level & _apart(left, right, _WIDE)
         is_fine = is_flat | (is_met[first] & is_met[last]) | ~_apart(left, right, 4 * EPS)
         fine += [left[is_fine], right[is_fine]]
@@ -53,6 +54,19 @@ def solve_exact(problem: SearchProblem) -> list[float]:
         at_ends = misfit[first][rough], misfit[last][rough]
         rows = _divided(left[rough], right[rough])
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
+
+
+def _misfit(problem: SearchProblem, rows: Floats) -> tuple[Floats, Kinds]:
+    """Return outcome less target, and the kind of the motion, for every value of the field in an array."""
+    outcomes, kind = problem.outcomes(rows.reshape(1, -1))
+    misfit = outcomes.reshape(rows.shape) - problem.targets[0]
+    return misfit, kind.reshape(rows.shape)
+
+
+def _is_flat(misfit: Floats, scale: float) -> bool:
+    """Return whether the number has no effect: all outcomes are the observation, to more than their rounding."""
+    largest = np.fmax.reduce(np.abs(misfit), axis=None)
+    return bool(largest <= _FLAT * scale)
 
 
 def limit_value(problem: SearchProblem) -> list[float]:

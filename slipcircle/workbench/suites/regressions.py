@@ -23,9 +23,8 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats, Pair
+from slipcircle.base.kinds import Flags, Floats, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
 RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) treat a mass as rigid
@@ -126,7 +125,7 @@ class Regression:
         )
         return ", ".join(ranges)
 
-    def in_range(self, shaking: Shaking) -> NDArray[np.bool_]:
+    def in_range(self, shaking: Shaking) -> Flags:
         """Return whether each record is in the range; an unknown measure does not exclude a record."""
         inside = np.isfinite(self.ln_cm(shaking)) & (shaking.ratio < 1.0)
         for measure, (least, greatest) in self.limits.items():

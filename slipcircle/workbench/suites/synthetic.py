@@ -77,7 +77,7 @@ def _noise(rng: np.random.Generator, duration: float) -> Series:
     first, last, longest = special().gammaincinv(_SHAPE, [0.05, 0.95, 0.9995]).tolist()
     scale = duration / (last - first)
     count = math.ceil(scale * longest / _STEP)
-    time = np.asarray(_STEP * np.arange(count), dtype=np.float64)
+    time = np.asarray(_STEP * np.arange(count), float)
     scaled = time / scale
     density = np.exp(special().xlogy(_SHAPE - 1.0, scaled) - scaled - special().gammaln(_SHAPE))
     noise = np.fft.rfft(rng.normal(size=count))
