@@ -291,7 +291,7 @@ ZEROS = Series(np.arange(3.0), np.zeros(3), held=False)
         (RECORD, {"scales": [1.0], "scale_to_pga": 0.3}, "exclude each other"),
         (RECORD, {"scales": [0.0, 1.0]}, r"scales = \[0.0, 1.0\]: must be one or more positive numbers"),
         (RECORD, {"scales": 20.0}, "1: would reach 7 g, and no ground has shaken with more than 5 g"),
-        (RECORD, {"search_each": True}, "search_each and sensitivity do not go with records"),
+        (RECORD, {"search_each": True}, "search_each and sensitivity cannot be combined with records"),
         (ZEROS, {"scale_to_pga": 0.3}, "1: is zero at all times"),
     ],
 )
