@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from generated.program import OF_COHESION
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.layers.soils import distinct, share_one_law
 
@@ -45,7 +45,7 @@ class SoilCohesion:
         return share_one_law(self.section.soils, "cohesion")
 
     @cached_property
-    def lasting(self) -> tuple[Floats, Floats]:
+    def lasting(self) -> ArrayPair:
         """Cohesion that does not change with slip, and its growth with depth."""
         if not self._share_one_law:
             constant = [[float(law is None)] for law in self._laws]

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Effects, Floats
+from slipcircle.base.kinds import ArrayPair, Effects, Floats
 from slipcircle.ground.ground import continued
 from slipcircle.ground.heights import HeightIntegrals, height_integrals
 from slipcircle.layers.at_rest import cohesion_at_rest
@@ -24,7 +24,7 @@ class Depths(NamedTuple):
     facing: Floats
     first: Floats
     last: Floats
-    held: tuple[Floats, Floats]  # depths at both ends of the arc
+    held: ArrayPair  # depths at both ends of the arc
     heights: HeightIntegrals
     level: Floats | None  # of a horizontal line, whose integrals are cheaper
 

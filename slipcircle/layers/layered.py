@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Parameters
+from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape
 from slipcircle.core.scene.piecewise import Data, Tables
 from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
@@ -40,7 +40,7 @@ class RotationTables(NamedTuple):
     functions: Mapping[str, OfRotation]
     tolerance: float
     upslope: bool
-    shape: tuple[int, ...]
+    shape: Shape
 
     def laid_out(self, reach: float = np.inf) -> Tables:
         """Return tables up to a rotation, or up to loss of contact. Beyond, the functions are constant."""
@@ -165,7 +165,7 @@ class RotationTables(NamedTuple):
         net_moment = driving - resisting - terms.get("strength", 0.0)
         return net_moment
 
-    def _terms_of_sample(self, rotation: Floats, step: int) -> dict[str, Floats]:
+    def _terms_of_sample(self, rotation: Floats, step: int) -> ArrayDict:
         """Return the terms of every ``step``-th lane at rotations, (M, lanes) or (lanes,)."""
         strength = self.section.arc_strength
         of_circles = np.broadcast_to(rotation, (len(rotation), self.circles))

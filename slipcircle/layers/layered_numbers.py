@@ -12,7 +12,7 @@ import numpy as np
 
 from generated import effects as declared
 from generated.effects import COHESION_LAWS, LAWS
-from slipcircle.base.kinds import Values
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.core.scene.effects import Law
 from slipcircle.ground.coordinates import replace_unchecked
 from slipcircle.layers.soils import SOIL_NUMBERS, Soil, share_one_law
@@ -42,9 +42,9 @@ class LayeredNumbers:
         laws: tuple[Law, ...] = self.arc_strength.cohesion_laws
         return laws
 
-    def other_numbers(self) -> dict[str, Any]:
+    def other_numbers(self) -> ValueDict:
         """Return the numbers of layers by name."""
-        numbers: dict[str, Any] = {}
+        numbers: ValueDict = {}
         for soil in self.soils:
             numbers |= _numbers_of_soil(soil)
         for k, (_, top) in enumerate(self.layers, 1):
@@ -70,7 +70,7 @@ class LayeredNumbers:
                 left_out.append(f"soils.{soil.name}.cohesion_gradient")
         return left_out
 
-    def fields_with(self, values: Values) -> dict[str, Any]:
+    def fields_with(self, values: Values) -> ValueDict:
         """Return the fields that contain these numbers, with other values."""
         known = self.other_numbers()
         names = [name for name in values if values[name] is not known[name]]
@@ -109,10 +109,10 @@ class LayeredNumbers:
         return replace_unchecked(self, {"surcharge": loads, "layers": layers})
 
 
-def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
+def _numbers_of_soil(soil: Soil) -> ValueDict:
     """Return the numbers of a soil by name."""
     start = f"soils.{soil.name}"
-    numbers = dict[str, Any]()
+    numbers = ValueDict()
     for name in SOIL_NUMBERS:
         value = getattr(soil, name)
         if isinstance(value, Mapping):
@@ -125,7 +125,7 @@ def _numbers_of_soil(soil: Soil) -> dict[str, Any]:
     return numbers
 
 
-def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = LAWS) -> dict[str, Any]:
+def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = LAWS) -> ValueDict:
     """Return the numbers of a law by name. A table has none."""
     numbers = {}
     for parameter in laws[law["law"]].parameters:
@@ -142,7 +142,7 @@ def _height(top: Any) -> Any:
     return heights[..., 0]
 
 
-def _share_length(end: str, changed: dict[str, Any], known: Values) -> None:
+def _share_length(end: str, changed: ValueDict, known: Values) -> None:
     """Set the slip lengths of all soils to one length, since they share a law."""
     lengths = [name for name in known if name.endswith(end)]
     given = [changed[name] for name in changed if name in lengths]
@@ -151,7 +151,7 @@ def _share_length(end: str, changed: dict[str, Any], known: Values) -> None:
             changed.setdefault(name, given[0])
 
 
-def _within(start: str, values: Values) -> dict[str, Any]:
+def _within(start: str, values: Values) -> ValueDict:
     """Return the values whose names have a prefix, by the rest of their names."""
     within = {}
     for name, value in values.items():

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
-from slipcircle.base.kinds import Effects, Floats, Names, Values
+from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -125,7 +125,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return [top for _, top in self.layers[1:]]
 
     @cached_property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Shape of results that depend on the geometry alone, for one circle of all lanes or one per lane."""
         shapes = [super().shape, np.shape(self.crack)]
         for top in self.tops:
@@ -138,12 +138,12 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return np.broadcast_shapes(of_geometry, self._shape_of_numbers)
 
     @cached_property
-    def lanes_shape(self) -> tuple[int, ...]:
+    def lanes_shape(self) -> Shape:
         """Broadcast shape of the geometry and of all numbers of soils."""
         return np.broadcast_shapes(self.shape, self._shape_of_numbers)
 
     @property
-    def _shape_of_numbers(self) -> tuple[int, ...]:
+    def _shape_of_numbers(self) -> Shape:
         """Broadcast shape of all numbers of soils and surcharges."""
         numbers = []
         for soil in self.soils:
@@ -266,7 +266,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return np.concatenate(steps)
 
     @cached_property
-    def _columns(self) -> tuple[Floats, Floats]:
+    def _columns(self) -> ArrayPair:
         return columns_of(self.weight_steps, len(self._facing))
 
     @cached_property
@@ -338,7 +338,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         return {**shared, "layered_strength": self.arc_strength.mean_lift(needs)}
 
     def tables(
-        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: tuple[int, ...]
+        self, effects: Effects, friction: Any, upslope: bool, tolerance: float, shape: Shape
     ) -> tuple[Tables, Farther | None]:
         """Return the functions of the rotation of the soils, as far as the mass is likely to move."""
         functions = {}

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from slipcircle.base.kinds import Floats, Integers
+from slipcircle.base.kinds import ArrayPair, Floats, Integers
 from slipcircle.layers.strips import Strips
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
@@ -122,7 +122,7 @@ class Profile(NamedTuple):
 _Piece = tuple[Floats, Floats, Floats]  # ends of a piece, (circles,), and the series of its integrals
 
 
-def columns_of(steps: Floats, circles: int) -> tuple[Floats, Floats]:
+def columns_of(steps: Floats, circles: int) -> ArrayPair:
     """Return the surfaces summed in each column, (columns, surfaces, circles), and its weights, (columns, lanes).
 
     ``steps`` are the steps of the unit weight below surfaces, (surfaces, lanes). For one circle each column is a

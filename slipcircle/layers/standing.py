@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.layers.profile import AREA, MOMENT_Y, RADIAL_X, RADIAL_Y, over_height
 
 _GAUSS = np.polynomial.legendre.leggauss(12)
@@ -22,7 +22,7 @@ _TOGETHER = 1 << 14  # vertices times rotations per block
 _UPRIGHT = 1.5  # rad, greatest rotation for which the level is a line above the strips of the mass
 
 
-def displaced(section: Any, rotation: Floats, directions: Floats) -> tuple[Floats, Floats]:
+def displaced(section: Any, rotation: Floats, directions: Floats) -> ArrayPair:
     """Return the weight of displaced water after rotations (M, circles), for a unit weight of water, over R^2 and R^3.
 
     Returns

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.program import OF_SOIL
-from slipcircle.base.kinds import Floats, Names, Parameters
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names, Parameters, ValueDict
 from slipcircle.core.scene.effects import Law
 from slipcircle.layers.cohesion import SoilCohesion
 from slipcircle.layers.soils import Soil, distinct, share_one_law
@@ -60,7 +60,7 @@ class Needs(NamedTuple):
     shaken: bool = False
 
 
-class MeanFriction(dict[str, Any]):
+class MeanFriction(ValueDict):
     """Friction law of an arc as a whole, composed of the soils along it."""
 
 
@@ -68,7 +68,7 @@ class MeanFriction(dict[str, Any]):
 class ArcStrength(StretchIntegrals):
     """Strength along the arc of a `slipcircle.layers.layers.LayeredSection`."""
 
-    _terms: dict[Needs, dict[str, Any]] = field(default_factory=dict)
+    _terms: dict[Needs, ValueDict] = field(default_factory=dict)
 
     def _by_surface(self, quantity: Floats) -> Floats:
         """Return coefficients of integrals up to joints of a quantity of the soils, ((J + 1) surfaces, lanes)."""
@@ -84,7 +84,7 @@ class ArcStrength(StretchIntegrals):
         return over_circles(by_soil, quantity)
 
     @cached_property
-    def _still(self) -> dict[str, Floats]:
+    def _still(self) -> ArrayDict:
         """Parts at the start by name, (parts, circles)."""
         circles = len(self.section._facing)
         names = ["normal", "space"]
@@ -98,7 +98,7 @@ class ArcStrength(StretchIntegrals):
         return {name: part[:, 0] for name, part in parts.items()}
 
     @cached_property
-    def _by_soil(self) -> dict[str, Floats]:
+    def _by_soil(self) -> ArrayDict:
         """Load on the stretches of each soil at the start, over the mean unit weight, (soils, lanes)."""
         _, weights = self._surfaces
         at_joints = self.incidence[:-1]
@@ -152,7 +152,7 @@ class ArcStrength(StretchIntegrals):
         return self._mean(self._residual)
 
     @cached_property
-    def _shares(self) -> tuple[Floats, Floats]:
+    def _shares(self) -> ArrayPair:
         """Fractions by soil, over their means, of the friction that slip removes, and of the remaining friction.
 
         With mu = r + (p - r) f(s) for each soil and for the means, sum mu N = mu_mean (sum (p - r)/(p - r)_mean N) +
@@ -189,7 +189,7 @@ class ArcStrength(StretchIntegrals):
         residual = self.section._shaped(self.mean_residual)
         return MeanFriction(self._laws[0], peak=peak, residual=residual, **rate)
 
-    def terms(self, needs: Needs) -> dict[str, Any]:
+    def terms(self, needs: Needs) -> ValueDict:
         """Return the terms of the balance beyond a homogeneous mass with the mean friction, over Theta*.
 
         The friction terms are the normal force beyond the mean, N + G + (G_r)/mu, with N from the weight, where G_r is
@@ -204,7 +204,7 @@ class ArcStrength(StretchIntegrals):
             self._terms[needs] = {name: term for name, term in terms.items() if _counts(term)}
         return self._terms[needs]
 
-    def _friction_terms(self, needs: Needs) -> dict[str, Any]:
+    def _friction_terms(self, needs: Needs) -> ValueDict:
         """Return the normal forces of friction under one law of slip beyond its mean, and of the remaining friction."""
         share, remaining = self._shares
         names = ("normal", "turning", "inertia")
@@ -218,7 +218,7 @@ class ArcStrength(StretchIntegrals):
             terms["remaining_lift"] = self._lift(remaining, needs)
         return terms
 
-    def mean_lift(self, needs: Needs) -> dict[str, Any]:
+    def mean_lift(self, needs: Needs) -> ValueDict:
         """Return the mean pore pressure over the arc as a term of the balance, without weighting by soils."""
         every_soil = np.ones_like(self._peak)
         return {"lift": self._lift(every_soil, needs)}
@@ -238,7 +238,7 @@ class ArcStrength(StretchIntegrals):
         """Return 1 for a soil and 0 for the other soils, (soils, 1)."""
         return np.array([[float(other is soil)] for other in self.section.soils])
 
-    def of_soil(self, soil: Soil) -> dict[str, Any]:
+    def of_soil(self, soil: Soil) -> ValueDict:
         """Return the terms of a soil in the balance at the start, over Theta*, and the angle of its stretches."""
         along = self._is_soil(soil)
         at_start = Needs(rotates=False)
@@ -249,13 +249,13 @@ class ArcStrength(StretchIntegrals):
         added["angle"] = self._function({"space": self._by_direction(along)}, False)
         return added
 
-    def soil_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
+    def soil_terms(self, needs: Needs) -> dict[str, ValueDict]:
         """Return the terms of standing water and of each soil with a separate friction law, over Theta*, by effect.
 
         Let n_i be the share of soil i in the normal force at the start. Then mu = sum n_i mu_i, and N_i - n_i N is the
         excess of the normal force on the soil over its share as the mass turns.
         """
-        terms: dict[str, dict[str, Any]] = {}
+        terms: dict[str, ValueDict] = {}
         if self.section.in_standing_water:
             moment = self._standing_moment(needs)
             terms["pore_pressure"] = {"standing": moment}
@@ -285,7 +285,7 @@ class ArcStrength(StretchIntegrals):
         """Scale gamma Theta* of weights over Theta*, N/m^3, (lanes,)."""
         return self.section._weights_per_area * self._theta
 
-    def _gripping(self, names: Names, quantity: Floats, needs: Needs) -> dict[str, Any]:
+    def _gripping(self, names: Names, quantity: Floats, needs: Needs) -> ValueDict:
         """Return the normal forces of weight and of inertia on which a share of friction acts."""
         base, mass, inertia = names
 
@@ -317,7 +317,7 @@ class ArcStrength(StretchIntegrals):
         """Laws of cohesion by their names in the program, with their parameters."""
         return tuple((name + number, given) for number, ((name, given), _, _) in self._soil_cohesion.softening.items())
 
-    def cohesion_terms(self, needs: Needs) -> dict[str, dict[str, Any]]:
+    def cohesion_terms(self, needs: Needs) -> dict[str, ValueDict]:
         """Return the moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
         terms = {}
         for number, (_, cohesion, growth) in self._soil_cohesion.softening.items():

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Integers
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Integers
 from slipcircle.layers.profile import PRESSING, RADIAL_X, Profile
 from slipcircle.layers.standing import displaced, relieved, vertex_kinks
 
@@ -73,9 +73,9 @@ class StretchIntegrals:
         )
 
     @cached_property
-    def span(self) -> tuple[Floats, Floats]:
+    def span(self) -> ArrayPair:
         """Directions of the entry and of the exit, (circles,)."""
-        span: tuple[Floats, Floats] = self.section._span
+        span: ArrayPair = self.section._span
         return span
 
     @property
@@ -140,7 +140,7 @@ class StretchIntegrals:
         every[RADIAL_X] *= facing
         return np.moveaxis(every, 1, 2)
 
-    def parts(self, rotation: Floats, names: Collection[str]) -> dict[str, Floats]:
+    def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
         """Return parts by name. All weights are computed together."""
         every = {}
         for name in _DIRECT:
@@ -151,7 +151,7 @@ class StretchIntegrals:
             every |= self._of_weight(rotation)
         return every
 
-    def _of_weight(self, rotation: Floats) -> dict[str, Floats]:
+    def _of_weight(self, rotation: Floats) -> ArrayDict:
         """Return parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover."""
         pressing = self._pressing(rotation)
         by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)

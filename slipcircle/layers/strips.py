@@ -17,7 +17,7 @@ from itertools import combinations
 
 import numpy as np
 
-from slipcircle.base.kinds import Flags, Floats, Integers
+from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.base.sections import distinct
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
@@ -253,7 +253,7 @@ def _within_edge(share: Floats) -> Flags:
     return after_start & before_end
 
 
-def edge_below(line: Floats, x: Floats, middle: Floats) -> tuple[Floats, Floats]:
+def edge_below(line: Floats, x: Floats, middle: Floats) -> ArrayPair:
     """Return y of lines (n or 1, V, 2) at x (n, M), and their slopes, for the edges at the points ``middle``."""
     of_points = each_lane(line, len(x))
     vertices = Vectors.of(of_points)

@@ -5,7 +5,7 @@ independent of individual laws and effects.
 """
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -17,7 +17,7 @@ from generated.effects import ALL_EFFECTS, LAWS
 from generated.flow import FRAGMENTS, INPUTS
 from generated.program import OF_COHESION, OF_SOIL, Program, Recipe
 from slipcircle.base.checks import choose, may_overflow, plain
-from slipcircle.base.kinds import Floats, Names, Parameters, cached_property
+from slipcircle.base.kinds import Floats, Function, Names, Parameters, Shape, ValueDict, Values, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import rotates, soil_number, symbols_of, without_soil
@@ -58,10 +58,10 @@ class Problem:
 
     recipe: Recipe
     program: Program
-    start: Mapping[str, Any]
+    start: Values
     data: dict[str, Data]
     lanes: int
-    functions: Mapping[str, Callable[[Any], Any]] = field(default_factory=dict)
+    functions: Mapping[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
 
     def cells(self, which: Any = EVERY) -> Floats:
@@ -137,7 +137,7 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther)
 
 
-def _flat(numbers: dict[str, Any], shape: tuple[int, ...]) -> dict[str, Any]:
+def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
     """Return arrays with one axis of lanes. Numbers that all lanes share remain numbers."""
     if not shape:
         return numbers
@@ -172,12 +172,12 @@ class Numbers:
     tables : dict of Data
     """
 
-    def __init__(self, mass: Mass, shape: tuple[int, ...], strength_factor: Any) -> None:
+    def __init__(self, mass: Mass, shape: Shape, strength_factor: Any) -> None:
         self.mass = mass
         self.shape = shape
         self.radius = plain(mass.radius)
         balance = mass.moment_coefficients
-        self.start: dict[str, Any] = {name: getattr(balance, name) for name in INPUTS}
+        self.start: ValueDict = {name: getattr(balance, name) for name in INPUTS}
         self.start["strength_factor"] = strength_factor
         self.tables: dict[str, Data] = {}
 

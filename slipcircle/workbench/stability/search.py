@@ -17,15 +17,13 @@ from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.family import Search
 from slipcircle.workbench.stability.stability import METHODS, Slope, least_of
 
-Range = Pair
-
 
 def critical(
     slope: Slope,
     method: str = "bishop",
     *,
-    entry: Range | None = None,
-    exit: Range | None = None,
+    entry: Pair | None = None,
+    exit: Pair | None = None,
     depth: float = 0.0,
     tell: Callable[[str], None] = lambda _: None,
 ) -> Critical:

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, Values
+from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.fitwarnings import fit_warnings, range_warnings
-from slipcircle.workbench.studies.problem import Bounds, SearchProblem, observations, search_problem
+from slipcircle.workbench.studies.problem import SearchProblem, observations, search_problem
 from slipcircle.workbench.studies.roots import extreme, limit_value, solve_exact
 from slipcircle.workbench.studies.sampling import sobol
 
@@ -40,7 +40,7 @@ class Unattainable(ValueError):
         Lowest and highest value of the observed output, each with the value of the field; empty for several fields.
     """
 
-    def __init__(self, message: str, attainable: dict[str, tuple[tuple[float, float], tuple[float, float]]]) -> None:
+    def __init__(self, message: str, attainable: dict[str, tuple[Pair, Pair]]) -> None:
         super().__init__(message)
         self.attainable = attainable
 
@@ -118,11 +118,11 @@ class BackAnalysis:
         Warnings about the results.
     """
 
-    units: dict[str, str]
+    units: TextDict
     observed: dict[str, tuple[float, float | None]]
     solutions: tuple[Solution, ...]
     method: str
-    warnings: tuple[str, ...]
+    warnings: Names
     intervals: Mapping[str, Interval]
 
     @property
@@ -159,7 +159,7 @@ def backanalyse(
     centroid_travel: Observed | None = None,
     factor_of_safety: Observed | None = None,
     field: str | Sequence[str] | None = None,
-    bounds: Bounds | Mapping[str, Bounds] | None = None,
+    bounds: Pair | Mapping[str, Pair] | None = None,
 ) -> BackAnalysis:
     """Find the values of one or several parameters (fields) with which the scene moves as observed.
 

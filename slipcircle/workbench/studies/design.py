@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
@@ -61,7 +61,7 @@ class Design:
     records: GroundMotions | None = None  # replace the scene's own shaking
 
     @property
-    def correlations(self) -> list[dict[str, Any]]:
+    def correlations(self) -> list[ValueDict]:
         """Correlated pairs of inputs by their keys, with the correlation of their normal scores; for JSON."""
         keys = [number.key for number in self.inputs.values()]
         places = np.argwhere(np.triu(self.correlation, 1)).tolist()
@@ -106,14 +106,14 @@ class Design:
         return self.records.together(self.piece(0)[2])
 
     @property
-    def shape(self) -> tuple[int, ...]:
+    def shape(self) -> Shape:
         """Shape of the results: samples and then the scenes of base points, or (record, polarity, scale, sample)."""
         if self.records is not None:
             return (len(self.records.suite), *self.records.shape, self.n)
         return (self.n + self.base * self.base_scenes,)
 
     @property
-    def outputs(self) -> dict[str, Any]:
+    def outputs(self) -> ValueDict:
         """NumPy type of each result by its name."""
         names = [*RESULTS]
         if self.with_factors:
@@ -122,7 +122,7 @@ class Design:
             names += [f"{FACTOR}{SEARCHED}{method}" for method in STABILITY_METHODS]
         return {name: np.dtype(_TYPES.get(name, np.float64)) for name in (*names, "status")}
 
-    def piece(self, index: int) -> tuple[tuple[int, ...], int, int]:
+    def piece(self, index: int) -> tuple[Shape, int, int]:
         """Return stream, start and length of a block of samples or base points; a last block may be empty."""
         batches = min(BATCHES, self.base)
         batch = index - self.sample_blocks
@@ -185,13 +185,13 @@ class Design:
             matrices[k, 2 + k] = points[d + k]
         return _drawn(self, matrices)
 
-    def samples(self) -> dict[str, Floats]:
+    def samples(self) -> ArrayDict:
         """Return the values of each input at all samples by key, in the unit of the key."""
         blocks = [self.values(block) for block in range(self.sample_blocks)]
         of_inputs = zip(self.inputs.values(), zip(*blocks, strict=True), strict=True)
         return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
 
-    def _si(self, index: int) -> dict[str, Floats]:
+    def _si(self, index: int) -> ArrayDict:
         """Return the values of the inputs in the scenes of a block by name, in SI units."""
         with np.errstate(all="ignore"):
             return {
@@ -201,12 +201,12 @@ class Design:
     def run_block(self, index: int) -> Result:
         """Compute a block and return its results by the names of `outputs`."""
         si, scene = self._si(index), self.scene
-        shape: tuple[int, ...] = (-1,)
+        shape: Shape = (-1,)
         if self.records is not None:
             scene, si, shape = self.records.lanes(scene, si, self.piece(index)[2])
         motion = motions(scene, si, self.accuracy)
         end = motion.end
-        result: dict[str, Any] = {
+        result: ValueDict = {
             **motion.outcomes,
             "end_displacement": end.displacement,
             "rotation": end.rotation,
@@ -215,7 +215,7 @@ class Design:
             "status": motion.status,
         }
         del motion.end  # refers to its motion; without this only the garbage collector would free both
-        by_method: dict[str, Floats] = {}
+        by_method: ArrayDict = {}
         if self.with_factors:
             by_method = factors(motion.plan.scene, motion.factor_of_safety)
         if self.search_each:

@@ -15,7 +15,7 @@ import logging
 import math
 import os
 import signal
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from multiprocessing import get_context
@@ -27,6 +27,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import PathName, Shape, ValueDict, Values
 from slipcircle.base.optional import optional
 from slipcircle.workbench.common.files import write
 from slipcircle.workbench.studies.design import Design, Result
@@ -90,7 +91,7 @@ class Store:
         Number of finished blocks whose files have changed since they were written.
     """
 
-    def __init__(self, design: Design, described: Callable[[], Mapping[str, Any]], folder: Any = None) -> None:
+    def __init__(self, design: Design, described: Callable[[], Values], folder: Any = None) -> None:
         self.design = design
         self.damaged = 0
         self._study = b""
@@ -128,7 +129,7 @@ class Store:
         return digest.digest()
 
 
-def _opened(path: Path, description: dict[str, Any]) -> bytes:
+def _opened(path: Path, description: ValueDict) -> bytes:
     """Create or open the folder of a study and return its digest; ValueError if it holds another study."""
     held, text = stored(path), json.dumps(description, indent=2).encode()
     try:
@@ -142,7 +143,7 @@ def _opened(path: Path, description: dict[str, Any]) -> bytes:
     return hashlib.sha256(text).digest()
 
 
-def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -> NDArray[Any]:
     """Return an array in a file of a folder, or in a temporary file, created with this type and shape if necessary.
 
     Disk space is allocated in advance if the system supports it; otherwise a full disk would end the process later.
@@ -163,7 +164,7 @@ def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: tuple[in
         raise ValueError(f"{path}: cannot be written: {error.strerror}; {remedy}") from error
 
 
-def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
+def stored(folder: PathName) -> ValueDict | None:
     """Return the description of the study whose blocks are in a folder; None if it does not have a study."""
     if not isinstance(folder, str | os.PathLike):
         raise ValueError(f"folder = {folder!r}: must be a path")

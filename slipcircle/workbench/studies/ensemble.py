@@ -2,17 +2,16 @@
 
 import json
 import math
-import os
 from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import replace
 from typing import IO, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, array_of, mistakes, raise_all
+from slipcircle.base.kinds import Floats, PathName, ValueDict, Values
 from slipcircle.base.progress import Progress
 from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
@@ -67,7 +66,7 @@ def ensemble(
     size: int | None = None,
     confidence: float = 0.95,
     accuracy: float | None = None,
-    folder: str | os.PathLike[str] | None = None,
+    folder: PathName | None = None,
     progress: IO[str] | None = None,
     correlation: Mapping[tuple[str, str], float] | None = None,
     search_each: bool = False,
@@ -119,9 +118,7 @@ def ensemble(
     return conduct(design, executor, confidence, folder, progress)
 
 
-def _design(
-    scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, given: Mapping[str, Any]
-) -> Design:
+def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, given: Values) -> Design:
     """Return the design of an ensemble from its settings; ValueError names all invalid ones."""
     raise_all("ensemble", setting_mistakes(scene, given, records))
     drawn = uncertain_numbers(scene)
@@ -147,7 +144,7 @@ def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> in
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
-def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
+def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> Floats:
     """Return the correlation matrix of all inputs from correlations by pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
@@ -181,11 +178,11 @@ def _size(n: int, method: str) -> int:
 
 def grid(
     scene: Scene,
-    levels: Mapping[str, Any],
+    levels: Values,
     executor: Any = None,
     *,
     accuracy: float | None = None,
-    folder: str | os.PathLike[str] | None = None,
+    folder: PathName | None = None,
     progress: IO[str] | None = None,
 ) -> Study:
     """Solve a scene at every combination of given values; in ``samples`` the last key varies fastest.
@@ -235,7 +232,7 @@ def varied_number(scene: Scene, path: str, values: Any) -> Number:
 
 
 def conduct(
-    design: Design, executor: Any, confidence: float, folder: str | os.PathLike[str] | None, progress: IO[str] | None
+    design: Design, executor: Any, confidence: float, folder: PathName | None, progress: IO[str] | None
 ) -> Study:
     """Compute the blocks of a design and return the study of their results."""
     store = Store(design, lambda: _described(design), folder)
@@ -249,7 +246,7 @@ def conduct(
     return Study(design, confidence, store.values, store.damaged)
 
 
-def _described(design: Design) -> dict[str, Any]:
+def _described(design: Design) -> ValueDict:
     """Return the description that identifies a study in its folder."""
     scene = design.scene
     searched = stability_of(scene) if design.with_factors else None

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Names, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.core import Status
 from slipcircle.workbench.common.quantities import OUTCOMES, plain
@@ -77,7 +78,7 @@ def rows(study: Any) -> list[list[Any]]:
     return [[table, output, key, _cell(at), *map(_cell, e)] for table, output, key, at, e in estimates(study)]
 
 
-def record(study: Any) -> dict[str, Any]:
+def record(study: Any) -> ValueDict:
     """Return a study as a mapping for JSON, in SI units except for inputs."""
     design = study.design
     common = {
@@ -92,7 +93,7 @@ def record(study: Any) -> dict[str, Any]:
     return common | (_of_samples(study) if design.records is None else _under_records(study))
 
 
-def _of_samples(study: Any) -> dict[str, Any]:
+def _of_samples(study: Any) -> ValueDict:
     """Return the counts, estimates and curves of independent samples for JSON."""
     design = study.design
     keys = [number.key for number in design.inputs.values()]
@@ -121,7 +122,7 @@ def _of_samples(study: Any) -> dict[str, Any]:
     }
 
 
-def _output(study: Any, name: str) -> dict[str, Any]:
+def _output(study: Any, name: str) -> ValueDict:
     """Return the statistics of one output for JSON."""
     return {
         "unit": OUTCOMES[name].unit,
@@ -133,7 +134,7 @@ def _output(study: Any, name: str) -> dict[str, Any]:
     }
 
 
-def _under_records(study: Any) -> dict[str, Any]:
+def _under_records(study: Any) -> ValueDict:
     """Return records, axes, results (record, polarity, scale, sample) and statistics for JSON, in SI units."""
     records, displacement = study.records, study.displacement
     described = {
@@ -168,9 +169,9 @@ def axes(study: Any) -> dict[str, NDArray[Any]]:
     return {"record": names, "polarity": study.polarities, "scale": study.scales} | samples
 
 
-def _along(study: Any) -> dict[str, tuple[tuple[str, ...], NDArray[Any]]]:
+def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
     """Return arrays that vary along some axes only, with these axes: scale factors of records, inputs of samples."""
-    along: dict[str, tuple[tuple[str, ...], NDArray[Any]]] = {}
+    along: dict[str, tuple[Names, NDArray[Any]]] = {}
     if study.design.records is not None:
         along = {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
     if study.design.method == "grid":
@@ -219,7 +220,7 @@ def dataset(study: Any) -> Any:
     return optional("xarray", "to_xarray").Dataset(results, {**levels, **_along(study)})
 
 
-def _record(estimate: Estimate, value: str = "value") -> dict[str, Any]:
+def _record(estimate: Estimate, value: str = "value") -> ValueDict:
     """Return an estimate as a mapping for JSON; its value has the given key."""
     return dict(zip((value, "low", "high"), map(_cell, estimate), strict=True))
 

@@ -26,7 +26,7 @@ def fit_warnings(problem: SearchProblem, first: Any) -> list[str]:
     for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)
         if error > high - low:
-            warnings.append(f"{name} is not determined: {value:.6g} many values fit equally well")
+            warnings.append(f"{name} is not determined: many values fit as well as {value:.6g}")
         elif error > abs(value):
             warnings.append(f"{name} = {value:.6g} is poorly determined: its standard error is larger")
     return warnings + _misfit_warnings(problem, first.chi_square)

@@ -4,12 +4,12 @@ Records are clusters: polarities, scales and samples of one record are not indep
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, ValueDict
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
@@ -65,7 +65,7 @@ class FragilityCurve(NamedTuple):
         bounds = np.stack([middle, middle - half, middle + half])
         return np.asarray(special().ndtr(bounds))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> ValueDict:
         """Return the curve as a mapping for JSON."""
         fitted = {"median_pga_g": self.median._asdict(), "dispersion": self.dispersion._asdict()}
         return {"threshold_m": self.threshold} | fitted | {"reason": self.reason}

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import raise_all
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, Floats, Names, Shape, Values
 from slipcircle.core import Scene
 from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series
 from slipcircle.workbench.files.numbers import Number
@@ -28,8 +28,8 @@ class GroundMotions:
     polarities: tuple[float, ...]  # 1 as recorded, -1 reversed
     scales: Floats  # factors, or peak accelerations over gravity
     to_pga: bool  # whether scales are peak accelerations
-    shaking: Mapping[str, Any]  # other settings of the scene's shaking
-    replaces: tuple[str, ...]  # the scene's own functions of time that the records replace
+    shaking: Values  # other settings of the scene's shaking
+    replaces: Names  # the scene's own functions of time that the records replace
     thresholds: Floats  # of the displacement, m, of exceedance and fragility
 
     @property
@@ -54,9 +54,7 @@ class GroundMotions:
         """Return the scene shaken by a record, or by one record for each lane."""
         return replace(scene, effects=scene.checked_effects | {"shaking": {**self.shaking, "horizontal": record}})
 
-    def lanes(
-        self, scene: Scene, si: Mapping[str, Floats], samples: int
-    ) -> tuple[Scene, dict[str, Floats], tuple[int, ...]]:
+    def lanes(self, scene: Scene, si: Mapping[str, Floats], samples: int) -> tuple[Scene, ArrayDict, Shape]:
         """Return the shaken scene, its numbers by lane and the shape (record, polarity, scale, sample) of the lanes."""
         factors = np.stack([np.multiply.outer(self.polarities, self.factors(entry)) for entry in self.suite])
         shape = (*factors.shape, samples)
@@ -68,7 +66,7 @@ class GroundMotions:
 
 
 def ground_motions(
-    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: Mapping[str, Any]
+    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: Values
 ) -> tuple[Scene, GroundMotions]:
     """Return the scene without its shaking, and the ground motions that replace it, from an ensemble's settings.
 

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import partial
 
+from slipcircle.base.kinds import Names
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.ground import Section
 from slipcircle.workbench.cost.rows import medians
@@ -14,7 +15,7 @@ class Rung:
     """One step of the ladder, a solved scene."""
 
     added: str  # the effect added in this step, "" for none
-    effects: tuple[str, ...]  # all effects in this step
+    effects: Names  # all effects in this step
     method: str  # method of solution
     seconds: float  # median time of a solution on this machine
     peak_velocity: float  # m/s
@@ -55,7 +56,7 @@ def ladder(scene: Scene) -> list[Rung]:
     ]
 
 
-def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
+def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
     """Return the motion with some of the effects; for the duration of the ``full`` motion if it does not end."""
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:

@@ -1,24 +1,24 @@
 """Solutions of many motions in one vectorised call: a scene with arrays of values."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.core import Motion, Scene, plan, problem_of, solve
 from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.history import Forces
 from slipcircle.workbench.common.quantities import factors
 
 
-def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:
+def motions(scene: Scene, values: Values, accuracy: float | None = None) -> Motion:
     """Solve a scene with arrays of values by name, in SI units; invalid scenes have the status `Status.INVALID`."""
     with np.errstate(all="ignore"):  # invalid scenes are reported by their status
         lanes, invalid = _lanes(scene, values)
         return solve(lanes, accuracy, invalid=invalid)
 
 
-def factors_at_start(scene: Scene, values: Mapping[str, Any], accuracy: float) -> dict[str, Any]:
+def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict:
     """Return factors of safety by method for arrays of values by name, in SI units, without integration."""
     with np.errstate(all="ignore"):
         lanes, invalid = _lanes(scene, values)
@@ -26,7 +26,7 @@ def factors_at_start(scene: Scene, values: Mapping[str, Any], accuracy: float) -
         return factors(lanes, statics["factor_of_safety"])
 
 
-def _lanes(scene: Scene, values: Mapping[str, Any]) -> tuple[Scene, Any]:
+def _lanes(scene: Scene, values: Values) -> tuple[Scene, Any]:
     """Return the scene with arrays of values, and a mask of its invalid lanes."""
     arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
     return with_parameter_arrays(scene, arrays)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all, real_number, shown
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats, Pair
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
@@ -22,7 +22,6 @@ Kinds = NDArray[Any]  # kind of each motion: its status and number of turnings
 
 
 Observations = Mapping[str, tuple[float, float | None]]
-Bounds = tuple[float, float]
 MOST_SWINGS = 12  # of a motion in a search: with more, run-out hardly depends on friction and has many solutions
 _PATIENCE = 100.0  # times sqrt(R/g), until which a motion is followed; a slower creep is left out
 _AT_ONCE = 1e-9  # times sqrt(R/g), if only the start is needed
@@ -125,7 +124,7 @@ class SearchProblem:
         misfit = outcomes - self.targets[:, None]
         return misfit / self.scales[:, None]
 
-    def linearised(self, shares: Floats) -> tuple[Floats, Floats]:
+    def linearised(self, shares: Floats) -> ArrayPair:
         """Return residuals and their derivatives with respect to the shares, (observations, fields), at one point."""
         here = shares[:, None]
         steps = _STEP * np.eye(len(shares))
@@ -239,7 +238,7 @@ def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
     return limits[0] if limits else None
 
 
-def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Bounds], is_alone: bool) -> list[Floats]:
+def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
     """Return the values of each field to search, between its bounds if given."""
     ranges = []
     for number in fields:

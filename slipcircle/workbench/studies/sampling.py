@@ -9,18 +9,18 @@ import warnings
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Shape
 from slipcircle.workbench.common.distributions import statistics
 
 _LOWEST = 2.0**-54  # quantiles of 0 and 1 may be infinite
 _HIGHEST = 1.0 - 2.0**-53
 
 
-def _seeded(seed: int, stream: tuple[int, ...]) -> np.random.SeedSequence:
+def _seeded(seed: int, stream: Shape) -> np.random.SeedSequence:
     return np.random.SeedSequence(seed, spawn_key=stream)
 
 
-def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+def monte_carlo(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:
     """Draw random points ``start`` to ``start + count``, (dimensions, count); start is a multiple of 4.
 
     The counter of Philox is set to the position; each step gives four numbers.
@@ -31,7 +31,7 @@ def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dime
     return np.maximum(points.T, _LOWEST)
 
 
-def sobol(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+def sobol(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:
     """Draw points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
     sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
     with warnings.catch_warnings(action="ignore", category=UserWarning):  # about unbalanced counts

@@ -5,9 +5,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, Flags, Floats
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
@@ -20,7 +19,7 @@ from slipcircle.workbench.stability.starting import OF_CLOSURE
 SEARCHED = "searched "  # prefix of a method's name: the circle is searched for every sample
 
 
-def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: NDArray[np.bool_]) -> dict[str, Floats]:
+def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> ArrayDict:
     """Return factors of safety by `SEARCHED` and method for arrays of values in SI units; NaN if not valid."""
     stability = stability_of(scene)
     assert isinstance(scene, SlopeScene)

@@ -1,11 +1,12 @@
 """Settings of an ensemble: allowed values, and a message for each mistake."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slipcircle.base.checks import array_of, shown
+from slipcircle.base.kinds import Function, Values
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
@@ -21,7 +22,7 @@ _OUTSIDE = 1e-4  # greatest probability outside the bounds of a parameter; such 
 class Setting(NamedTuple):
     """A condition on a value, a text of the allowed values, and whether the setting requires records."""
 
-    is_valid: Callable[[Any], Any]
+    is_valid: Function
     words: str
     of_records: bool = False
 
@@ -68,7 +69,7 @@ SETTINGS: Mapping[str, Setting] = {
 }
 
 
-def setting_mistakes(scene: Scene, given: Mapping[str, Any], records: Any) -> list[str]:
+def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
     """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other."""
     found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.forms import Pictured
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, Flags, Floats, ValueDict
 from slipcircle.core import Motion, Status
 from slipcircle.words import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
@@ -74,7 +74,7 @@ class Study(Shaken, Pictured):
         self._ordered: dict[str, Ordered] = {}
 
     @cached_property
-    def inputs(self) -> dict[str, Floats]:
+    def inputs(self) -> ArrayDict:
         """Values of the numbers that vary at each sample, by key and in its unit."""
         return self.design.samples()
 
@@ -156,7 +156,7 @@ class Study(Shaken, Pictured):
         si = {name: number.to_si(self.inputs[number.key][[index]]) for name, number in inputs.items()}
         return motions(self.scene, si, self.design.accuracy)[0]
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> ValueDict:
         """Return statistics, curves and indices for JSON, in SI units except for inputs.
 
         An undefined value is None, a quantile among samples that move without a result "beyond".
@@ -196,7 +196,7 @@ class Study(Shaken, Pictured):
         replicates = np.arange(design.sample_blocks) % design.replicates
         return np.repeat(replicates.astype(np.int8), lengths)
 
-    def _by_replicate(self, selected: NDArray[np.bool_]) -> NDArray[np.int64]:
+    def _by_replicate(self, selected: Flags) -> NDArray[np.int64]:
         """Return how many samples of each replicate are selected."""
         return np.bincount(self._replicate[selected], minlength=self.design.replicates)
 
@@ -240,7 +240,7 @@ class Study(Shaken, Pictured):
         return self._single_probability((status < Status.INVALID) & (status != Status.STAYS))
 
     @cached_property
-    def _factors(self) -> dict[str, Floats]:
+    def _factors(self) -> ArrayDict:
         """Factors of safety at the start of each sample by method, computed by threads where they are not stored."""
         if self.design.with_factors:
             return {n.removeprefix(FACTOR): values for n, values in self.values.items() if n.startswith(FACTOR)}
@@ -272,7 +272,7 @@ class Study(Shaken, Pictured):
         """
         return self._in_order(f"{FACTOR}{method}", self._factors[method]).quantile(p, self.confidence)
 
-    def _single_probability(self, selected: NDArray[np.bool_]) -> Estimate:
+    def _single_probability(self, selected: Flags) -> Estimate:
         """Return the probability of the selected samples."""
         hits = self._by_replicate(selected)
         return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
