@@ -365,7 +365,7 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
         (TWO | {"field": ["friction", "unit_weight"]}, "unit_weight: does not affect"),
         ({"run_out": (2.0, 1.0), "peak_velocity": (0.5, 0.1), "field": ["friction", "friction"]}, "named twice"),
         (TWO | {"field": ["dip", "theta_1"]}, "turns theta_1 and theta_2"),
-        (TWO | {"field": ["friction", "drag"], "bounds": {"radius": (1, 2)}}, "none of the"),
+        (TWO | {"field": ["friction", "drag"], "bounds": {"radius": (1, 2)}}, "not one of the fields"),
         (TWO | {"field": ["friction", "dip"], "bounds": (0.1, 0.2)}, "give a mapping"),
         # Water of r_u leaves 1 - r_u of the friction, where nothing else presses.
         (TWO | WET_PENDULUM | {"field": ["friction", "pore_pressure.ratio"]},

@@ -456,7 +456,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
         ("--grid friction.angle_deg=1,2 --grid friction.angle_deg=3", "each key once"),
         ("--grid friction.angle_deg=8:12:9999 --grid arc.radius_m=1:9:9999", "at most 67108864"),
         ("--grid friction.angle_deg=1:2:1000000000000", "not enough memory"),
-        ("--grid friction.angle_deg=1 --engine threads --workers 0", "--workers 0: must be 1"),
+        ("--grid friction.angle_deg=1 --engine threads --workers 0", "--workers 0: must be at least 1"),
         ("--grid friction.angle_deg=1 --csv /no/such/place.csv", "there is no folder /no/such"),
         ("--samples 9 --uncertain friction.angle_deg=normal:1", "normal:mean:std, lognormal:mean"),
         ("--samples 9 --uncertain friction.angel_deg=normal:1:1", "did you mean friction.angle_deg"),
