@@ -207,7 +207,7 @@ def test_a_run_continues(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     again = ensemble(SCENE, folder=folder, **(MANY | {"rng": None}))
     same(whole, again)
     assert (whole.damaged, again.damaged) == (0, 3)
-    assert "3 blocks of the folder were damaged, and are computed again" in again.warnings
+    assert "3 blocks of the folder were damaged and computed again" in again.warnings
     with open(folder / "run_out.npy", "r+b") as file:  # the header is lost, and all but 1,000 samples
         file.write(b"nothing")
         file.truncate(128 + 8 * 1000)

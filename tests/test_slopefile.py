@@ -245,7 +245,7 @@ def test_every_sample_slides_along_the_circle_of_the_means(
     scene = replace(slipcircle.load(write(SCENE)), uncertain={key: drawn})
     study = slipcircle.ensemble(scene, 16, rng=1, sensitivity=0)
     assert stability_of(study.scene) == found_in(write(ACADS.replace(old, new)))
-    assert any("the critical circle of the means, of the least factor by bishop" in w for w in study.warnings)
+    assert any("the critical circle of the means (least factor by bishop)" in w for w in study.warnings)
     values = {n: float(u.to_si(study.samples[u.key][3])) for n, u in study.design.inputs.items()}
     alone = slipcircle.solve(with_parameters(replace(study.scene, uncertain={}), values))
     assert alone.run_out == pytest.approx(study.samples["run_out"][3], rel=1e-9)
@@ -258,7 +258,7 @@ def test_a_circle_that_is_given_stays(write: Write, asked: Any) -> None:
     assert np.array_equal(study.scene.arc.centre, [29.5, 53.6])
     assert not any("critical" in warning for warning in study.warnings)
     _, _, err = asked("sweep", write(SCENE), "--grid friction.peak_deg=18,19")
-    assert "the critical circle of the scene as it is given" in err
+    assert "the critical circle of the scene as given" in err
 
 
 def test_a_search_writes_the_scene_of_its_motion(write: Write, tmp_path: Path, said: Any, refused: Any) -> None:
