@@ -170,15 +170,14 @@ def backanalyse(
     run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
         Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
     toe_x, crest_drop, centroid_travel, factor_of_safety : float, tuple of float or Interval, optional
-        Further observations in the same forms; lengths in m, the factor of safety by the starting method. An `Interval`
-        with an infinite end is a limit, for one field alone. By default ``scene.observed``. One field meets a single
-        observation exactly; several observations are fitted by least squares.
+        The same; m, the factor by the starting method. An `Interval` with an infinite end is a limit, for one field.
+        By default ``scene.observed``. One observation is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
         Parameters by their keys in a scene file, ``friction.angle_deg`` (by default, if the law has one angle),
         ``cohesion.cohesion_kPa``, whether or not the scene sets them; or by their names, ``friction``, in SI units; or
-        the name of an effect with a single parameter. ``arc.dip_deg`` or ``dip`` turns both ends of the
-        arc; coordinates of a section are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``,
-        points counted from 0. Several fields need at least as many observations.
+        the name of an effect with a single parameter. ``arc.dip_deg`` or ``dip`` turns both ends of the arc;
+        coordinates of a section are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``, points
+        counted from 0. Several fields need at least as many observations.
     bounds : tuple of float, or mapping from field to tuple of float, optional
         Range to search, in the unit of the field; by default a wide one.
 

@@ -95,9 +95,8 @@ def ensemble(
     folder, progress : path and stream, optional
         Folder of finished blocks, from which a later call continues; stream for the progress.
     correlation, search_each : mapping and bool, optional
-        Correlation of the normal scores (a Gaussian copula) by pairs of keys of uncertain parameters; whether the
-        critical circle is also searched for every sample, for factors of safety only: motions use the circle of the
-        means.
+        Correlation of the normal scores (a Gaussian copula) by pairs of keys; whether the critical circle is also
+        searched for every sample, for factors of safety only: motions use the circle of the means.
     records, polarities
         Ground motions that replace the scene's own shaking: a `Suite`, paths as for `read_suite`, or `Series` in a
         sequence or mapping by name. Whether each record is also used with reversed sign.
