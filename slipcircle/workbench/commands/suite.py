@@ -120,13 +120,13 @@ def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) 
     """Return a table of published regressions and the displacements at a scale, with notes on their ranges."""
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
-    divided = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    divided = f"displacements are divided by {factor}, the ratio of the displacement on the arc to that of a block"
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
         rows.append([c.name, f"{c.records} of {c.of}", c.predicted, c.mean, c.std, c.std_ln])
         if not c.records:
-            notes.append(f"{c.name} holds for {c.valid}")
+            notes.append(f"{c.name} applies to {c.valid}")
         if not math.isnan(c.negligible):
             shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
             notes.append(f"{c.name} counts displacements above 1 cm only; at most 1 cm for {shares}")

@@ -217,7 +217,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
     method = AT_LIMIT if problem.limit else ROOT if is_exact else FITTED
     stability = stability_of(problem.scene)
     if "factor_of_safety" in observed and stability and stability.method:
-        warnings.append("the circle is the critical one of the strengths as entered; search it again with the result")
+        warnings.append("the circle is critical for the strengths as entered; search again with the fitted values")
     return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 
@@ -240,7 +240,7 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     (name,) = problem.observed
     low, high = (extreme(problem, sign) for sign in (-1.0, 1.0))
     if math.isnan(low):
-        return Unattainable(f"{field.key}: for no value within the bounds does this scene move and come to rest", {})
+        return Unattainable(f"{field.key}: no value within the bounds makes this scene move and come to rest", {})
     outcomes = []
     for place in (low, high):
         motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
@@ -251,11 +251,11 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     to_greatest = f"{greatest:.6g} {unit} (at {field.key} = {high:.6g})"
     attainable = f"{from_least} to {to_greatest}"
     if greatest - least <= 1e-9 * abs(greatest):
-        attainable = f"only {least:.6g} {unit}, whatever it is"
+        attainable = f"only {least:.6g} {unit} for all values"
     target = float(problem.targets[0] + problem.origins[0])
     if problem.limit is None and max(abs(outcome - target) for outcome in outcomes) <= 1e-9 * abs(target):
         return _without_effect([field.key], problem)
-    sentence = f"{_wanted(problem, target, outcomes)} {field.key} gives it; attainable: {attainable}"
+    sentence = f"{_wanted(problem, target, outcomes)} value of {field.key} gives it; attainable: {attainable}"
     return Unattainable(sentence, {name: ((least, low), (greatest, high))})
 
 
@@ -275,7 +275,7 @@ def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     names, count = ", ".join(f.key for f in problem.fields), len(problem.fields)
     minima = fits(problem, sobol(0, (5,), 0, _STARTS * count, count))
     if not minima:
-        raise Unattainable(f"{names}: for no values within the bounds does this scene move and come to rest", {})
+        raise Unattainable(f"{names}: no values within the bounds make this scene move and come to rest", {})
     solutions, refusals = [], list[ValueError]()
     for fit in minima:
         try:
@@ -305,7 +305,7 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
     outcomes = zip(problem.observed, problem.seen(first.motion).tolist(), strict=True)
     nearest = ", ".join(f"{n} = {value:.6g} {OBSERVABLE[n].unit}" for n, value in outcomes)
     at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
-    how = f"that is {math.sqrt(best):.3g} standard errors off" if is_far else "with standard errors that is fitted"
+    how = f"{math.sqrt(best):.3g} standard errors off" if is_far else "give standard errors to fit it"
     keys = ", ".join(first.values)
     observed = " and ".join(problem.observed)
     sentence = f"no values of {keys} give {observed} as observed; the nearest is {nearest} at {at}; {how}"
@@ -394,4 +394,4 @@ def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     per_cent = 100 * change / greatest
     by_field = [f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True)]
     changes = " and ".join(by_field)
-    raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be distinguished by it")
+    raise ValueError(f"backanalyse: changing {changes} does not change {names}, which cannot distinguish them")

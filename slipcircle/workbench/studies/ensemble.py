@@ -77,7 +77,7 @@ def ensemble(
     thresholds: Any = None,
     strict: bool = False,
 ) -> Study:
-    """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
+    """Return the study of a scene solved for samples of its uncertain parameters, also under each record of a suite.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def grid(
     folder: PathName | None = None,
     progress: IO[str] | None = None,
 ) -> Study:
-    """Solve a scene at every combination of given values; in ``samples`` the last key varies fastest.
+    """Return the study of a scene solved at every combination of given values; the last key varies fastest.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
 from slipcircle.workbench.studies.statistics import THRESHOLDS
 
-_LANES = 256  # least number of motions in a block; several records are combined
+_LANES = 256  # motions in a block, for which several records are combined
 
 
 @dataclass(frozen=True)

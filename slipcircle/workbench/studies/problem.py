@@ -162,7 +162,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
-        mistakes.append(f"nothing observed: give one of {', '.join(OBSERVABLE)}")
+        mistakes.append(f"no observation: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
     if len(has_errors) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")

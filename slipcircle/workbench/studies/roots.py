@@ -64,7 +64,7 @@ def _misfit(problem: SearchProblem, rows: Floats) -> tuple[Floats, Kinds]:
 
 
 def _is_flat(misfit: Floats, scale: float) -> bool:
-    """Return whether the number has no effect: all outcomes are the observation, to more than their rounding."""
+    """Return whether the field does not affect the outcome: all misfits, over ``scale``, vanish to within rounding."""
     largest = np.fmax.reduce(np.abs(misfit), axis=None)
     return bool(largest <= _FLAT * scale)
 
