@@ -88,9 +88,7 @@ class SearchProblem:
             patience = _AT_ONCE if {*self.observed} == {"factor_of_safety"} else _PATIENCE
             end_time = patience * float(scene.arc.time_scale)
             scene = replace(scene, end_time=end_time, uncertain={})
-        si = {}
-        for field, of_field in zip(self.fields, values, strict=True):
-            si[field.name] = field.to_si(of_field)
+        si = {field.name: field.to_si(value) for field, value in zip(self.fields, values, strict=True)}
         motion = motions(scene, si, _FINE)
         outcomes = self.seen(motion)
         counts = np.isin(motion.status, ANSWERED) & (motion.moves | may_stand(self.observed, self.limit))
@@ -112,11 +110,8 @@ class SearchProblem:
 
     def values_at(self, shares: Floats) -> Floats:
         """Return the values of the fields in their units, (fields, count), at shares of the ranges."""
-        rows = []
-        for share, values in zip(shares, self.ranges, strict=True):
-            evenly = np.linspace(0.0, 1.0, len(values))
-            rows.append(np.interp(share, evenly, values))
-        return np.stack(rows)
+        by_field = zip(shares, self.ranges, strict=True)
+        return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(row)), row) for share, row in by_field])
 
     def residuals(self, shares: Floats) -> Floats:
         """Return computed minus observed outcomes over their scales, (observations, count), at ``shares``."""
