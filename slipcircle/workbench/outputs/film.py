@@ -42,10 +42,9 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
 
     def draw(frame: int) -> tuple[Any, ...]:
         body.set_xy(mass.outline(float(turns[frame])))
-        displacement = states.displacement[frame]
-        title.set_text(
-            f"{times[frame]:.2f} s: {far * displacement:.2f} {length}, {fast * speeds[frame]:.2f} {velocity}{pace}"
-        )
+        displacement = far * states.displacement[frame]
+        speed = fast * speeds[frame]
+        title.set_text(f"{times[frame]:.2f} s: {displacement:.2f} {length}, {speed:.2f} {velocity}{pace}")
         return body, title
 
     draw(0)

@@ -344,7 +344,8 @@ def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
     for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
         rows.append([name, *_of_outcomes(estimate)])
         if study.linear and verbose:
-            rows.append([f"linear {name}", *_of_outcomes(lambda name, linear=study.linear, k=moment: linear[name][k])])
+            moments = {outcome: both[moment] for outcome, both in study.linear.items()}
+            rows.append([f"linear {name}", *_of_outcomes(moments.__getitem__)])
     if verbose:
         reason = f"no linear propagation: {study.no_linear}"
         notes.insert(0, reason if study.no_linear else "linear: derivatives at the means")

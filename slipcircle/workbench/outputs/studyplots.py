@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Pair
 from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, observable
 from slipcircle.workbench.files.numbers import Number, number_in
@@ -79,7 +80,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     return ax
 
 
-def _limits(at: Any, probability: Any) -> tuple[float, float]:
+def _limits(at: Any, probability: Any) -> Pair:
     """Return limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
     greatest, certain = float(at[-1]), 0.0
     if probability[0] == 1.0:
@@ -274,7 +275,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         curve = observable(lanes, name)
         ax.plot(at, curve, **LINES["main"])
         label(ax, "computed", points_of(at, curve), LINES["main"]["color"])
-        _draw_observed(ax, observed, analysis.intervals.get(name), at)
+        _draw_observed(ax, name, observed, analysis.intervals.get(name), at)
         reached = [observable(s.motion, name) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
             words = f"{number(value)} {unit_of(field)}"
@@ -285,12 +286,14 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         ax.grid(alpha=0.3)
 
 
-def _draw_observed(ax: Any, observed: tuple[float, float | None], interval: Interval | None, places: Any) -> None:
+def _draw_observed(
+    ax: Any, name: str, observed: tuple[float, float | None], interval: Interval | None, places: Any
+) -> None:
     """Draw an observed value as a line with its standard error, or an interval, and its label."""
     seen, sigma = observed
     words = "observed"
     if interval is not None and interval.limit is not None:
-        words, interval = str(interval.times(factor)), None
+        words, interval = str(interval.times(printed(OBSERVABLE[name].unit)[0])), None
     band = interval
     if sigma and interval is None:
         band = Interval(seen - sigma, seen + sigma)
