@@ -10,17 +10,20 @@ from typing import Any
 import numpy as np
 
 from slipcircle.core import Motion
+from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
     REST,
     SERIES,
+    amount,
     area,
     axis,
     curve,
     ending,
     label,
     lines,
+    measure,
     note,
     number,
     points_of,
@@ -42,8 +45,8 @@ _BAR = 0.3
 def overview(motions: Sequence[Motion]) -> Drawing:
     """Return a picture of several motions; the first eight that move have their own colours and labels."""
     sections = [(_SECTION, [partial(_sections, motions)])] if _same_slope(motions) else []
-    velocity = partial(_curves, motions, "velocity", "velocity $v$ (m/s)")
-    displacement = partial(_curves, motions, "displacement", "displacement $s$ (m)")
+    velocity = partial(_curves, motions, "velocity", "velocity $v$")
+    displacement = partial(_curves, motions, "displacement", "displacement $s$")
     bars = 0.8 + _BAR * min(len(motions), _MOST_BARS)
     moving = sum(motion.moves for motion in motions)
     rows = [*sections, (_CURVES, [velocity, displacement]), (bars, [partial(_bars, motions)])]
@@ -107,7 +110,8 @@ def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
         label(ax, name, points_of(times[later], values[later]), colour, parse_math=False)
     if not styles:
         note(ax, ["none moves"])
-    ax.set(xlabel="time $t$ (s)", ylabel=words)
+    ax.set(xlabel="time $t$ (s)")
+    measure(ax.yaxis, words, HISTORY[column].unit)
     title(ax, column)
     ax.margins(y=0.12)
     ax.grid(alpha=0.3)
@@ -124,12 +128,12 @@ def _bars(motions: Sequence[Motion], ax: Any) -> Any:
         words.append(_words(m.run_out, speed, f"{ending(m)} after", m.settling_time) if m.moves else STILL)
     names = [motion.plan.scene.name for motion in shown]
     _draw_bars(ax, names, [(motion.run_out, motion.arrested) for motion in shown], words)
-    scale = "run-out along the arc (m)"
+    more = ""
     hidden = order[_MOST_BARS:]
     if hidden:
         farthest = abs(motions[hidden[0]].run_out)
-        scale += f"; {len(hidden)} more, each at most {number(farthest)} m"
-    ax.set_xlabel(scale)
+        more = f"; {len(hidden)} more, each at most {amount(farthest, 'm')}"
+    measure(ax.xaxis, "run-out along the arc", "m", more)
     title(ax, "run-out")
     return ax
 
@@ -145,7 +149,7 @@ def _draw_bars(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bo
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
-    return f"{number(run_out)} m, peak {number(speed)} m/s, {end} {number(duration)} s"
+    return f"{amount(run_out, 'm')}, peak {amount(speed, 'm/s')}, {end} {number(duration)} s"
 
 
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
@@ -163,5 +167,6 @@ def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     _draw_bars(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
     ax.axvline(rungs[-1].run_out, **LINES["help"])
     title(ax, "run-out as effects are added")
-    ax.set_xlabel(f"run-out along the arc (m); dotted: with all effects, {number(rungs[-1].run_out)} m")
+    most = amount(rungs[-1].run_out, "m")
+    measure(ax.xaxis, "run-out along the arc", "m", f"; dotted: with all effects, {most}")
     return ax

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
+from slipcircle.base.text import printed
 from slipcircle.core import Motion
 from slipcircle.workbench.outputs.plotstyle import area, axis, number, pace
 from slipcircle.workbench.outputs.sectionplot import set_stage
@@ -35,13 +36,15 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     states = motion.at(times)
     turns = turn_per_rotation * states.rotation
     speeds = np.abs(states.velocity)
+    (far, length), (fast, velocity) = printed("m"), printed("m/s")
     pace = _pace(motion, seconds, stage.magnification)
     title = ax.figure.suptitle(" ", fontsize="medium")
 
     def draw(frame: int) -> tuple[Any, ...]:
         body.set_xy(mass.outline(float(turns[frame])))
-        displacement = states.displacement[frame]
-        title.set_text(f"{times[frame]:.2f} s: {displacement:.2f} m, {speeds[frame]:.2f} m/s{pace}")
+        displacement = far * states.displacement[frame]
+        speed = fast * speeds[frame]
+        title.set_text(f"{times[frame]:.2f} s: {displacement:.2f} {length}, {speed:.2f} {velocity}{pace}")
         return body, title
 
     draw(0)

@@ -8,7 +8,7 @@ import numpy as np
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
-from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, points_of, title
+from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, measure, points_of, title
 from slipcircle.workbench.outputs.scenery import key_of, numbers_of
 from slipcircle.workbench.outputs.shapes import Mass
 
@@ -62,7 +62,8 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
     _soils_behind(ax, section, float(np.max(stress)))
     label(ax, "by strips", points_of(along, stress), LINES["main"]["color"])
     label(ax, "mean", points_of(along, mean))
-    ax.set(xlabel="distance along the arc from its upper end (m)", ylabel=f"normal stress ({unit})")
+    measure(ax.xaxis, "distance along the arc from its upper end", "m")
+    ax.set(ylabel=f"normal stress ({unit})")
     title(ax, "normal stress at the start")
     ax.set_xlim(0.0, length)
     ax.grid(alpha=0.3)

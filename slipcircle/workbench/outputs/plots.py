@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.text import printed
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.tables import in_time
@@ -22,6 +23,7 @@ from slipcircle.workbench.outputs.layerplot import stress_along
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
+    amount,
     axis,
     curve,
     empty,
@@ -29,6 +31,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     known,
     label,
     mark,
+    measure,
     number,
     outcome,
     points_of,
@@ -156,7 +159,8 @@ def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
 
 def _rotation_axis(ax: Any, motion: Motion) -> None:
     """Add an axis of rotations in deg to the right of displacements."""
-    degrees = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
+    radius, _ = printed("m")
+    degrees = math.degrees(1.0 / (radius * float(np.asarray(motion.plan.scene.arc.radius))))
     side = ax.secondary_yaxis(
         "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
     )
@@ -193,9 +197,9 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     steps = np.diff(columns["displacement"])
     turns_back = bool(np.any(steps < 0.0) and np.any(steps > 0.0))
     along = columns["path" if turns_back else "displacement"]
-    ax.set_xlabel("path travelled, as it turns back (m)" if turns_back else "displacement $s$ (m)")
+    measure(ax.xaxis, "path travelled, as it turns back" if turns_back else "displacement $s$", "m")
     unit = _energies(motion, ax, along)
-    of_width, per = width(motion)
+    of_width, per, _ = width(motion)
     ax.set_ylabel(f"energy {of_width}\n({unit}{per})")
     if not motion.moves:
         return still(motion, ax)
@@ -204,12 +208,13 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
     curve(right, motion, along, speed, **LINES["main"])
-    right.set_ylabel("speed $|v|$ (m/s)", color=LINES["main"]["color"])
+    measure(right.yaxis, "speed $|v|$", "m/s")
+    right.yaxis.label.set_color(LINES["main"]["color"])
     right.set_ylim(0.0, 1.2 * float(np.max(speed)))
     for role, time, words in _marks(motion):
         place = _read(time, columns["time"], along)
         height = _read(time, columns["time"], speed)
-        measured = f"{words}:\n{number(height)} m/s at {number(place)} m"
+        measured = f"{words}:\n{amount(height, 'm/s')} at {amount(place, 'm')}"
         mark(right, place, height, role, measured if height else "")
     onwards = along * math.copysign(1.0, farthest)
     label(right, "speed", _in_view(right, onwards, speed), LINES["main"]["color"])
@@ -222,6 +227,7 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
+    factor *= width(motion)[2]
     if not motion.moves:
         return unit
     supplied = factor * supplied

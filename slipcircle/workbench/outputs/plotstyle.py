@@ -8,7 +8,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Pair, Values
 from slipcircle.base.optional import optional
-from slipcircle.base.text import shown
+from slipcircle.base.text import measured, printed, shown
 from slipcircle.core import Motion, Status
 from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
@@ -99,6 +99,32 @@ def number(value: float) -> str:
     return f"${mantissa}\\times10^{{{int(exponent)}}}$" if exponent else mantissa
 
 
+def amount(value: float, unit: str) -> str:
+    """Return a quantity in an SI unit as `number`, with its unit of output."""
+    factor, name = printed(unit)
+    return f"{number(factor * value)} {name}"
+
+
+def measure(line: Any, words: str, unit: str, more: str = "") -> None:
+    """Label an axis line of a plot, of values in an SI unit, with numbers in the unit of output."""
+    from matplotlib.ticker import AutoLocator, FuncFormatter
+
+    factor, name = printed(unit)
+    line.set_label_text(f"{words} ({name or '–'}){more}")
+    if factor == 1.0:
+        return
+
+    class Scaled(AutoLocator):
+        """Round values in the unit of output."""
+
+        def tick_values(self, low: float, high: float) -> Any:
+            return np.divide(super().tick_values(factor * low, factor * high), factor)
+
+    if line.get_scale() == "linear":
+        line.set_major_locator(Scaled())
+    line.set_major_formatter(FuncFormatter(lambda value, _: f"{factor * value:.6g}"))
+
+
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
     """Add the legend above the axis, where it covers nothing, and return it."""
     return ax.legend(
@@ -180,9 +206,10 @@ def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
     return ax.add_patch(Polygon(outline, closed=True, **{"zorder": 2, **AREAS[role], **more}))
 
 
-def to_scale(ax: Any, across: str, up: str) -> None:
+def to_scale(ax: Any, origin: str = "") -> None:
     """Set equal scales on the whole axis, and the names of its directions."""
-    ax.set(xlabel=across, ylabel=up)
+    measure(ax.xaxis, f"$x${origin}", "m")
+    measure(ax.yaxis, f"$y${origin}", "m")
     ax.set_aspect("equal", adjustable="datalim")
     ax.grid(alpha=0.3)
 
@@ -263,8 +290,8 @@ def outcome(motion: Motion, digits: int = 3) -> str:
     """Return run-out, time and end of a motion in words, with numbers to some digits."""
     time, end = motion.settling_time, ending(motion)
     if swings_back(motion):
-        time, end = motion.farthest.time, f"swings back to {shown(motion.end.displacement, digits)} m"
-    return f"{shown(motion.run_out, digits)} m in {shown(time, digits)} s, {end}"
+        time, end = motion.farthest.time, f"swings back to {measured(motion.end.displacement, 'm', digits)}"
+    return f"{measured(motion.run_out, 'm', digits)} in {shown(time, digits)} s, {end}"
 
 
 def pace(duration: float, seconds: float) -> str:
@@ -275,10 +302,13 @@ def pace(duration: float, seconds: float) -> str:
     return f"{ratio} times {'faster' if duration > seconds else 'slower'}"
 
 
-def width(motion: Motion) -> tuple[str, str]:
+def width(motion: Motion) -> tuple[str, str, float]:
     """Return the width that energies refer to, in words, and the end of their unit, "/m" for one metre."""
     metres = float(np.asarray(motion.plan.scene.arc.width))
-    return ("per metre of width", "/m") if metres == 1.0 else (f"of {number(metres)} m of width", "")
+    factor, name = printed("m")
+    if metres != 1.0:
+        return f"of {amount(metres, 'm')} of width", "", 1.0
+    return f"per {'metre' if factor == 1.0 else name} of width", f"/{name}", 1.0 / factor
 
 
 def work(motion: Motion) -> str:

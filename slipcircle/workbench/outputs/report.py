@@ -280,11 +280,11 @@ def _energy(motion: Motion) -> Part:
         "residual": "residual: start + work - dissipation - end",
     }
     energies = {name: float(getattr(motion.energy, name)) for name in labels}
-    of_width, per = width(motion)
+    of_width, per, of_one = width(motion)
     rows = []
     for name, energy in energies.items():
         factor, unit = prefixed(energy, "J")
-        rows.append([labels[name], f"{_number(factor * energy)} {unit}{per}"])
+        rows.append([labels[name], f"{_number(of_one * factor * energy)} {unit}{per}"])
     residual = abs(energies.pop("residual"))
     share = residual / (max(map(abs, energies.values())) or 1.0)
     note = f"The residual is {_number(share)} of the largest of them."

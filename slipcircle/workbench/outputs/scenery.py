@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.core import Arc
 from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.shapes import Mass, View
@@ -248,11 +248,11 @@ def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], 
         tails = np.stack([x, top], axis=-1)
         arrows = [_arrow(*arrow) for arrow in zip(x, y, height, strict=True)]
         line = np.concatenate([tails, *arrows])
-        first_value = shown(1e-3 * at_left, 4)
-        last_value = shown(1e-3 * at_right, 4)
-        name = f"{first_value} kPa"
-        if last_value != first_value:
-            name = f"{first_value} to {last_value} kPa"
+        factor, unit = printed("Pa")
+        if unit == "Pa":
+            factor, unit = 1e-3, "kPa"
+        values = dict.fromkeys(shown(factor * value, 4) for value in (at_left, at_right))
+        name = f"{' to '.join(values)} {unit}"
         yield Line("surcharge", line, name, tails)
 
 

@@ -45,7 +45,7 @@ def critical_circle(critical: Critical, ax: Any) -> Any:
     view.show(ax)
     words = f"critical circle by {_whose(critical)}: {outcome}" if outcome else "given circle"
     title(ax, words, [factors_in_words(critical), ""])
-    to_scale(ax, "$x$ (m)", "$y$ (m)")
+    to_scale(ax)
     ax.set_aspect("equal", adjustable="box")
     return ax
 

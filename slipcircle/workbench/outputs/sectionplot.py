@@ -19,6 +19,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     LINES,
     SCENERY,
     SOILS,
+    amount,
     area,
     axis,
     ending,
@@ -125,7 +126,7 @@ def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> 
     view = scenery(ax, mass, soil, view.grown(margin, margin), outlines)
     origin = " from the centre K" if isinstance(soil, Arc) else ""
     view.show(ax)
-    to_scale(ax, f"$x${origin} (m)", f"$y${origin} (m)")
+    to_scale(ax, origin)
     return view
 
 
@@ -135,14 +136,18 @@ def _poses(motion: Motion) -> list[Pose]:
     if motion.moves:
         peak, farthest = motion.peak, motion.farthest
         words, time = ("farthest", farthest.time) if swings_back(motion) else (ending(motion), motion.settling_time)
-        toe = f",\ntoe {number(motion.journey.run_out)} m further" if isinstance(motion.plan.scene.arc, Section) else ""
+        toe = (
+            f",\ntoe {amount(motion.journey.run_out, 'm')} further"
+            if isinstance(motion.plan.scene.arc, Section)
+            else ""
+        )
         poses.append(Pose("end", float(farthest.rotation), f"{words} {_after(farthest, time)}{toe}"))
         if peak.rotation not in (0.0, farthest.rotation):
             poses.append(
                 Pose(
                     "peak",
                     float(peak.rotation),
-                    f"peak velocity {number(abs(float(peak.velocity)))} m/s {_after(peak, peak.time)}",
+                    f"peak velocity {amount(abs(float(peak.velocity)), 'm/s')} {_after(peak, peak.time)}",
                 )
             )
     return poses
@@ -150,7 +155,7 @@ def _poses(motion: Motion) -> list[Pose]:
 
 def _after(state: Any, time: float) -> str:
     """Return time and displacement of a state as text."""
-    return f"\nafter {number(time)} s and {number(state.displacement)} m"
+    return f"\nafter {number(time)} s and {amount(state.displacement, 'm')}"
 
 
 def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool) -> None:
@@ -244,7 +249,7 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Float
 
 def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     """Label the circle, and the chord of an arc."""
-    words = f"slip circle, $R$ = {number(mass.radius)} m"
+    words = f"slip circle, $R$ = {amount(mass.radius, 'm')}"
     colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
     quarter = ON_ARC // 4
     middle_half = mass.arc[quarter:-quarter:10]
@@ -254,7 +259,7 @@ def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
     chord = 2 * mass.radius * math.sin(float(soil.half_angle))
     dip = math.degrees(1.5 * math.pi - mass.ends.mean())
     depth = float(soil.depth)
-    words = f"chord {number(chord)} m, dip {number(dip)} deg, depth {number(depth)} m"
+    words = f"chord {amount(chord, 'm')}, dip {number(dip)} deg, depth {amount(depth, 'm')}"
     left, right = mass.ground
     shares = np.linspace(0.2, 0.8, 7)
     along_chord = left + shares[:, None] * (right - left)

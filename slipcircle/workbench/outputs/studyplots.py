@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.base.kinds import Pair
+from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, observable
 from slipcircle.workbench.files.numbers import Number, number_in
 from slipcircle.workbench.outputs.plotstyle import (
@@ -17,6 +18,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     LINES,
     SERIES,
     WIDTH,
+    amount,
     axis,
     axis_words,
     empty,
@@ -24,6 +26,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     label,
     lines,
     mark,
+    measure,
     note,
     number,
     points_of,
@@ -54,7 +57,8 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     """
     _check(study, output, OUTCOMES)
     ax = axis(ax)
-    ax.set(xlabel=_label(output), ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
+    ax.set(ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
+    measure(ax.xaxis, OBSERVABLE[output].label, OBSERVABLE[output].unit)
     title(ax, f"{OUTCOMES[output].label}{', logarithmic' * rare}")
     ax.grid(alpha=0.3)
     curve, moving = study.exceedance(output, _POINTS), study.moving
@@ -95,7 +99,7 @@ def _mark_quantiles(study: "Study", output: str, ax: Any, named: bool) -> list[s
         if place == np.inf:
             beyond.append(f"{words}: {BEYOND}")
         elif place > 0.0:
-            value = f"{words}: {number(place)} {OUTCOMES[output].unit}"
+            value = f"{words}: {amount(place, OUTCOMES[output].unit)}"
             mark(ax, place, np.interp(place, at, probability), role, value if named else "")
     return beyond
 
@@ -190,7 +194,8 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
         numbers = numbers[::-1]
         values = values.T
     _curves(ax, levels, numbers, values)
-    ax.set(xlabel=axis_words(numbers[0]), ylabel=_label(output))
+    ax.set(xlabel=axis_words(numbers[0]))
+    measure(ax.yaxis, OBSERVABLE[output].label, OBSERVABLE[output].unit)
     ax.margins(0.08, 0.15)
     ax.grid(alpha=0.3)
     return ax
@@ -221,15 +226,17 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
     up = second[rows]
     ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
-    ax.figure.colorbar(cells, ax=ax, label=_label(output))
-    low = np.nanmin(ordered)
-    high = np.nanmax(ordered)
+    bar = ax.figure.colorbar(cells, ax=ax)
+    measure(bar.ax.yaxis, OBSERVABLE[output].label, OBSERVABLE[output].unit)
+    factor, _ = printed(OUTCOMES[output].unit)
+    low = factor * np.nanmin(ordered)
+    high = factor * np.nanmax(ordered)
     if low < high:
         ticks = MaxNLocator(5).tick_values(low, high)
         between = ticks[(low < ticks) & (ticks < high)]
         on_dark = between > (low + high) / 2
         colours = np.where(on_dark, "white", "black")
-        contours = ax.contour(across, up, ordered, between, colors=colours, linewidths=0.8)
+        contours = ax.contour(across, up, factor * ordered, between, colors=colours, linewidths=0.8)
         ax.clabel(contours, fontsize="small")
     ax.set(xlabel=axis_words(numbers[0]), ylabel=axis_words(numbers[1]))
     return ax
@@ -248,7 +255,7 @@ def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
         _explained_by(analysis, key, column)
         column[-1].set_xlabel(axis_words(number_in(analysis.motion.plan.scene, key)))
     for ax, name in zip(axes[:, 0], analysis.observed, strict=True):
-        ax.set_ylabel(_label(name))
+        measure(ax.yaxis, OBSERVABLE[name].label, OBSERVABLE[name].unit)
         title(ax, f"{OBSERVABLE[name].label}: computed and observed")
     return figure
 
@@ -268,7 +275,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         curve = observable(lanes, name)
         ax.plot(at, curve, **LINES["main"])
         label(ax, "computed", points_of(at, curve), LINES["main"]["color"])
-        _draw_observed(ax, observed, analysis.intervals.get(name), at)
+        _draw_observed(ax, name, observed, analysis.intervals.get(name), at)
         reached = [observable(s.motion, name) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
             words = f"{number(value)} {unit_of(field)}"
@@ -279,12 +286,14 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
         ax.grid(alpha=0.3)
 
 
-def _draw_observed(ax: Any, observed: tuple[float, float | None], interval: Interval | None, places: Any) -> None:
+def _draw_observed(
+    ax: Any, name: str, observed: tuple[float, float | None], interval: Interval | None, places: Any
+) -> None:
     """Draw an observed value as a line with its standard error, or an interval, and its label."""
     seen, sigma = observed
     words = "observed"
     if interval is not None and interval.limit is not None:
-        words, interval = str(interval), None
+        words, interval = str(interval.times(printed(OBSERVABLE[name].unit)[0])), None
     band = interval
     if sigma and interval is None:
         band = Interval(seen - sigma, seen + sigma)
@@ -344,10 +353,6 @@ def outcome(study: "Study", output: str, ax: Any = None) -> Any:
 
 
 PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # panels of `Study.plot`
-
-
-def _label(output: str) -> str:
-    return f"{OBSERVABLE[output].label} ({OBSERVABLE[output].unit})"
 
 
 def _check(study: "Study", output: str, choice: Iterable[str]) -> None:

@@ -11,10 +11,12 @@ from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,
     SERIES,
+    amount,
     axis,
     empty,
     label,
     legend,
+    measure,
     note,
     points_of,
     title,
@@ -48,7 +50,7 @@ def displacements(study: "Study", ax: Any = None) -> Any:
     ax.hlines(ranks, in_order.min(axis=1), in_order.max(axis=1), color="0.7", lw=1.0, zorder=1)
     for name, column, (colour, _, marker) in zip(_POLARITIES, in_order.T, SERIES, strict=False):
         ax.plot(column, ranks, marker, color=colour, ms=4, label=name, clip_on=False)
-    ax.set(xlabel=f"displacement at {study.scale_text(scale)} (m)", ylim=(-0.6, order.size - 0.4))
+    ax.set(ylim=(-0.6, order.size - 0.4))
     title(ax, "displacement by record")
     if order.size <= _NAMED:
         ax.set_yticks(ranks, [study.suite.entries[k].name for k in order], fontsize=8, parse_math=False)
@@ -58,6 +60,7 @@ def displacements(study: "Study", ax: Any = None) -> Any:
     if known.size and known.max() > _SKEW * np.median(known):
         ax.set_xscale("symlog", linthresh=known.max() / _SKEW**2)
     ax.set_xlim(left=0.0)
+    measure(ax.xaxis, f"displacement at {study.scale_text(scale)}", "m")
     ax.grid(axis="x", alpha=0.3)
     if values.shape[1] > 1:
         legend(ax)
@@ -83,7 +86,8 @@ def incremental(study: "Study", ax: Any = None) -> Any:
     if np.any(in_view):
         label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
     words = "peak acceleration of each record (g)" if study.records.to_pga else "factor on the records (–)"
-    ax.set(xlabel=words, ylabel="displacement (m)", yscale="log", ylim=(least, 1.5 * greatest))
+    ax.set(xlabel=words, yscale="log", ylim=(least, 1.5 * greatest))
+    measure(ax.yaxis, "displacement", "m")
     note(ax, ["grey: records; band: 16 to 84 %"])
     return ax
 
@@ -114,7 +118,7 @@ def fragility(study: "Study", ax: Any = None) -> Any:
             off = np.abs(probability - 0.6)
             steep = off <= max(0.3, off.min())
             anchors = (pga[steep], probability[steep])
-        label(ax, f"D > {curve.threshold:g} m", points_of(*anchors), colour)
+        label(ax, f"D > {amount(curve.threshold, 'm')}", points_of(*anchors), colour)
     ax.set(xlabel="peak acceleration (g)", ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
     return ax
@@ -134,7 +138,8 @@ def _history(study: "Study", what: str, ax: Any = None) -> Any:
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
     title(ax, what, [_shortened(f"median: {study.suite.entries[record].name}")])
-    ax.set(xlabel="time (s)", ylabel=f"{what} ({HISTORY[what].unit})")
+    ax.set(xlabel="time (s)", ylabel="")
+    measure(ax.yaxis, what, HISTORY[what].unit)
     motions = study.motions_of(record, scale)
     end = max(float(motion.settling_time) for motion in motions)
     if not any(motion.moves for motion in motions):

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from slipcircle.base.text import shown
+from slipcircle.base.text import printed, shown
 from slipcircle.core import plan
 from slipcircle.workbench.common.markup import Raw, terms
 from slipcircle.workbench.outputs import pictures
@@ -51,8 +51,9 @@ def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Par
 def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
     """Yield label and value of yield coefficient, displacements at own scale, moving share and block factor."""
     found = distribution(study.displacement, study.own_scale)
+    factor, unit = printed("m")
     yield "yield coefficient", shown(study.yield_coefficient)
     for words, value in (("16 % of", found.p16), ("median", found.median), ("84 % of", found.p84)):
-        yield f"{words} displacements", f"{value_text(value)} m"
+        yield f"{words} displacements", f"{value_text(factor * value)} {unit}"
     yield "that move", f"{100 * found.moving:.3g} %"
     yield "displacement of the arc over that of a block", shown(study.block_factor)

@@ -11,11 +11,13 @@ from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
+    amount,
     axis,
     empty,
     known,
     legend,
     lines,
+    measure,
     number,
     quantity_words,
     title,
@@ -53,10 +55,10 @@ def tornado(
     shown, hidden = bars[:_MOST_BARS], bars[_MOST_BARS:]
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(shown))))
     unit, at = table.outputs[output], table.at[output]
-    words = f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})"
+    more = ""
     if hidden:
-        words += f"\n{len(hidden)} more numbers change it by at most {number(abs(hidden[0][0]))} {unit} each"
-    ax.set(xlabel=words)
+        more = f"\n{len(hidden)} more numbers change it by at most {amount(abs(hidden[0][0]), unit)} each"
+    measure(ax.xaxis, f"change of {OUTCOMES[output].label} from {amount(at, unit)}{how}", unit, more)
     title(ax, f"influence on {OUTCOMES[output].label}")
     if not at or not shown:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
