@@ -24,7 +24,8 @@ from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs import pictures, studyplots
-from slipcircle.workbench.outputs.report import parts, study_report
+from slipcircle.workbench.outputs.report import study_report
+from slipcircle.workbench.outputs.studytables import parts
 from slipcircle.workbench.outputs.suitereport import suite_report
 from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.studies import export
