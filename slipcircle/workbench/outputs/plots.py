@@ -198,9 +198,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     turns_back = bool(np.any(steps < 0.0) and np.any(steps > 0.0))
     along = columns["path" if turns_back else "displacement"]
     measure(ax.xaxis, "path travelled, as it turns back" if turns_back else "displacement $s$", "m")
-    unit = _energies(motion, ax, along)
-    of_width, per, _ = width(motion)
-    ax.set_ylabel(f"energy {of_width}\n({unit}{per})")
+    _energies(motion, ax, along)
     if not motion.moves:
         return still(motion, ax)
     farthest = float(along[np.argmax(np.abs(along))])
@@ -221,15 +219,17 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     return ax
 
 
-def _energies(motion: Motion, ax: Any, along: Floats) -> str:
-    """Draw dissipation and kinetic energy, stacked, and the work that supplies them; return the unit."""
+def _energies(motion: Motion, ax: Any, along: Floats) -> None:
+    """Draw dissipation and kinetic energy, stacked, and the work that supplies them and label the axis."""
     columns = drawn(motion)
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
-    factor *= width(motion)[2]
+    of_width, per, of_one = width(motion)
+    factor *= of_one
+    ax.set_ylabel(f"energy {of_width}\n({unit}{per})")
     if not motion.moves:
-        return unit
+        return
     supplied = factor * supplied
     dissipation = factor * columns["dissipation"]
     kinetic = factor * columns["kinetic_energy"]
@@ -247,7 +247,6 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
     thickest = int(np.argmax(kinetic))
     middle = dissipation[thickest] + kinetic[thickest] / 2
     label(ax, "kinetic energy", (along[thickest], middle), "0.25")
-    return unit
 
 
 def shaking(motion: Motion, ax: Any = None) -> Any:
