@@ -92,7 +92,7 @@ COMMANDS = {
         "judge the paper: a table of its wrong claims and misprints, or selected claims in full",
         _JSON | {"markdown": "a page for a colleague"},
     ),
-    "hard": Command("the hard cases: error of the printed form beside ours", {}),
+    "hard": Command("the hard cases: errors of the printed form, of the kernel and of solve", {}),
     "prove": Command(
         "prove the error bounds of the kernels again, from their certificates alone",
         {"gappa": "ask Gappa, a program by others, for the rounding in them; its scripts are left in build/gappa"},
