@@ -314,11 +314,8 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
 
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """A solution with these values: the observations have to tell the fields apart."""
-    by_key = dict[str, float]()
-    si = dict[str, float]()
-    for field, value in zip(problem.fields, values, strict=True):
-        by_key[field.key] = float(value)
-        si[field.name] = float(field.to_si(value))
+    by_key = {field.key: float(value) for field, value in zip(problem.fields, values, strict=True)}
+    si = {field.name: float(field.to_si(value)) for field, value in zip(problem.fields, values, strict=True)}
     motion = solve(with_parameters(problem.scene, si))
     slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)

@@ -241,11 +241,8 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
         mixing = np.linalg.cholesky(design.correlation)
         scores = np.tensordot(mixing, special().ndtri(points), 1)
         points = np.clip(special().ndtr(scores), 2.0**-54, 1.0 - 2.0**-53)
-    values = []
-    for uncertain, of_input in zip(design.drawn.values(), points, strict=True):
-        flat = of_input.reshape(-1)
-        values.append(np.asarray(uncertain.drawn(flat)))
-    return values
+    by_input = zip(design.drawn.values(), points, strict=True)
+    return [np.asarray(uncertain.drawn(of_input.reshape(-1))) for uncertain, of_input in by_input]
 
 
 def _on_grid(design: Design, index: int) -> list[Floats]:

@@ -86,9 +86,7 @@ class SearchProblem:
             patience = _AT_ONCE if {*self.observed} == {"factor_of_safety"} else _PATIENCE
             end_time = patience * float(scene.arc.time_scale)
             scene = replace(scene, end_time=end_time, uncertain={})
-        si = {}
-        for field, of_field in zip(self.fields, values, strict=True):
-            si[field.name] = field.to_si(of_field)
+        si = {field.name: field.to_si(value) for field, value in zip(self.fields, values, strict=True)}
         motion = motions(scene, si, _FINE)
         outcomes = self.seen(motion)
         counts = np.isin(motion.status, ANSWERED) & (motion.moves | may_stand(self.observed, self.limit))
@@ -110,11 +108,8 @@ class SearchProblem:
 
     def values_at(self, shares: Floats) -> Floats:
         """Values of the fields, (fields, count)."""
-        rows = []
-        for share, values in zip(shares, self.ranges, strict=True):
-            evenly = np.linspace(0.0, 1.0, len(values))
-            rows.append(np.interp(share, evenly, values))
-        return np.stack(rows)
+        by_field = zip(shares, self.ranges, strict=True)
+        return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(row)), row) for share, row in by_field])
 
     def residuals(self, shares: Floats) -> Floats:
         """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""

@@ -4,10 +4,9 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, Integers
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 
 _PARTS = 16  # into which a bracket is divided: each round gains four bits
@@ -78,7 +77,7 @@ def limit_value(problem: SearchProblem) -> list[float]:
     assert problem.limit is not None
     low, high = (end - problem.origins[0] for end in problem.limit)
 
-    def satisfied(values: Floats) -> NDArray[np.bool_]:
+    def satisfied(values: Floats) -> Flags:
         outcomes, _ = problem.outcomes(values[None])
         above = low <= outcomes[0]
         below = outcomes[0] <= high
@@ -100,7 +99,7 @@ def limit_value(problem: SearchProblem) -> list[float]:
     return [first]
 
 
-def _apart(left: Floats, right: Floats, least: float) -> NDArray[np.bool_]:
+def _apart(left: Floats, right: Floats, least: float) -> Flags:
     """Return whether the ends of brackets differ by more than a share of them."""
     magnitude = np.maximum(np.abs(left), np.abs(right))
     return right - left > least * magnitude
@@ -162,7 +161,7 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     return (rows, starts), (rows, ends)
 
 
-def _is_dip(size: Floats) -> NDArray[np.bool_]:
+def _is_dip(size: Floats) -> Flags:
     """Whether values within rows are less than both their neighbours, and than half of one."""
     before = size[:, :-2]
     here = size[:, 1:-1]

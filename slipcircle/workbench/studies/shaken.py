@@ -166,11 +166,9 @@ class Shaken:
     def motions_of(self, record: int, scale: int) -> list[Motion]:
         """Solve the motions under a record at a scale in each polarity, at medians of uncertain numbers."""
         unscaled = self.suite.entries[record].record()
-        motions = []
-        for factor in (self.factors[record, scale] * self.polarities).tolist():
-            shaken = self.records.shaken(self.scene, unscaled.scaled(factor))
-            motions.append(solve(shaken, self.design.accuracy))
-        return motions
+        factors = (self.factors[record, scale] * self.polarities).tolist()
+        shaken = [self.records.shaken(self.scene, unscaled.scaled(factor)) for factor in factors]
+        return [solve(scene, self.design.accuracy) for scene in shaken]
 
     @property
     def own_scale(self) -> int:
