@@ -61,7 +61,7 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
 
 
 def derive_all(stages: Stages | None = None) -> dict[str, str]:
-    """Derive and prove everything: the text of `generated` by file; progress goes to stderr."""
+    """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr."""
     from derive.algebra.slopes import MEANS, SLOPES
     from derive.declare.quantities import MOMENTS
     from derive.generate.write import present
@@ -99,7 +99,7 @@ COMMANDS = {
     ),
     "theorem": Command(
         "enclose and prove the motion of an arc with friction; without a quantity, of the slide of Vaiont",
-        {"json": "an object of the slide given, or a list of those of Vaiont"},
+        {"json": "an object for the given slide, or a list with the slides of Vaiont"},
     ),
 }
 # Quantities of `theorem`: decimals, which are exact, and may have an uncertainty: 10+-0.1.
