@@ -6,6 +6,7 @@ import json
 import math
 import re
 from collections.abc import Iterator
+from contextvars import copy_context
 from pathlib import Path
 from typing import Any
 
@@ -14,13 +15,16 @@ import pytest
 
 from slipcircle import Arc, Scene, Section, Slope, Soil, load
 from slipcircle.__main__ import main
+from slipcircle.base.text import PRINTED
 from slipcircle.workbench.commands import backanalyse
 from slipcircle.workbench.common.quantities import OBSERVABLE
+from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.document import Document
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 from slipcircle.workbench.files.points import read_points
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
+from slipcircle.workbench.outputs.plotstyle import amount, measure
 from tests.campaigns import profiles
 
 # Sizes in the units of published keys: NIST Special Publication 811, appendix B.8, to all digits stated there,
@@ -335,6 +339,26 @@ def test_tables_in_both_units(command: str, tmp_path: Path, capsys: pytest.Captu
             assert us == pytest.approx(si / IN_US[unit][1], rel=2e-3, abs=2e-3)
             converted += 1
     assert converted >= {"run --verbose": 20, "search": 3}.get(command, 0)
+
+
+def test_axes_in_feet() -> None:
+    """An axis of values in metres has round numbers of feet as ticks, and an amount has its unit."""
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    def draw() -> tuple[list[str], str, str]:
+        PRINTED.set(SYSTEMS["US"])
+        ax = Figure().subplots()
+        ax.set_xlim(0.0, 30.48)
+        measure(ax.xaxis, "x", "m")
+        ticks = [f"{tick / 0.3048:.6g}" for tick in ax.get_xticks()]
+        assert [text.get_text() for text in ax.get_xticklabels()] == ticks
+        return ticks, ax.get_xlabel(), amount(3.048, "m")
+
+    ticks, words, text = copy_context().run(draw)
+    assert ticks == ["0", "20", "40", "60", "80", "100"]
+    assert (words, text) == ("x (ft)", "10 ft")
+    assert amount(3.048, "m") == "3.048 m"
 
 
 def test_units_of_output_that_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -54,7 +54,7 @@ def check_files(options: argparse.Namespace) -> None:
 
 def add_units(parser: argparse.ArgumentParser) -> None:
     """Declare the option that selects the units of output."""
-    units = "units of tables, pictures, reports and pages, by default [output] units of the scene file, or SI"
+    units = "units of tables, pictures and reports, by default [output] units of the scene file, or SI"
     parser.add_argument("--units", type=str.upper, choices=SYSTEMS, help=units)
 
 

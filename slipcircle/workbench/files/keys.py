@@ -376,7 +376,7 @@ OUTPUT = Table(
     {
         "units": Key(
             "units",
-            "units of tables, pictures, reports and pages; JSON, CSV files and Python have SI units",
+            "units of tables, pictures and reports; JSON, CSV files, live pages and Python have SI units",
             f"one of {', '.join(SYSTEMS)}",
             kind="|".join(SYSTEMS).lower(),
         )

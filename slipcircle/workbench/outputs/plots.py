@@ -220,7 +220,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
 
 
 def _energies(motion: Motion, ax: Any, along: Floats) -> None:
-    """Draw dissipation and kinetic energy, stacked, and the work that supplies them and label the axis."""
+    """Draw dissipation and kinetic energy, stacked, and the work that supplies them; label the axis."""
     columns = drawn(motion)
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
