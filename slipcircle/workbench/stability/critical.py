@@ -230,9 +230,7 @@ class SlopeScene(Scene[Numbers]):
     def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
-        if (
-            quantity == "yield_coefficient"
-        ):  # under shaking, the strength factor has made it the closure's yield coefficient
+        if quantity == "yield_coefficient":  # under shaking, the strength factor has made it the closure's value
             found = None if "shaking" in self.called else yield_by(self, self.start)
         elif quantity == "factor_of_safety":  # without shaking, it has made this factor equal to the closure's factor
             found = factor_of(self, self.start) if "shaking" in self.called else None
