@@ -202,9 +202,12 @@ def _check_key(claim: str, p: Parameter, taken: Collection[str]) -> None:
 
 
 def _check_formula(claim: str, e: sp.Expr, units: Units) -> set[sp.Symbol]:
-    """Check the symbols of a formula that must be dimensionless."""
+    """Check the functions and symbols of a formula that must be dimensionless, and return its symbols."""
     if not isinstance(e, sp.Expr) or e.has(sp.I, sp.nan, sp.oo, sp.zoo):
         raise ProofError(claim, repr(e), "an expression of SymPy in real numbers")
+    for function in sorted(e.atoms(sp.Function), key=str):
+        if type(function) not in OF_SERIES:
+            raise ProofError(claim, function, KNOWN)
     found = dimension(e, units, claim)
     if found != 1:
         raise ProofError(claim, f"{e}, in {shown(found)}", "a number without a dimension")
@@ -236,10 +239,13 @@ def _check_law(law: Law) -> None:
     _check_used(law, unused)
     if MOTION.keys() <= used:
         raise ProofError(claim, "slip and speed", "one: in a scene a law of speed multiplies one of slip")
-    _check_functions(claim, law.coefficient)
+    _check_branches(claim, law.coefficient)
     for kink in law.kinks:
         if kink not in by_symbol:
             raise ProofError(claim, f"a branch that changes at a slip of {kink}", "at a parameter")
+    if len(law.kinks) > 1:
+        places = " and ".join(map(str, law.kinks))
+        raise ProofError(claim, f"branches that change at {places}", "one slip: the order of two varies among scenes")
     place, undecided = domain.fault(law.coefficient, _box(law))
     if place:
         raise ProofError(claim, place, "numbers that are not negative")
@@ -252,15 +258,12 @@ def _check_law(law: Law) -> None:
         fragments.pieces(law)
 
 
-def _check_functions(claim: str, formula: sp.Expr) -> None:
-    """Check that only functions with series occur, and minima and maxima of two arguments."""
-    for function in sorted(formula.atoms(sp.Function, sp.Min, sp.Max), key=str):
-        if isinstance(function, sp.Min | sp.Max):
-            are_polynomials = [x.is_polynomial(SLIP) for x in function.args]
-            if are_polynomials != [True, True]:
-                raise ProofError(claim, function, "min and max of two polynomials of the slip")
-        elif type(function) not in OF_SERIES:
-            raise ProofError(claim, function, KNOWN)
+def _check_branches(claim: str, formula: sp.Expr) -> None:
+    """Check that minima and maxima have two arguments, polynomials of the slip."""
+    for function in sorted(formula.atoms(sp.Min, sp.Max), key=str):
+        are_polynomials = [x.is_polynomial(SLIP) for x in function.args]
+        if are_polynomials != [True, True]:
+            raise ProofError(claim, function, "min and max of two polynomials of the slip")
 
 
 def _by_symbol(e: Law | Effect) -> dict[sp.Symbol, Parameter]:

@@ -17,7 +17,7 @@ def say(line: str) -> None:
 
 
 def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
-    """Yield the items while showing how many of the total are done; in the second half also the time left."""
+    """Yield the items while showing how many of the total are done; after a quarter also the time left."""
     if sys.stderr.isatty() and find_spec("rich"):
         console = import_module("rich.console").Console(stderr=True)
         bar = import_module("rich.progress").track
@@ -31,5 +31,5 @@ def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
         if elapsed > pause and done < total:
             pause *= 2
             left = elapsed / done * (total - done)
-            estimate = f", about {left:.0f} s left" if 2 * done > total else ""  # the first ones may take longest
+            estimate = f", about {left:.0f} s left" if 4 * done > total else ""  # the first ones may take longest
             say(f"{task}: {done} of {total}{estimate}")

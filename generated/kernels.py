@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 642448b82209954bb09465c5d2dc0c77384a81d3e7eed588550fceddd00f8bf1
+# sha256 of the text below: cdbf189869454570f4057e88c98c6414067ab8543faa12053f108659ef8d4212
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -185,7 +185,7 @@ TEXTS["polar_moment"] = {"best": _polar_moment, "1e-10": _polar_moment_1e_10, "1
 _call_polar_moment = kernel("polar_moment", TEXTS["polar_moment"])
 
 
-def polar_moment(alpha, /, out=None, *, where=True, accuracy=None):
+def polar_moment(alpha, out=None, *, where=True, accuracy=None):
     """I_p*: polar surface moment of inertia of the moving mass, dimensionless.
 
     I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3
@@ -216,8 +216,8 @@ def polar_moment(alpha, /, out=None, *, where=True, accuracy=None):
     (certificates/polar_moment.json).
     Source: eq. (2.17) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -272,7 +272,7 @@ TEXTS["moment_of_inertia"] = {"best": _moment_of_inertia, "1e-10": _moment_of_in
 _call_moment_of_inertia = kernel("moment_of_inertia", TEXTS["moment_of_inertia"])
 
 
-def moment_of_inertia(alpha, /, out=None, *, where=True, accuracy=None):
+def moment_of_inertia(alpha, out=None, *, where=True, accuracy=None):
     """Theta*: moment of inertia of the moving mass about the centre, dimensionless.
 
     Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24
@@ -303,8 +303,8 @@ def moment_of_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     (certificates/moment_of_inertia.json).
     Source: eq. (3.12) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -378,7 +378,7 @@ TEXTS["radial_weight_amplitude"] = {"best": _radial_weight_amplitude, "1e-10": _
 _call_radial_weight_amplitude = kernel("radial_weight_amplitude", TEXTS["radial_weight_amplitude"])
 
 
-def radial_weight_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
+def radial_weight_amplitude(alpha, out=None, *, where=True, accuracy=None):
     """C_r: weight of the moving mass along the radius, dimensionless.
 
     C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha))
@@ -409,8 +409,8 @@ def radial_weight_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
     (certificates/radial_weight_amplitude.json).
     Source: eq. (2.23) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -463,7 +463,7 @@ TEXTS["weight_moment_amplitude"] = {"best": _weight_moment_amplitude, "1e-10": _
 _call_weight_moment_amplitude = kernel("weight_moment_amplitude", TEXTS["weight_moment_amplitude"])
 
 
-def weight_moment_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
+def weight_moment_amplitude(alpha, out=None, *, where=True, accuracy=None):
     """C_theta: moment of the weight about the centre, dimensionless.
 
     C_theta = 2*sin(alpha)**3/3
@@ -494,8 +494,8 @@ def weight_moment_amplitude(alpha, /, out=None, *, where=True, accuracy=None):
     (certificates/weight_moment_amplitude.json).
     Source: eq. (3.13) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -538,7 +538,7 @@ TEXTS["resistance_factor"] = {"best": _resistance_factor, "1e-10": _resistance_f
 _call_resistance_factor = kernel("resistance_factor", TEXTS["resistance_factor"])
 
 
-def resistance_factor(alpha, /, out=None, *, where=True, accuracy=None):
+def resistance_factor(alpha, out=None, *, where=True, accuracy=None):
     """lambda: lever of the resistance, arc length times depth, dimensionless.
 
     lambda = 2*alpha*(1 - cos(alpha))
@@ -569,8 +569,8 @@ def resistance_factor(alpha, /, out=None, *, where=True, accuracy=None):
     (certificates/resistance_factor.json).
     Source: eq. (3.14) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -606,7 +606,7 @@ TEXTS["dynamic_coefficient"] = {"best": _dynamic_coefficient}
 _call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coefficient"])
 
 
-def dynamic_coefficient(alpha, /, out=None, *, where=True, accuracy=None):
+def dynamic_coefficient(alpha, out=None, *, where=True, accuracy=None):
     """A: coefficient of the square of the angular velocity in the mean normal stress (2.20), dimensionless.
 
     A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish.
@@ -632,12 +632,12 @@ def dynamic_coefficient(alpha, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
-    Accuracy: proved, rounding included: 0.791 ulp compiled with FMA, 3.98 without, 3.98 in NumPy
-    (certificates/dynamic_coefficient.json).
+    Accuracy: proved, rounding included: 0.791 ulp compiled with FMA, 3.98 without, 3.98 in NumPy; float32: this
+    double rounded, with half an ulp of float32 more (certificates/dynamic_coefficient.json).
     Source: eq. (2.24) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -672,7 +672,7 @@ TEXTS["weight_moment_per_inertia"] = {"best": _weight_moment_per_inertia}
 _call_weight_moment_per_inertia = kernel("weight_moment_per_inertia", TEXTS["weight_moment_per_inertia"])
 
 
-def weight_moment_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
+def weight_moment_per_inertia(alpha, out=None, *, where=True, accuracy=None):
     """C_theta/Theta*: drive of gravity in the equation of motion, dimensionless.
 
     C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both
@@ -699,12 +699,12 @@ def weight_moment_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
-    Accuracy: proved, rounding included: 0.849 ulp compiled with FMA, 3.25 without, 3.25 in NumPy
-    (certificates/weight_moment_per_inertia.json).
+    Accuracy: proved, rounding included: 0.849 ulp compiled with FMA, 3.25 without, 3.25 in NumPy; float32: this
+    double rounded, with half an ulp of float32 more (certificates/weight_moment_per_inertia.json).
     Source: eq. (3.17) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -746,7 +746,7 @@ TEXTS["radial_weight_per_inertia"] = {"best": _radial_weight_per_inertia}
 _call_radial_weight_per_inertia = kernel("radial_weight_per_inertia", TEXTS["radial_weight_per_inertia"])
 
 
-def radial_weight_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
+def radial_weight_per_inertia(alpha, out=None, *, where=True, accuracy=None):
     """C_r/Theta*: brake of static friction in the equation of motion, dimensionless.
 
     C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
@@ -772,12 +772,12 @@ def radial_weight_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
-    Accuracy: proved, rounding included: 1.06 ulp compiled with FMA, 3.68 without, 3.68 in NumPy
-    (certificates/radial_weight_per_inertia.json).
+    Accuracy: proved, rounding included: 1.06 ulp compiled with FMA, 3.68 without, 3.68 in NumPy; float32: this
+    double rounded, with half an ulp of float32 more (certificates/radial_weight_per_inertia.json).
     Source: eq. (3.17) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -816,7 +816,7 @@ TEXTS["polar_moment_per_inertia"] = {"best": _polar_moment_per_inertia}
 _call_polar_moment_per_inertia = kernel("polar_moment_per_inertia", TEXTS["polar_moment_per_inertia"])
 
 
-def polar_moment_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
+def polar_moment_per_inertia(alpha, out=None, *, where=True, accuracy=None):
     """I_p*/Theta*: brake of centripetal friction in the equation of motion, dimensionless.
 
     I_p*/Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
@@ -842,12 +842,12 @@ def polar_moment_per_inertia(alpha, /, out=None, *, where=True, accuracy=None):
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
-    Accuracy: proved, rounding included: 0.859 ulp compiled with FMA, 3.2 without, 3.2 in NumPy
-    (certificates/polar_moment_per_inertia.json).
+    Accuracy: proved, rounding included: 0.859 ulp compiled with FMA, 3.2 without, 3.2 in NumPy; float32: this
+    double rounded, with half an ulp of float32 more (certificates/polar_moment_per_inertia.json).
     Source: eq. (3.18) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -889,7 +889,7 @@ _call_weight_moment_per_radial_weight = kernel("weight_moment_per_radial_weight"
     TEXTS["weight_moment_per_radial_weight"])
 
 
-def weight_moment_per_radial_weight(alpha, /, out=None, *, where=True, accuracy=None):
+def weight_moment_per_radial_weight(alpha, out=None, *, where=True, accuracy=None):
     """C_theta/C_r: limit friction over tan(psi), dimensionless.
 
     C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
@@ -916,12 +916,12 @@ def weight_moment_per_radial_weight(alpha, /, out=None, *, where=True, accuracy=
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag, of NaN without.
-    Accuracy: proved, rounding included: 0.95 ulp compiled with FMA, 4 without, 4 in NumPy
-    (certificates/weight_moment_per_radial_weight.json).
+    Accuracy: proved, rounding included: 0.95 ulp compiled with FMA, 4 without, 4 in NumPy; float32: this double
+    rounded, with half an ulp of float32 more (certificates/weight_moment_per_radial_weight.json).
     Source: eq. (3.21) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -974,7 +974,7 @@ TEXTS["radial_weight"] = {"best": _radial_weight, "1e-10": _radial_weight_1e_10,
 _call_radial_weight = kernel("radial_weight", TEXTS["radial_weight"], both_ends=True)
 
 
-def radial_weight(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
+def radial_weight(theta_1, theta_2, out=None, *, where=True, accuracy=None):
     """J_r: weight of the moving mass along the radius, dimensionless.
 
     J_r = C_r(alpha) cos(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.
@@ -1007,8 +1007,8 @@ def radial_weight(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     (certificates/radial_weight.json).
     Source: eq. (2.23) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -1061,7 +1061,7 @@ TEXTS["weight_moment"] = {"best": _weight_moment, "1e-10": _weight_moment_1e_10,
 _call_weight_moment = kernel("weight_moment", TEXTS["weight_moment"], both_ends=True)
 
 
-def weight_moment(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
+def weight_moment(theta_1, theta_2, out=None, *, where=True, accuracy=None):
     """J_theta: moment of the weight about the centre, dimensionless.
 
     J_theta = C_theta(alpha) sin(psi), alpha = (theta_2 - theta_1)/2, psi = 3 pi/2 - (theta_1 + theta_2)/2.
@@ -1094,8 +1094,8 @@ def weight_moment(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     (certificates/weight_moment.json).
     Source: eq. (3.13) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------
@@ -1130,7 +1130,7 @@ TEXTS["limit_friction"] = {"best": _limit_friction}
 _call_limit_friction = kernel("limit_friction", TEXTS["limit_friction"], both_ends=True)
 
 
-def limit_friction(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
+def limit_friction(theta_1, theta_2, out=None, *, where=True, accuracy=None):
     """mu_eq: friction coefficient at limit equilibrium.
 
     mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.
@@ -1159,11 +1159,11 @@ def limit_friction(theta_1, theta_2, /, out=None, *, where=True, accuracy=None):
     Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps), both ends within 65536 rad of 0; elsewhere NaN and
     NumPy's ``invalid`` flag, of NaN without.
     Accuracy: proved, rounding included: 1.59e-15 relative compiled with FMA, 2.27e-15 without, 2.27e-15 in
-    NumPy (certificates/limit_friction.json).
+    NumPy; float32: this double rounded, with half an ulp of float32 more (certificates/limit_friction.json).
     Source: eq. (3.21) of the paper.
     Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of
-    a large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one
-    array.
+    a large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a
+    tuple; dtype= and casting= are not supported.
 
     Examples
     --------

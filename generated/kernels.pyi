@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 56c1dc1f72f0de6e1a08618c20db9529ee0e0e6a1384b6de68451cb102828bf8
+# sha256 of the text below: 8f2b8a729e7634c1f6cb9122ebdf547e96f0c778cccbb74560e3e5442ab464d0
 from __future__ import annotations
 
 from typing import Any, TypeVar, overload
@@ -17,7 +17,6 @@ TEXTS: dict[str, dict[str, Text]]
 @overload
 def polar_moment(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -27,7 +26,6 @@ def polar_moment(
 @overload
 def polar_moment(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -37,7 +35,6 @@ def polar_moment(
 @overload
 def polar_moment(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -47,7 +44,6 @@ def polar_moment(
 @overload
 def moment_of_inertia(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -57,7 +53,6 @@ def moment_of_inertia(
 @overload
 def moment_of_inertia(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -67,7 +62,6 @@ def moment_of_inertia(
 @overload
 def moment_of_inertia(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -77,7 +71,6 @@ def moment_of_inertia(
 @overload
 def radial_weight_amplitude(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -87,7 +80,6 @@ def radial_weight_amplitude(
 @overload
 def radial_weight_amplitude(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -97,7 +89,6 @@ def radial_weight_amplitude(
 @overload
 def radial_weight_amplitude(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -107,7 +98,6 @@ def radial_weight_amplitude(
 @overload
 def weight_moment_amplitude(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -117,7 +107,6 @@ def weight_moment_amplitude(
 @overload
 def weight_moment_amplitude(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -127,7 +116,6 @@ def weight_moment_amplitude(
 @overload
 def weight_moment_amplitude(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -137,7 +125,6 @@ def weight_moment_amplitude(
 @overload
 def resistance_factor(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -147,7 +134,6 @@ def resistance_factor(
 @overload
 def resistance_factor(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -157,7 +143,6 @@ def resistance_factor(
 @overload
 def resistance_factor(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -167,7 +152,6 @@ def resistance_factor(
 @overload
 def dynamic_coefficient(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -177,7 +161,6 @@ def dynamic_coefficient(
 @overload
 def dynamic_coefficient(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -187,7 +170,6 @@ def dynamic_coefficient(
 @overload
 def dynamic_coefficient(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -197,7 +179,6 @@ def dynamic_coefficient(
 @overload
 def weight_moment_per_inertia(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -207,7 +188,6 @@ def weight_moment_per_inertia(
 @overload
 def weight_moment_per_inertia(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -217,7 +197,6 @@ def weight_moment_per_inertia(
 @overload
 def weight_moment_per_inertia(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -227,7 +206,6 @@ def weight_moment_per_inertia(
 @overload
 def radial_weight_per_inertia(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -237,7 +215,6 @@ def radial_weight_per_inertia(
 @overload
 def radial_weight_per_inertia(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -247,7 +224,6 @@ def radial_weight_per_inertia(
 @overload
 def radial_weight_per_inertia(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -257,7 +233,6 @@ def radial_weight_per_inertia(
 @overload
 def polar_moment_per_inertia(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -267,7 +242,6 @@ def polar_moment_per_inertia(
 @overload
 def polar_moment_per_inertia(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -277,7 +251,6 @@ def polar_moment_per_inertia(
 @overload
 def polar_moment_per_inertia(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -287,7 +260,6 @@ def polar_moment_per_inertia(
 @overload
 def weight_moment_per_radial_weight(
     alpha: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -297,7 +269,6 @@ def weight_moment_per_radial_weight(
 @overload
 def weight_moment_per_radial_weight(
     alpha: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -307,7 +278,6 @@ def weight_moment_per_radial_weight(
 @overload
 def weight_moment_per_radial_weight(
     alpha: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -317,7 +287,6 @@ def weight_moment_per_radial_weight(
 @overload
 def radial_weight(
     theta_1: float, theta_2: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -327,7 +296,6 @@ def radial_weight(
 @overload
 def radial_weight(
     theta_1: NDArray[F], theta_2: NDArray[F] | float,
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -337,7 +305,6 @@ def radial_weight(
 @overload
 def radial_weight(
     theta_1: float, theta_2: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -347,7 +314,6 @@ def radial_weight(
 @overload
 def radial_weight(
     theta_1: ArrayLike, theta_2: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -357,7 +323,6 @@ def radial_weight(
 @overload
 def weight_moment(
     theta_1: float, theta_2: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -367,7 +332,6 @@ def weight_moment(
 @overload
 def weight_moment(
     theta_1: NDArray[F], theta_2: NDArray[F] | float,
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -377,7 +341,6 @@ def weight_moment(
 @overload
 def weight_moment(
     theta_1: float, theta_2: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -387,7 +350,6 @@ def weight_moment(
 @overload
 def weight_moment(
     theta_1: ArrayLike, theta_2: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,
@@ -397,7 +359,6 @@ def weight_moment(
 @overload
 def limit_friction(
     theta_1: float, theta_2: float,
-    /,
     out: None = None,
     *,
     where: bool = True,
@@ -407,7 +368,6 @@ def limit_friction(
 @overload
 def limit_friction(
     theta_1: NDArray[F], theta_2: NDArray[F] | float,
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -417,7 +377,6 @@ def limit_friction(
 @overload
 def limit_friction(
     theta_1: float, theta_2: NDArray[F],
-    /,
     out: None = None,
     *,
     where: ArrayLike = True,
@@ -427,7 +386,6 @@ def limit_friction(
 @overload
 def limit_friction(
     theta_1: ArrayLike, theta_2: ArrayLike,
-    /,
     out: Out = None,
     *,
     where: ArrayLike = True,

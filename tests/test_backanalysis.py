@@ -352,7 +352,7 @@ WET_PENDULUM = {"effects": {"rotation": {}, "pore_pressure": {"ratio": 0.1}}}
         ({"duration": Interval(-45.0, -20.0)}, r"duration = Interval\(low=-45.0.* positive number"),
         ({"duration": "30 to 45 s"}, "duration = '30 to 45 s': must be"),
         ({"run_out": (400.0, 1.0), "duration": 30.0}, "for all observations, or for none"),
-        ({"run_out": 400.0, "field": "nose"}, "nose: is no number of a scene"),
+        ({"run_out": 400.0, "field": "nose"}, "nose: is not a parameter of this scene"),
         ({"run_out": 400.0, "bounds": (1.0, 0.0)}, "the lower one first"),
         ({"run_out": 400.0, "friction": SOFTENING}, "has no single angle; give one of friction.peak_deg, "),
         ({"run_out": (400.0, 5.0), "field": ["friction", "dip"]}, r"2 fields from 1 .*cannot be distinguished"),

@@ -197,7 +197,8 @@ def test_the_checker_proves_certificates() -> None:
 
 @pytest.mark.parametrize("r", RECORDS, ids=lambda r: f"{r['kernel']}-{r['tier']}-{r['form']}")
 def test_bounds_reach_the_goals(r: Record) -> None:
-    """The checker holds the goals; here that they are not much above the worst error known, which `test_seen` runs.
+    """The checker holds the goals; here that they are close to the worst known error, which
+    `test_observed_errors` runs.
 
     Of float32 what is promised is the rounding, for which the bound serves.
     """

@@ -47,6 +47,9 @@ SLIPS = '_list("slip", "m", "slips", "slip_m")'
 COEFFICIENTS = '_friction("coefficient", "coefficients", "angle_deg", "list")'
 FALLS = "_R + (_P - _R) * sp.exp(-SLIP / _L)"
 C = 'sp.Symbol("c_new", real=True)'
+SECOND = 'sp.Symbol("second", real=True)'
+WITH_SECOND = '(*_SOFTENING, Parameter("second", "m", "a second slip", "second_m", lower=0.0))'
+DROP = 'Parameter("drop", "", "peak less residual", "drop")'
 OF_PRESSURE = '"c", "Pa", "help", "c_kPa"'
 STATE = 'sp.Symbol("gathered", real=True)'
 WRONG = [
@@ -162,6 +165,14 @@ WRONG = [
         law("_R + (_P - _R) * sp.Min(SLIP / _L, 1, _R)"),
         "found Min(1, residual, slip/length), wanted min and max of two",
     ),
+    (
+        law(f"_P + _R * (sp.Min(SLIP / _L, 1) + sp.Min(SLIP / {SECOND}, 1))", WITH_SECOND),
+        "found branches that change at length and second, wanted one slip",
+    ),
+    (law("sp.Piecewise((_P, SLIP < _L), (_R, True))"), "Piecewise((peak, length > slip), (residual, True)), wanted su"),
+    (law("_R + (_P - _R) * sp.Heaviside(_L - SLIP)"), "found Heaviside(length - slip), wanted sums, products"),
+    (effect("resistance=LAMBDA * sp.Piecewise((1, SLIP < 1), (2, True))"), "found Piecewise((1, slip < 1), (2, True))"),
+    (law("_P + (_P - _R) * SLIP / (SLIP + _L)"), "residual = 6.58, length = 1, wanted numbers that are not negative"),
     (law("_P + _R * sp.Max(sp.Min(SLIP / _L, 1), 0)"), "found Max(0, Min(1, slip/length)), wanted min and max of two"),
     (law("sp.I * _P + _R * SLIP / _L"), "coefficient: found I*peak + residual*slip/length, wanted an expression"),
     (law("_R + _P * sp.exp(-sp.Min(SLIP / _L, 1))"), "piece between branches: found"),
@@ -295,13 +306,23 @@ def test_what_is_not_decided_is_said(monkeypatch: pytest.MonkeyPatch, capsys: py
     assert line.endswith("; narrow the bounds of its parameters")
 
 
+def test_a_drop_replaces_a_condition_on_two_parameters(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A law that is negative if peak < residual is accepted with the difference as a parameter. Kinks may coincide."""
+    drop = 'sp.Symbol("drop", real=True)'
+    formula = f"_R + {drop} + {drop} * SLIP / (SLIP + _L)"
+    guards._check_law(declare(law(formula, f"({DROP}, *_SOFTENING[1:])"), monkeypatch))
+    twice = declare(law("_R * sp.Min(SLIP / _L, 1) + _P * (1 - sp.Max(SLIP / _L, 1)) ** 2"), monkeypatch)
+    guards._check_law(twice)
+    assert list(map(str, twice.kinks)) == ["length"]
+
+
 def test_the_page_on_extending_shows_what_is_said(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Each answer of its table is one of those above, word by word."""
     page = (Path(__file__).parents[1] / "notebooks" / "extending.md").read_text("utf-8")
     answers = re.findall(r"^\| .* \| `(.*)` \|$", page, re.MULTILINE)
-    assert len(answers) == 17
+    assert len(answers) == 19
     said = set[str]()
     for text, start in WRONG:
         if not any(start in answer for answer in answers):

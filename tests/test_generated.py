@@ -14,6 +14,7 @@ import pytest
 
 import generated
 from derive.__main__ import derive_all, main
+from derive.code import emit
 from derive.generate import write
 from derive.stages import Stages
 from generated import _compiled, kernels, printed, slopes
@@ -24,7 +25,7 @@ Function = Callable[..., Any]
 FOLDER = Path(generated.__file__).parent
 FUNCTIONS: dict[str, Function] = {name: getattr(kernels, name) for name in kernels.__all__}
 ARGUMENTS = {
-    name: [x for x, p in signature(function).parameters.items() if p.kind is p.POSITIONAL_ONLY]
+    name: [x for x, p in signature(function).parameters.items() if p.default is p.empty]
     for name, function in FUNCTIONS.items()
 }
 for level in _compiled.LEVELS:  # kernels as every level of the processor computes them
@@ -247,6 +248,12 @@ def test_out_and_where(name: str) -> None:
     out = np.full(3, 7.0)
     assert function(*arrays, out=out) is out
     assert function(*arrays, out) is out
+    names = signature(function).parameters
+    np.testing.assert_array_equal(function(**dict(zip(names, arrays, strict=False))), expected)
+    for unlike in ({"dtype": float}, {"casting": "safe"}, {"out": (out,)}):  # ufuncs take these
+        with pytest.raises(TypeError):
+            function(*arrays, **unlike)
+        assert next(iter(unlike)) in emit.ARRAYS.split("Unlike NumPy's ufuncs")[1]
     np.testing.assert_array_equal(out, expected)
     with pytest.raises(ValueError, match=r"shape|broadcast"):
         function(*arrays, out=np.zeros(2))

@@ -53,7 +53,7 @@ def test_the_oracle_agrees_with_quadrature_over_the_uncentred_chord(moment: Any,
 
 
 def test_accuracy() -> None:
-    """Of one kernel as it is called, the page on validation; `test_seen` runs the programs of all."""
+    """The page on validation states the error of one kernel; `test_observed_errors` runs the programs of all."""
     name = "moment_of_inertia"
     error, at = errors(kernels.moment_of_inertia, name, angles())[0]
     proved = BOUNDS[name]["best"][_compiled.LEVELS[_compiled.LEVEL][0]][1]

@@ -383,7 +383,7 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
         (lambda: study.plot("a.gif"), r"what = 'a.gif': must be .* or end in \.png, \.svg, \.pdf, \.jpg$"),
         (lambda: m.plot("speed"), "what = 'speed': must be one of overview, section"),
         (lambda: m.plot(ax=ax), "has several panels"),
-        (lambda: many.plot(), r"2 lanes is not one picture: take one of them, motion\[0\]"),
+        (lambda: many.plot(), r"2 lanes cannot be drawn; select a lane, such as motion\[0\]"),
     ]
     for plot, words in refused:
         with pytest.raises(ValueError, match=words):

@@ -239,7 +239,7 @@ def test_a_picture_of_several_scenes_holds_them_all() -> None:
         ("--csv {}/own.toml", "--csv {}/own.toml: would overwrite the scene file"),
         ("--plot {}/m.docx", "--plot {}/m.docx: must end in one of .png, .svg, .pdf, .jpg"),
         ("--plot {}/none/m.png --report {}", "--report {}: is a folder"),
-        ("{}/own.toml " * 20 + "--plot {}/m.gif", "moves one scene; .png shows all 21"),
+        ("{}/own.toml " * 20 + "--plot {}/m.gif", "a .gif animates a single scene; use .png for all 21"),
     ],
 )
 def test_paths_are_checked_before_the_work(

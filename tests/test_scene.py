@@ -198,7 +198,7 @@ PRINTED: Any = load("vaiont-as-printed").arc
 @pytest.mark.parametrize(
     ("work", "said"),
     [
-        *((lambda x=x: ANY.load(x), "scene .*: must be the name of one that ships, or the path of its file")
+        *((lambda x=x: ANY.load(x), "scene .*: must be the name of a scene that ships, or the path of a scene file")
           for x in (3, VAIONT)),
         *((lambda f=f, more=more: getattr(ANY, f)("vaiont", *more), r"scene = 'vaiont': must be a Scene; load\('vaiont")
           for f, more in (("solve", ()), ("plan", ()), ("ensemble", (3,)), ("grid", (3,)))),
@@ -209,7 +209,7 @@ PRINTED: Any = load("vaiont-as-printed").arc
         *((lambda n=n: ANY.ensemble(DRAWN, 3, **{n: "a"}), f"{n} = 'a': must be")
           for n in ("method", "confidence", "size", "sensitivity", "correlation", "rng")),
         (lambda: ANY.grid(VAIONT, 3), "levels = 3: must be a mapping"),
-        (lambda: ANY.grid(VAIONT, {"friction.angle": [1.0]}), r"friction\.angle: is no number"),
+        (lambda: ANY.grid(VAIONT, {"friction.angle": [1.0]}), r"friction\.angle: is not a parameter"),
         (lambda: ANY.grid(VAIONT, {"friction": ["a"]}), "friction: must be a list of numbers"),
         (lambda: ANY.backanalyse(VAIONT, run_out=300.0, field=3), "field = 3, bounds = None: must be a key"),
         (lambda: ANY.backanalyse(VAIONT, run_out=300.0, bounds=3), "bounds = 3: must be a key"),

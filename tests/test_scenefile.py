@@ -213,7 +213,7 @@ MISTAKES = [
     (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa or record is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
     (ARC + FRICTION + "[pore_pressure]\npressure_kPa = [0, 20, 50]\n",
-     "pore_pressure.pressure_kPa = [0, 20, 50]: is a list, which needs its times"),
+     "pore_pressure.pressure_kPa = [0, 20, 50]: is a list, which needs a list of times"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 0.1\ntime_s = [0, 1]\n",
      "pore_pressure.time_s and ratio or pressure_kPa: must be lists"),
     (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g is missing: a pulse needs it"),

@@ -144,7 +144,7 @@ def test_a_coordinate_is_found_from_the_run_out() -> None:
 def test_what_is_no_number_of_a_section_is_told() -> None:
     with pytest.raises(ValueError, match=r"point's coordinate by its number from 0|did you mean"):
         grid(VALLEY, {"ground.points_m.99.y": [1.0]})
-    with pytest.raises(ValueError, match=r"arc\.dip_deg: is no number"):
+    with pytest.raises(ValueError, match=r"arc\.dip_deg: is not a parameter"):
         backanalyse(VALLEY, run_out=20.0, field="arc.dip_deg")
     with pytest.raises(ValueError, match=r"has no value of it to vary; it has circle.radius_m.* ground.points_m.3.y"):
         grid(VALLEY, {"cohesion.cohesion_kPa": [1.0]})

@@ -61,7 +61,7 @@ def test_a_record_is_a_file_of_some_size(tmp_path: Path, refused: Any) -> None:
         ("pipe", "is not a file"),
         (".", "is not a file"),
         ("../../../../../../../etc", "is not a file"),
-        ("many.csv", "holds 2e+07 numbers: must be at most 1.7e+07"),
+        ("many.csv", "has 2e+07 numbers: must be at most 1.7e+07"),
     ):
         of_record = f"record = '{name}'\nstep_s = 0.01\nunits = 'g'\nholds = 'ground'\n"
         path.write_text(SHAKEN.partition("pulse =")[0] + of_record, "utf-8")

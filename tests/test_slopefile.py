@@ -168,7 +168,7 @@ def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, ask
         assert "search.exit_m = [30, 2]: must be the least and the greatest x" in mistakes
         assert "search.depth_m = 200000.0:" in mistakes
     assert "ever thinner masses" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
-    assert "a search needs [ground]" in refused("search vaiont")
+    assert "replace [arc] by [ground]" in refused("search vaiont")
     assert "is for one slope" in refused("search real-slope", write(ACADS), "--plot x.png")
     assert "no-such-slope.toml: there is no such file" in refused("search no-such-slope.toml")
     assert asked("search", write(ACADS), "--method janbu")[0] == 2
@@ -212,7 +212,7 @@ def test_what_a_file_says(write: Write) -> None:
         ("base_m = 20", "base_m = 35", "ground.base_m = 35: must lie below the highest point of the ground"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 20]]\n", "level_m: varies by"),
         ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
-        ("[cohesion]", "[pore_pressure]\nrecord = 'x.csv'\n[cohesion]", "a pore pressure that is no record"),
+        ("[cohesion]", "[pore_pressure]\nrecord = 'x.csv'\n[cohesion]", "a pore pressure that is not a record"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[circle]\nthrough_m = [[30, 25], [40, 30], [55, 35]]\ndepth_m = 2\n",
          "circle.through_m: must be two points"),
         ("cohesion_kPa = 3\n",

@@ -150,7 +150,7 @@ def test_what_cannot_be_drawn_is_refused() -> None:
         tornado.tornado(table, "run_out", {"friction": 0.1})
     with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration"):
         tornado.tornado(table, "speed")
-    with pytest.raises(ValueError, match="values on a grid have no probability"):
+    with pytest.raises(ValueError, match="probabilities need samples of uncertain numbers"):
         studyplots.exceedance(curves)
     with pytest.raises(ValueError, match="two uncertain numbers"):
         studyplots.indices(found("one"))

@@ -100,7 +100,8 @@ _ACCURACY = (
 
 ARRAYS = (
     "Arrays: numbers, lists, NumPy, pint, xarray, pandas, Dask and JAX. Safe in threads. Compiled, an element of a "
-    "large array takes about 1 ns. Unlike NumPy's ufuncs there is no dtype=, casting= or alpha=, and out is one array."
+    "large array takes about 1 ns. Unlike NumPy's ufuncs, arguments may be named and `out` is one array, not a tuple; "
+    "dtype= and casting= are not supported."
 )
 
 
@@ -171,7 +172,7 @@ def function(f: Function, text: PythonText) -> str:
     names = ", ".join(inputs)
     return (
         f'{texts}TEXTS["{name}"] = {{{rows}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"]{more})\n\n\n'
-        f"def {name}({names}, /, out=None, *, where=True, accuracy=None):\n{doc}"
+        f"def {name}({names}, out=None, *, where=True, accuracy=None):\n{doc}"
         f"    return _call_{name}({names}, out, where, accuracy)\n"
     )
 
@@ -204,7 +205,7 @@ def stub(functions: Sequence[Function]) -> str:
         for kinds, out, where, result in _overloads(len(f.program.inputs)):
             typed = ", ".join(f"{x}: {kind}" for x, kind in zip(f.program.inputs, kinds, strict=True))
             code += (
-                f"\n@overload\ndef {f.program.name}(\n    {typed},\n    /,\n    out: {out} = None,\n    *,\n"
+                f"\n@overload\ndef {f.program.name}(\n    {typed},\n    out: {out} = None,\n    *,\n"
                 f"    where: {where} = True,\n    accuracy: float | None = None,\n) -> {result}: ...\n"
             )
     return f"{_imports(code)}\n\n{code}"

@@ -167,7 +167,7 @@ class Law:
         places: list[sp.Symbol] = []
         for branch in sorted(branches, key=str):
             places += sp.solve(sp.Eq(*branch.args), SLIP)
-        return tuple(places)
+        return tuple(dict.fromkeys(places))
 
 
 def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Parameter:

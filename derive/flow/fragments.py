@@ -260,19 +260,18 @@ def _log_speed(law: Law, low: Lowering) -> None:
 
 
 def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
-    """Return breaks of a law with kinks, over the first kink, and the polynomials of its pieces.
+    """Return breaks of a law with a kink, over the slip at the kink, and the polynomials of its pieces.
 
     A piece uses the valid branch of each minimum or maximum, so that a constant piece equals its parameter exactly.
     """
     s = cell("s")
     y = cell("y")
-    scale = law.kinks[0]
-    coefficient = sympify(law.coefficient).subs(SLIP, s * scale)
-    breaks = [ZERO, *(kink / scale for kink in law.kinks)]
-    ends = [*breaks[1:], breaks[-1] + 1]
+    (kink,) = law.kinks
+    coefficient = sympify(law.coefficient).subs(SLIP, s * kink)
+    breaks: list[Expr] = [ZERO, ONE]
     polynomials = []
-    for start, end in zip(breaks, ends, strict=True):
-        middle = (start + end) / 2
+    for start in breaks:
+        middle = start + Rational(1, 2)
 
         def branch(e: Expr, middle: Expr = middle) -> Expr:
             there = e.subs(s, middle)

@@ -79,7 +79,7 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
         for (tier, form), bound in bounds.items()
         if form == "fused" and tier[0] == "1"
     )
-    single = ""
+    single = "; float32: this double rounded, with half an ulp of float32 more"
     for record in mine:
         if (record["tier"], record["form"]) == ("float32", "fused"):
             single = "; float32: " + ("correctly rounded" if "hard" in record else f"{record['bound']:.3g} ulp")

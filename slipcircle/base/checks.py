@@ -59,7 +59,7 @@ class Message(str):
 
 
 def _worded(template: str, name_of: Callable[[str], str]) -> str:
-    """Return a template in which each argument is replaced by its name."""
+    """Return a template with each argument replaced by its name."""
 
     def name(match: re.Match[str]) -> str:
         short, path = match.groups()

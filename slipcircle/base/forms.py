@@ -58,7 +58,7 @@ class Forms(Pictured):
 
     @property
     def factors_of_safety(self) -> Values:
-        """Factors of safety at the start by method; an `Arc` has that of the paper's alone."""
+        """Factors of safety at the start by method; an `Arc` has only the factor of the paper's method."""
         factors: Values = self._form("factors_of_safety")
         return factors
 

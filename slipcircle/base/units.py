@@ -1,4 +1,4 @@
-"""Quantities with units, such as those of pint, as numbers in SI units."""
+"""Conversion of quantities with units, such as quantities of pint, to numbers in SI units."""
 
 from collections.abc import Iterable, Mapping
 from itertools import chain
@@ -31,7 +31,7 @@ def take_units(owner: Any, fields: Iterable[str]) -> None:
     Raises
     ------
     ValueError
-        For a quantity of another dimension than its field; names the field and its unit.
+        If the dimension of a quantity differs from its field's; names the field and its unit.
     """
     for name in fields:
         value = getattr(owner, name)
@@ -41,7 +41,7 @@ def take_units(owner: Any, fields: Iterable[str]) -> None:
 
 
 def _has_units(value: Any) -> bool:
-    """Return whether a value, or one within a list or a mapping, is a quantity with a unit."""
+    """Return whether a value, or a value within a list or a mapping, is a quantity with a unit."""
     kind = type(value)
     if kind in _PLAIN:
         return False
@@ -54,7 +54,7 @@ def _has_units(value: Any) -> bool:
 
 
 def _in_si(name: str, value: Any) -> Any:
-    """Return the value of a field, and each in a list or a mapping, in SI units."""
+    """Return the value of a field converted to SI units, also within lists and mappings."""
     if hasattr(type(value), "dimensionality"):
         return _magnitude(name, value)
     if isinstance(value, Mapping):
@@ -65,7 +65,7 @@ def _in_si(name: str, value: Any) -> Any:
 
 
 def _magnitude(name: str, quantity: Any) -> Any:
-    """Return a quantity in the unit of its field; a factor has no unit, also not that of an angle."""
+    """Return the magnitude of a quantity in the unit of its field; factors must not have a unit, not even rad."""
     units = _units(name)
     for unit in units:
         fits = quantity.is_compatible_with(unit)
@@ -77,7 +77,7 @@ def _magnitude(name: str, quantity: Any) -> Any:
 
 
 def _units(name: str) -> list[str]:
-    """Return the SI units that a field or a parameter of this name may have."""
+    """Return the SI units that a field or a parameter of this name may have, "" for a factor."""
     declaring: list[Any] = [*EFFECTS.values(), *LAWS.values(), *COHESION_LAWS.values()]
     parameters = chain.from_iterable(each.parameters for each in declaring)
     of_fields = [unit for unit, names in _FIELDS.items() if name in names.split()]

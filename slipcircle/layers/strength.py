@@ -231,7 +231,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def distinct_soils(self) -> list[Soil]:
-        """Each soil of the layers and of the foreland once."""
+        """Soils of the layers and of the foreland, without repetition."""
         return distinct(self.section.soils)
 
     def _is_soil(self, soil: Soil) -> Floats:

@@ -109,7 +109,7 @@ def _values(function: Function, slip: Floats) -> Floats:
         if values.dtype.kind == "c":
             raise ValueError("complex numbers")
         values = values.astype(np.float64)
-    except Exception as error:  # whatever it raises, the function is wrong
+    except Exception as error:  # any exception means an invalid function
         reason = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
         raise ValueError(f"friction: {reason}") from error
     if values.ndim == 0:

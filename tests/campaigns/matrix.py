@@ -32,7 +32,7 @@ TESTED = ("accuracy", "ensemble_states", "scenefile", "cli", "records")
 PRINTED = ("golden", "notebooks", "readme")  # the same digits on every processor
 TESTS, DOCUMENTS = ([f"tests/test_{name}.py" for name in names] for names in (TESTED, PRINTED))
 SANITIZED = [f"tests/test_{name}.py" for name in ("flow_compiled", "compiled")]
-NUMERICS = ("flow_programs", "walk", "kernels", "golden", "creep", "accuracy", "ensemble_states")
+NUMERICS = ("flow_programs", "integrator_source", "kernels", "golden", "creep", "accuracy", "ensemble_states")
 SHORT = [*SANITIZED, *(f"tests/test_{name}.py" for name in NUMERICS)]
 TYPES = "tests/test_house.py::test_mypy_is_silent"
 COMPLETE = ["--numprocesses=logical", "--maxprocesses=8", "--dist=worksteal"]  # as `./run test`

@@ -53,7 +53,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def problem(self) -> Problem:
-        """Initial value problem of the scene."""
+        """Scene's initial value problem, as integrated."""
         return problem_of(self.plan, self.invalid).ending_first(self._final[ix.FIRST_ONLY])
 
     def _shaped(self, values: Any) -> Any:
@@ -126,7 +126,7 @@ class Motion(Forms, Generic[Numbers]):
 
     @cached_property
     def outcomes(self) -> Mapping[str, Numbers]:
-        """Mapping with `run_out`, `peak_velocity` and `duration`."""
+        """Run-out, peak velocity and duration by name (`run_out`, `peak_velocity`, `duration`), in SI units."""
         final = self._final
         with may_overflow(self.shape):
             angular_velocity = final[ix.PEAK_OMEGA] / self._time_scale

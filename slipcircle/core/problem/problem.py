@@ -280,7 +280,7 @@ def _first_only(recipe: Recipe, start: Parameters) -> Any:
     swings = choose(frictionless, 1.0, 2.0 if lifts else 0.0)
     cohesion = start.get("cohesion", 0.0)
     cohesion = cohesion + start.get("layered_cohesion", 0.0)
-    for law in laws:  # what remains of it; a table or a function is followed in any case
+    for law in laws:  # residual cohesion; tables and functions are followed in any case
         cohesion = cohesion + start.get(f"{law}.residual", 1.0)
     return choose(cohesion > 0.0, 0.0, swings)
 

@@ -1,1 +1,1 @@
-"""Shared by the workbench: quantities of results, distributions, files, markup."""
+"""Shared parts of the workbench: quantities of results, distributions, files and markup."""

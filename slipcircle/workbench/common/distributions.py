@@ -1,4 +1,4 @@
-"""Distributions of scene files: those of SciPy, by the parameters that engineers use."""
+"""Distributions of scene files, defined by the parameters that engineers use."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -15,42 +15,42 @@ _FAR = 30.0  # standard deviations, beyond which the probability is zero in floa
 
 
 def statistics() -> Any:
-    """Return scipy.stats, whose import takes half a second."""
+    """Return the module scipy.stats, whose import takes half a second."""
     return optional("scipy.stats", "distributions")
 
 
 def special() -> Any:
-    """Return scipy.special, loaded on first use."""
+    """Return the module scipy.special, loaded on first use."""
     return optional("scipy.special", "distributions")
 
 
 class Gaussian(NamedTuple):
-    """A normal or log-normal distribution, with the methods of SciPy's distributions that studies use."""
+    """Normal or log-normal distribution with the methods of SciPy's distributions that studies use."""
 
     moments: Pair
     shape: float = 0.0  # standard deviation of the logarithm, 0 for a normal distribution
     scale: float = 1.0  # median of a log-normal distribution
 
     def ppf(self, p: Any) -> Any:
-        """Return quantiles."""
+        """Return the quantiles at probabilities ``p``."""
         score = special().ndtri(p)
         mean, std = self.moments
         return np.exp(self.shape * score) * self.scale if self.shape else score * std + mean
 
     def cdf(self, x: float) -> Any:
-        """Return the probability of values up to x."""
+        """Return the probability of a value less than or equal to ``x``."""
         mean, std = self.moments
         if not self.shape:
             return special().ndtr((x - mean) / std)
         return special().ndtr(math.log(x / self.scale) / self.shape) if x > 0.0 else 0.0
 
     def support(self) -> Pair:
-        """Return the least and the greatest value."""
+        """Return the least and the greatest possible value, which may be infinite."""
         return 0.0 if self.shape else -math.inf, math.inf
 
 
 class Triangle(NamedTuple):
-    """A triangular distribution, or without a mode a uniform one."""
+    """Triangular distribution, or a uniform distribution if ``mode`` is None."""
 
     low: float
     high: float
@@ -65,7 +65,7 @@ class Triangle(NamedTuple):
         return (low + mode + high) / 3, math.sqrt(variance)
 
     def ppf(self, p: Any) -> Any:
-        """Return quantiles."""
+        """Return the quantiles at probabilities ``p``."""
         low, high, mode = self
         share = p
         if mode is not None:
@@ -75,7 +75,7 @@ class Triangle(NamedTuple):
         return share * (high - low) + low
 
     def cdf(self, x: float) -> float:
-        """Return the probability of values up to x."""
+        """Return the probability of a value less than or equal to ``x``."""
         low, high, mode = self
         share = min(max((x - low) / (high - low), 0.0), 1.0)
         if mode is None:
@@ -84,12 +84,12 @@ class Triangle(NamedTuple):
         return share**2 / peak if share < peak else 1.0 - (1.0 - share) ** 2 / (1.0 - peak or 1.0)
 
     def support(self) -> Pair:
-        """Return the least and the greatest value."""
+        """Return the least and the greatest possible value."""
         return self.low, self.high
 
 
 class Distribution(NamedTuple):
-    """A distribution of scene files: its parameters, all required, its constructor, and conditions."""
+    """Kind of distribution in scene files: required parameters, constructor, and conditions on the parameters."""
 
     help: str
     parameters: Names
@@ -98,16 +98,16 @@ class Distribution(NamedTuple):
 
 
 def _lognormal(mean: float, std: float) -> Gaussian:
-    """Return the log-normal distribution of a number by its moments.
+    """Return the log-normal distribution with this mean and standard deviation.
 
-    Its logarithm has the variance log(1 + (std/mean)^2).
+    The variance of its logarithm is log(1 + (std/mean)^2).
     """
     variance = math.log1p((std / mean) ** 2)
     return Gaussian((mean, std), math.sqrt(variance), mean * math.exp(-variance / 2))
 
 
 def _truncated(mean: float, std: float, low: float, high: float) -> Any:
-    """Return SciPy's truncated normal distribution."""
+    """Return SciPy's normal distribution truncated to [low, high], by mean and deviation before truncation."""
     return statistics().truncnorm((low - mean) / std, (high - mean) / std, mean, std)
 
 
@@ -129,13 +129,13 @@ DISTRIBUTIONS: Mapping[str, Distribution] = {
         _ORDER | {"mode must be from low to high": lambda g: g["low"] <= g["mode"] <= g["high"]},
     ),
     "truncated_normal": Distribution(
-        "normal between low and high; mean and std are those before truncation",
+        "normal between low and high; mean and std before truncation",
         ("mean", "std", "low", "high"),
         _truncated,
         _SPREAD
         | _ORDER
         | {
-            f"low and high must hold values within {_FAR:g} std of the mean": lambda g: (
+            f"low and high must include values within {_FAR:g} std of the mean": lambda g: (
                 g["low"] < g["mean"] + _FAR * g["std"] and g["high"] > g["mean"] - _FAR * g["std"]
             )
         },
@@ -144,13 +144,13 @@ DISTRIBUTIONS: Mapping[str, Distribution] = {
 
 
 def distribution_of(given: Values) -> Any:
-    """Return the distribution of a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
+    """Return the distribution for a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
     numbers = {k: float(v) for k, v in given.items() if k != "distribution"}
     return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
 
 
 def described(frozen: Any) -> ValueDict:
-    """Return SciPy's expression for a distribution; for one without a name, its class, moments and quantiles."""
+    """Return a distribution as values of JSON: its SciPy expression, or its class, moments and quantiles."""
     name = str(getattr(getattr(frozen, "dist", None), "name", ""))
     standard = getattr(statistics(), name, None)
     if name and type(standard) is type(frozen.dist):
@@ -165,7 +165,7 @@ def described(frozen: Any) -> ValueDict:
 
 
 def distribution_mistakes(given: Values, limits: Pair) -> list[str]:
-    """A sentence for each mistake in a distribution whose numbers should stay within limits."""
+    """Return a message for each mistake in the mapping of a distribution whose number has these limits."""
     name = given.get("distribution")
     if name is None:
         return ["distribution: is missing: one of " + ", ".join(DISTRIBUTIONS)]
@@ -185,9 +185,9 @@ def distribution_mistakes(given: Values, limits: Pair) -> list[str]:
 
 
 def _limit_mistakes(distribution: Any, lower: float, upper: float) -> list[str]:
-    """Mistakes where a distribution exceeds the limits of its number.
+    """Return a message for each limit of its number that a distribution exceeds.
 
-    The tails of a normal distribution are ignored: samples out of bounds are counted instead.
+    The tails of a normal distribution are ignored: samples out of bounds are counted when they are drawn.
     """
     low, high = map(float, distribution.support())
     least = min(lower, 0.0) if lower < 1.0 else lower

@@ -1,4 +1,4 @@
-"""Files that a command writes: checked before the computation, and replaced only when complete."""
+"""Output files of commands: checked before the computation, and replaced only when complete."""
 
 import csv
 import io
@@ -20,12 +20,12 @@ NEW = ("FILE", "--write")  # options of files that are never overwritten
 
 
 def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
-    """Check that the files of a command, by their options, can be written and are not among those that it reads.
+    """Check that the output files of a command, by option, can be written and are not among its input files.
 
     Raises
     ------
     ValueError
-        Lists every path that cannot be written, and why.
+        Lists every path that cannot be written, with the reason.
     """
     found, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
     named = [(o, name) for o, given in outputs.items() for name in ([given] if isinstance(given, str) else given)]
@@ -53,7 +53,7 @@ def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence
 
 @contextmanager
 def replacing(name: PathName) -> Iterator[IO[bytes]]:
-    """A file to write that replaces another one only when complete on disk; on an error nothing changes.
+    """Open a binary file for writing, which replaces an existing file only when complete; an error changes nothing.
 
     A link remains a link, and devices such as /dev/stdout are written to directly. An error of the system, such as a
     full disk, becomes a ValueError that names the file.
@@ -88,19 +88,19 @@ def _replacing(name: PathName) -> Iterator[IO[bytes]]:
 
 
 def write(name: PathName, content: bytes) -> None:
-    """Write a file atomically: a reader sees either the old or the complete new content.
+    """Write a file atomically, so that a reader sees either the old or the complete new content.
 
     Raises
     ------
     ValueError
-        If that fails.
+        If the file cannot be written.
     """
     with replacing(name) as file:
         file.write(content)
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
-    """A table as CSV, in full precision; an empty cell for None.
+    """Return a table as the bytes of a CSV file, in full precision; None becomes an empty cell.
 
     A text that a spreadsheet would take for a formula begins with an apostrophe.
     """
@@ -112,7 +112,7 @@ def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
 
 
 def _cell(text: str) -> str:
-    """A text as a cell of a table."""
+    """Return a text as a cell of a table, protected against interpretation as a formula."""
     text = clean(text)
     try:
         float(text)
@@ -122,7 +122,7 @@ def _cell(text: str) -> str:
 
 
 def arrays(named: Values) -> bytes:
-    """Arrays by name, as `numpy.load` reads them."""
+    """Return arrays by name as the bytes of an NPZ file, which `numpy.load` reads."""
     import numpy as np
 
     content = io.BytesIO()
@@ -131,12 +131,12 @@ def arrays(named: Values) -> bytes:
 
 
 def _is_device(name: PathName) -> bool:
-    """Whether a path cannot be replaced, such as a pipe or /dev/stdout."""
+    """Return whether a path cannot be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)
 
 
 def files_in(paths: Iterable[PathName]) -> Sequence[Path]:
-    """Return files and the files of folders, in the order of their names, each once and without hidden ones."""
+    """Return the files, and all files in the folders (sorted), without repeated and hidden files."""
     files: dict[Path, None] = {}
     for path in map(Path, paths):
         inside = sorted(path.rglob("*")) if path.is_dir() else [path]

@@ -1,6 +1,6 @@
 """Conversions of a `Motion` to a dictionary, pandas, xarray and HTML, called by its methods.
 
-Names and units of columns are those of `quantities`.
+Names and units of columns are declared in `quantities`.
 """
 
 from typing import Any
@@ -18,7 +18,7 @@ from slipcircle.workbench.common.summary import summary
 
 
 def html(motion: Motion) -> str:
-    """A table of the key results; for an ensemble the count of each status and the range of each outcome."""
+    """Return an HTML table of the key results; for an ensemble, the count of each status and ranges of outcomes."""
     rows = summary(motion) if not motion.shape else {}
     if motion.shape:
         for name, count in motion.count().items():
@@ -29,13 +29,13 @@ def html(motion: Motion) -> str:
 
 
 def _span(values: Any, unit: str) -> str:
-    """The least and the greatest of the known values."""
+    """Return the least and the greatest of the values that are not NaN, in words with the unit."""
     known = values[~np.isnan(values)]
     return f"{shown(known.min())} to {shown(known.max())} {unit}" if known.size else "-"
 
 
 def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:
-    """Results by name in SI units, with the numbers that vary before them; or histories at times, s."""
+    """Return results by name in SI units, preceded by the varying numbers; or histories at ``times`` in s."""
     if times is not None:
         motion.at(times)  # raises an error for times outside the motion
         time = np.asarray(times, float)
@@ -54,7 +54,7 @@ def to_dict(motion: Motion, times: ArrayLike | None) -> ValueDict:
 
 
 def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
-    """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
+    """Return `to_dict` as a pandas.DataFrame with a row per lane, or per lane and time, and units in ``attrs``."""
     pandas = optional("pandas", "to_pandas")
     axes, columns = _axes_and_columns(motion, times)
     frame = pandas.DataFrame({name: np.ravel(values) for name, values in columns.items()})
@@ -67,7 +67,7 @@ def to_pandas(motion: Motion, times: ArrayLike | None) -> Any:
 
 
 def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
-    """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates."""
+    """Return `to_dict` as an xarray.Dataset with the dimensions of the inputs; varying numbers are coordinates."""
     xarray = optional("xarray", "to_xarray")
     axes, columns = _axes_and_columns(motion, times)
     lane_dims = _dimensions(motion)
@@ -87,7 +87,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
 
 
 def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDict, ValueDict]:
-    """Axes by name, time the last one if given, and columns over all of them."""
+    """Return coordinates by axis, with time as the last axis if given, and columns over all axes."""
     axes: ValueDict = {}
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)
@@ -106,7 +106,7 @@ def _units(motion: Motion) -> TextDict:
 
 
 def _dimensions(motion: Motion) -> list[str]:
-    """Names of the shape's axes: those of inputs that have some, else lane, or lane_0, lane_1, ..."""
+    """Return the names of the axes of an ensemble: dimensions of its inputs, else lane, or lane_0, lane_1, ..."""
     count = len(motion.shape)
     named: dict[int, str] = {}
     for name, value in motion.plan.scene.numbers.items():

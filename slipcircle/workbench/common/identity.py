@@ -1,4 +1,4 @@
-"""Digests of Python objects by their content, by which a later run recognises inputs that a text cannot hold."""
+"""Digests of Python objects by content, so that a later run recognises inputs that a text file cannot contain."""
 
 import dis
 import hashlib
@@ -12,16 +12,16 @@ from io import BytesIO
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
-_PASSING = ("_cache", "_methods", "_random_state")  # ends of the names of attributes that using a distribution changes
+_PASSING = ("_cache", "_methods", "_random_state")  # endings of attributes that change when a distribution is used
 
 
 def digest(value: Any) -> str:
-    """Return a digest that differs if the data or the code of two objects differ.
+    """Return a hexadecimal digest that differs if the data or the code of two objects differ.
 
     Raises
     ------
     ValueError
-        If the content is not accessible, for example that of an instance of a user's class.
+        If the content is not accessible, as in an instance of a user's class.
     """
     stream = BytesIO()
     content = _Content(stream)
@@ -37,10 +37,10 @@ def digest(value: Any) -> str:
 
 
 class _Content(pickle.Pickler):
-    """Write data by value, installed packages by name, and other functions by their code and all that it reads."""
+    """Pickler that writes data by value, installed packages by name, and functions by code and globals read."""
 
     def reducer_override(self, value: Any) -> Any:
-        """Return the parts of an object that are written, or `NotImplemented` for those by which it is copied."""
+        """Return the parts of an object to write, or `NotImplemented` if pickle's own parts are used."""
         if isinstance(value, CodeType):
             names = value.co_names, value.co_varnames, value.co_freevars, value.co_flags, value.co_argcount
             return str, (), (value.co_code, value.co_exceptiontable, names, value.co_consts)
@@ -67,7 +67,7 @@ def _name(value: Any) -> str:
 
 
 def _globals(code: CodeType) -> Iterator[str]:
-    """Yield the names of globals that code and the functions within it read."""
+    """Yield the names of the global variables read by code and by the functions within it."""
     for instruction in dis.get_instructions(code):
         if instruction.opname == "LOAD_GLOBAL":
             yield instruction.argval

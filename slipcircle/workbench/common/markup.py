@@ -1,4 +1,4 @@
-"""Texts and tables as HTML that is also well-formed XML."""
+"""Conversion of texts and tables to HTML that is also well-formed XML."""
 
 import base64
 import hashlib
@@ -9,23 +9,23 @@ from slipcircle.base.text import clean
 
 
 class Raw(str):
-    """Text that is HTML already."""
+    """Text that is already HTML, and not escaped again."""
 
     __slots__ = ()
 
 
 def escaped(text: str) -> str:
-    """Text with HTML escaped and without control characters, except for those of preformatted text."""
+    """Return a text with HTML escaped and without control characters other than tabs and line ends."""
     return html.escape(clean(text, "\t\n\r"))
 
 
 def tag(name: str, text: str) -> Raw:
-    """Text in an element."""
+    """Return a text as an HTML element with this name."""
     return Raw(f"<{name}>{text if isinstance(text, Raw) else escaped(text)}</{name}>")
 
 
 def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
-    """Return a table of texts, whose rows are in groups of at most ten."""
+    """Return an HTML table of texts, with its rows in groups of at most ten."""
     top = f"<thead><tr>{''.join(tag('th', c) for c in head)}</tr></thead>" if head else ""
     lines = [f"<tr>{''.join(tag('td', c) for c in row)}</tr>" for row in rows]
     groups = ["\n".join(["<tbody>", *lines[k : k + 10], "</tbody>"]) for k in range(0, len(lines), 10)]
@@ -33,14 +33,14 @@ def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
 
 
 def terms(facts: Iterable[tuple[str, str]]) -> Raw:
-    """Names and values, for a list of them."""
+    """Return names and values as the items of an HTML description list."""
     return Raw("".join(tag("div", Raw(tag("dt", name) + tag("dd", value))) for name, value in facts))
 
 
 def document(title: str, parts: Iterable[str], style: str, script: str = "", compiles: bool = False) -> str:
-    """A self-contained page: its security policy allows only its own style and script, and embedded images.
+    """Return a self-contained page whose security policy allows only its own style, script and embedded images.
 
-    One that ``compiles`` may run WebAssembly that it holds, and no other text as a program.
+    If it ``compiles``, the policy also allows WebAssembly contained in the page, but no other text as a program.
     """
     program = f"//<![CDATA[\n{script}//]]>"  # valid XML for any script
     policy = {
@@ -72,6 +72,6 @@ def document(title: str, parts: Iterable[str], style: str, script: str = "", com
 
 
 def _digest(text: str) -> str:
-    """Digest by which a policy allows a style or a script."""
+    """Return the digest by which a security policy allows a style or a script."""
     digest = hashlib.sha256(text.encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode()}'"

@@ -1,4 +1,4 @@
-"""The quantities of a result, declared once: name, unit, label, and attribute of a `Motion`.
+"""Declarations of the quantities of a result: name, unit, label, and attribute of a `Motion`.
 
 JSON, tables, CSV, pictures, reports, sensitivities, studies and back-analyses use these lists.
 """
@@ -24,42 +24,42 @@ _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, 
 
 
 def words(name: str, unit: str = "") -> str:
-    """The name of a quantity or a status in words."""
+    """Return the name of a quantity or a status in words, with its unit if given."""
     return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """One number of a result."""
+    """Declaration of a quantity of a result: names, unit, and how it is read and printed."""
 
     name: str  # in Python, JSON and heads of CSV files
-    unit: str  # SI, "" where it has none; angles are radians
+    unit: str  # SI, "" if dimensionless; angles are radians
     label: str  # in words
     path: str  # attribute of a `Motion`, with dots; over time a method of times in s, and an attribute of its result
     degrees: bool = False  # printed as an angle in degrees, from radians or a friction coefficient
-    solved: bool = False  # a result to which `Motion.error_estimate` applies
+    solved: bool = False  # a result with the error `Motion.error_estimate`
     key: bool = False  # in every summary
     point: bool = False  # a point, x and y
     where: Function = lambda motion: True  # whether it is printed
-    instead: Callable[[Any], str] = lambda motion: ""  # printed in its place where a motion has none
+    instead: Callable[[Any], str] = lambda motion: ""  # printed in place of a missing value
 
     def read(self, motion: Any) -> Any:
-        """The value in SI units; an array for an ensemble."""
+        """Return the value in SI units, an array for an ensemble."""
         return attrgetter(self.path)(motion)
 
     def columns(self, motion: Any) -> ValueDict:
-        """The value by name; x and y of a point separately."""
+        """Return the value by name; a point becomes two values, ``NAME_x`` and ``NAME_y``."""
         value = self.read(motion)
         return {f"{self.name}_{x}": value[..., k] for k, x in enumerate("xy")} if self.point else {self.name: value}
 
     def at(self, motion: Any, times: Floats) -> Floats:
-        """The values of a quantity over time."""
+        """Return the values of a history quantity at times in s."""
         method, _, part = self.path.partition(".")
         values = getattr(motion, method)(times)
         return np.asarray(getattr(values, part) if part else values, float)
 
     def text(self, motion: Any) -> str:
-        """The printed value of a single motion, with as many digits as its error justifies."""
+        """Return the printed value of a single motion, with as many digits as its error justifies."""
         if not self.where(motion):
             return ""
         if text := self.instead(motion):
@@ -75,7 +75,7 @@ class Quantity:
         return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
 
     def seen(self, value: float) -> tuple[float, str]:
-        """A value in the printed unit, and that unit."""
+        """Return a value converted to the printed unit, and that unit."""
         if self.degrees:
             return math.degrees(value if self.unit else math.atan(value)), "deg"
         factor, unit = prefixed(value, self.unit)
@@ -83,17 +83,17 @@ class Quantity:
 
     @property
     def heading(self) -> str:
-        """Name and unit as tables have them."""
+        """Name in words with the unit, for headings of tables."""
         return words(self.name, self.unit)
 
     @property
     def head(self) -> str:
-        """Name and unit as the head of a column."""
+        """Name with the unit as an identifier, for headers of CSV columns."""
         return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))
 
 
 def _in_summary(_: Any) -> bool:
-    """Return that a quantity is not printed alone: a summary words it."""
+    """Return False: the quantity is not printed alone, because the summary includes it in a sentence."""
     return False
 
 
@@ -102,7 +102,7 @@ def _not_slow(motion: Any) -> str:
 
 
 def _by_method(name: str, motion: Any) -> str:
-    """Return a further factor of safety with its method; empty where it is unknown."""
+    """Return a further factor of safety and its method in words; "" if it is unknown."""
     further = motion.further_factors
     factor = getattr(further, name)
     method = getattr(further, f"{name}_method")
@@ -111,7 +111,7 @@ def _by_method(name: str, motion: Any) -> str:
 
 
 def factor_label(method: str) -> str:
-    """A factor of safety with its method."""
+    """Return the label of the factor of safety by a method."""
     return f"factor of safety by {METHODS[method][0]}"
 
 
@@ -136,7 +136,7 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_stress", "Pa", "mean normal stress at the peak velocity", "peak.normal_stress", solved=True),
     Quantity("end_stress", "Pa", "mean normal stress at the end", "end.normal_stress", solved=True),
 )
-# Of single motions: of an ensemble it takes a hundred times as long as to solve it.
+# For single motions only: for an ensemble these take a hundred times as long as the solution itself.
 SINGLE: tuple[Quantity, ...] = (
     Quantity("slow_run_out", "m", "run-out if moved slowly", "slow_run_out", solved=True, instead=_not_slow),
     Quantity(
@@ -176,7 +176,7 @@ JOURNEY: tuple[Quantity, ...] = (
         instead=lambda motion: "" if motion.moves else "-",
     ),
 )
-# Of sections, which have a position.
+# For sections, which have a position.
 POSITION: tuple[Quantity, ...] = (
     Quantity("area", "m^2", "area of the section", "plan.scene.arc.area"),
     Quantity("mass_per_metre", "kg/m", "mass per metre of width", "plan.scene.arc.mass_per_metre"),
@@ -191,16 +191,17 @@ POSITION: tuple[Quantity, ...] = (
 
 
 def results(motion: Any) -> tuple[Quantity, ...]:
-    """The quantities that a motion has."""
+    """Return the quantities that a motion has, which depend on its section and on whether it is an ensemble."""
     of_one = () if motion.shape else SINGLE
     of_section = POSITION if "ground" in motion.plan.scene.arc.quantities else ()
     return (*RESULTS, *of_one, *of_section, *JOURNEY)
 
 
 def factors(scene: Any, of_motion: Any) -> ValueDict:
-    """Return factors of safety at the start by method, on a ground all of them where the strength is known.
+    """Return factors of safety at the start by method.
 
-    Elsewhere that of the closure alone, from that of a motion with its strength factor.
+    A scene on a ground with known strength has the factors of all methods. Other scenes have only the closure's factor,
+    derived from the factor of a motion with its strength factor, ``of_motion``.
     """
     if "ground" in scene.arc.quantities and soil(scene.friction, scene.effects):
         by_method = factors_of_safety(scene)
@@ -209,39 +210,39 @@ def factors(scene: Any, of_motion: Any) -> ValueDict:
 
 
 def factors_of(motion: Any) -> ValueDict:
-    """Return the factors of safety of a motion at its start by method; of a single motion numbers."""
+    """Return the factors of safety of a motion at its start by method; floats for a single motion, else arrays."""
     found = factors(motion.plan.scene, motion.factor_of_safety)
     return found if motion.shape else {method: float(factor) for method, factor in found.items()}
 
 
 def factor_text(factor: float | None) -> str:
-    """A factor of safety, or that its method refuses the circle."""
+    """Return a factor of safety in words, or "refused" if its method rejects the circle."""
     return "refused" if factor is None or math.isnan(factor) else shown(factor)
 
 
-# What an ensemble is drawn for and a derivative taken of: `Motion` has them of every scene.
+# Results of ensembles and derivatives, available for every scene.
 OUTCOMES: Mapping[str, Quantity] = {q.name: q for q in RESULTS if q.name in ("run_out", "peak_velocity", "duration")}
-# What may be observed or aimed at in a back-analysis.
+# Results that may be observed, or be the target of a back-analysis.
 _SEEN = "run_out end_displacement peak_velocity duration toe_rise toe_x crest_drop centroid_travel factor_of_safety"
 _BY_NAME = {q.name: q for q in (*RESULTS, *JOURNEY, *POSITION)}
 OBSERVABLE: Mapping[str, Quantity] = {name: _BY_NAME[name] for name in _SEEN.split()}
 
 
 def observable(motion: Any, name: str) -> Any:
-    """One of `OBSERVABLE`; an array for an ensemble."""
+    """Return a quantity of `OBSERVABLE` of a motion by its name; an array for an ensemble."""
     return motion.outcomes[name] if name in OUTCOMES else OBSERVABLE[name].read(motion)
 
 
 class Interval(NamedTuple):
-    """What was observed lies between two values, as likely in one place as in another.
+    """Observed interval of a quantity, with a uniform distribution between its ends.
 
-    In a back-analysis it counts as its middle with the standard error of a uniform distribution, its width over
-    sqrt(12). With one infinite end it is a limit, ``Interval(-math.inf, 60.0)``.
+    A back-analysis uses its middle with the standard error of a uniform distribution, width / sqrt(12). An interval
+    with one infinite end is a limit, ``Interval(-math.inf, 60.0)``.
 
     Attributes
     ----------
     low, high : float
-        SI units, the lower one first.
+        Ends of the interval in SI units, with low first.
     """
 
     low: float
@@ -253,12 +254,12 @@ class Interval(NamedTuple):
 
     @property
     def standard_error(self) -> float:
-        """Of a uniform distribution; negative where the ends are reversed."""
+        """Standard error of a uniform distribution; negative if the ends are reversed."""
         return (self.high - self.low) / math.sqrt(12.0)
 
     @classmethod
     def of_limit(cls, text: str) -> Self:
-        """Return the limit that a text such as "<60" or ">60" gives; another text has none."""
+        """Return the interval for a limit in a text such as "<60" or ">60"; both ends are NaN for another text."""
         try:
             end = float(text[1:])
         except ValueError:
@@ -268,7 +269,7 @@ class Interval(NamedTuple):
 
     @property
     def limit(self) -> float | None:
-        """Finite end of an interval with one infinite end; None for others."""
+        """Finite end of an interval with one infinite end, else None."""
         low, high = map(math.isfinite, self)
         return None if low == high else self.low if low else self.high
 
@@ -303,7 +304,7 @@ HISTORY: Mapping[str, Quantity] = {
 
 
 def plain(value: Any) -> Any:
-    """A value in types of JSON; None if it is not finite."""
+    """Return a value converted to types of JSON, with numbers that are not finite replaced by None."""
     if is_dataclass(value) and not isinstance(value, type):
         return plain(asdict(value))
     if isinstance(value, Mapping):
@@ -316,7 +317,7 @@ def plain(value: Any) -> Any:
 
 
 def json_text(record: Any) -> str:
-    """Records as JSON, each with the version of its keys first; the schema of scene files has its own."""
+    """Return a record or a list of records as JSON text, each with its format version first (except a schema)."""
     content = plain(record)
     many = [content] if isinstance(content, dict) else content
     stamped = [one if "$schema" in one else {"format": JSON_FORMAT} | one for one in many]
@@ -324,7 +325,7 @@ def json_text(record: Any) -> str:
 
 
 def to_error(value: float, error: float) -> str:
-    """A number to two digits of its error, or as `shown` without one."""
+    """Return a number in words, to two digits of its error; as `shown` if the error is not positive."""
     if not error > 0.0:
         return shown(value)
     last = math.floor(math.log10(error)) - 1  # position of the last digit
@@ -335,13 +336,13 @@ def to_error(value: float, error: float) -> str:
 
 
 def time_text(nanoseconds: float) -> str:
-    """A measured time, to three digits."""
+    """Return a measured time in words to three digits, in ns, us or ms."""
     per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))
     return f"{shown(nanoseconds / per, 3)} {unit}"
 
 
 def prefixed(values: Any, unit: str) -> tuple[float, str]:
-    """A factor for convenient sizes of stresses, energies and forces, and the unit with its prefix."""
+    """Return a factor to a convenient unit for stresses, energies and forces, and that unit with its prefix."""
     size = float(np.max(np.abs(values), initial=0.0))
     if unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
         return 1.0, unit

@@ -1,4 +1,4 @@
-"""A motion for JSON, and the stretches of its arc."""
+"""Conversion of a motion and the stretches of its arc to JSON."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -13,7 +13,7 @@ from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 
 def record(motion: Any) -> ValueDict:
-    """A motion for JSON: SI units, radians, full precision; null for infinite or unknown values."""
+    """Return a motion as values of JSON, in SI units; infinite and unknown values become None."""
     scene, law = motion.plan.scene, motion.plan.scene.friction
     stability = stability_of(scene)
     factors = motion.further_factors
@@ -48,7 +48,7 @@ def record(motion: Any) -> ValueDict:
 
 
 def stretch_records(motion: Any) -> list[ValueDict]:
-    """The stretches of a layered arc from entry to exit with their soils; empty for another arc."""
+    """Return the stretches of a layered arc from entry to exit with their soils; empty for another arc."""
     arc = motion.plan.scene.arc
     if not isinstance(arc, LayeredSection):
         return []
@@ -56,7 +56,7 @@ def stretch_records(motion: Any) -> list[ValueDict]:
 
 
 def foreland_words(arc: Any) -> str:
-    """The soil whose strength continues beyond the exit of a layered arc; empty for another arc."""
+    """Return in words which soil's strength continues beyond the exit of a layered arc; "" for another arc."""
     if not isinstance(arc, LayeredSection) or arc.lanes_shape or arc.strength == "mass":
         return ""
     (layer,) = arc.arc_strength.stretches.last

@@ -1,4 +1,4 @@
-"""The method from whose factor of safety a motion starts, and the motion from another method's factor."""
+"""Start of a motion from the factor of safety of a method, and the alternative start by another method."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -14,9 +14,10 @@ _WHOSE = {"paper": "the paper's", "ordinary": "the ordinary method's", "bishop":
 
 
 class Start(NamedTuple):
-    """A method, the strength factor and the factor of safety that it gives, and the motion that starts from it.
+    """Start of a motion by a method: strength factor, factor of safety, and the motion from there.
 
-    Under shaking the yield coefficient is in the place of the factor of safety. A motion without a result is None.
+    Under shaking, ``value`` is the yield coefficient instead of the factor of safety. The motion is None if it has no
+    result.
     """
 
     method: str
@@ -25,18 +26,18 @@ class Start(NamedTuple):
     motion: Motion | None
 
     def record(self) -> ValueDict:
-        """Return the start for JSON."""
+        """Return method, strength factor and run-out in m as values of JSON."""
         run_out = self.motion.run_out if self.motion else None
         return {"method": self.method, "strength_factor": self.strength_factor, "run_out": run_out}
 
 
 def method_of(scene: Scene[Any]) -> str:
-    """Return the method from whose factor of safety the motion of a scene starts."""
+    """Return the name of the method whose factor of safety starts the motion of a scene."""
     return scene.start if isinstance(scene, SlopeScene) else OF_CLOSURE
 
 
 def starts(motion: Motion) -> tuple[Start, Start] | None:
-    """Return the start of a single motion and the alternative; None where both are equal or none is chosen."""
+    """Return the start of a single motion and the alternative; None if both are equal or no method is chosen."""
     scene = motion.plan.scene
     if not isinstance(scene, SlopeScene) or not scene.starts_by_method:
         return None
@@ -55,7 +56,7 @@ def starts(motion: Motion) -> tuple[Start, Start] | None:
 
 
 def _start(motion: Motion | None, scene: SlopeScene) -> Start:
-    """Return the start of a scene with its motion."""
+    """Return the start of a scene, and the motion from there."""
     value = float("nan")
     if motion is not None:
         value = motion.yield_coefficient if "shaking" in scene.called else motion.factor_of_safety
@@ -63,13 +64,13 @@ def _start(motion: Motion | None, scene: SlopeScene) -> Start:
 
 
 def start_words(motion: Motion, of_methods: tuple[Start, ...]) -> str:
-    """Return the run-out from the factor of each of these methods, in words."""
+    """Return in words the run-out from the factor of safety of each of these methods."""
     symbol = "k_y" if "shaking" in motion.plan.scene.called else "F"
     return "; ".join(_words(symbol, of_methods))
 
 
 def _words(symbol: str, both: tuple[Start, ...]) -> Iterator[str]:
-    """Yield the run-out from the factor of each method."""
+    """Yield in words the run-out from the factor of safety of each method."""
     for method, _, value, motion in both:
         if motion is None:
             yield f"no result from {_WHOSE[method]} {symbol}"

@@ -1,4 +1,4 @@
-"""Key results of a single motion by label, as `run`, live pages and notebooks show them."""
+"""Key results of a single motion by label, shown by `run`, live pages and notebooks."""
 
 from typing import Any
 
@@ -23,10 +23,10 @@ from slipcircle.workbench.stability.starting import OF_CLOSURE
 
 
 def summary(motion: Motion) -> TextDict:
-    """Return the key results by label.
+    """Return the key results of a single motion in words, by label.
 
-    These are the factor of safety by the method from which the motion starts, the outcomes beside what was observed,
-    the range of validity, and the run-out from the factor of safety of another method.
+    These are the factor of safety by the method that starts the motion, the outcomes with their observed values, the
+    range of validity, and the run-out from the factor of safety of another method.
     """
     scene = motion.plan.scene
     known = factors_of(motion)
@@ -49,7 +49,7 @@ def summary(motion: Motion) -> TextDict:
 
 
 def end_words(motion: Motion) -> TextDict:
-    """Return texts by label in place of the outcomes of a motion that does not simply come to rest."""
+    """Return texts, by label, that replace outcomes of a motion that does not simply come to rest."""
     run_out = "run-out along the arc"
     if not motion.moves:
         return {"comes to rest": "does not move", "duration": "does not move"}
@@ -69,7 +69,7 @@ def end_words(motion: Motion) -> TextDict:
 
 
 def _observation(motion: Motion, name: str, seen: Any) -> str:
-    """Return what was observed of an outcome, with its error, or whether the motion is inside an interval."""
+    """Return the observed value of an outcome with its error in words, or whether the motion is in the interval."""
     unit = OBSERVABLE[name].unit
     if isinstance(seen, Interval):
         side = "inside" if seen.low <= observable(motion, name) <= seen.high else "outside"

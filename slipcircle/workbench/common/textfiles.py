@@ -1,4 +1,4 @@
-"""Text and tables of numbers in files of other programs."""
+"""Text and tables of numbers in files written by other programs."""
 
 import codecs
 import io
@@ -28,11 +28,11 @@ def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds
     Raises
     ------
     ValueError
-        If it cannot be read, is too large, holds too many numbers, or is not text; names the file and the remedy.
+        If it cannot be read, is too large, has too many numbers, or is not text; names the file and the remedy.
     """
     try:
         size = path.stat().st_size
-        if not path.is_file():  # but a folder, a device, or a pipe that never ends
+        if not path.is_file():  # such as a folder, a device, or an endless pipe
             raise ValueError(f"{name}: is not a file; give the file of a record")
         if size > most_bytes:
             most = f"must be at most {most_bytes / 1e6:.0f} MB; cut or resample the record"
@@ -43,7 +43,7 @@ def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds
     is_blank = np.frombuffer(data, np.uint8) <= ord(",")
     count = np.count_nonzero(is_blank[1:] & ~is_blank[:-1])
     if count > most_numbers:
-        raise ValueError(f"{name}: holds {count:.2g} numbers: must be at most {most_numbers:.2g}; cut or resample it")
+        raise ValueError(f"{name}: has {count:.2g} numbers: must be at most {most_numbers:.2g}; cut or resample it")
     text = decoded(data)
     if "\0" in text[:4096]:
         raise ValueError(f"{name}: is not text; save the record as {kinds}")
@@ -62,7 +62,7 @@ def decoded(data: bytes) -> str:
 
 
 def without_comment(line: str) -> str:
-    """A line without comment and surrounding blanks; a mark begins a comment at the start or after a blank."""
+    """Return a line without its comment, which a mark begins at the start or after a blank, and outer blanks."""
     plain = line.strip()
     if plain[:1] in ("#", "%", "!"):
         return ""
@@ -70,7 +70,7 @@ def without_comment(line: str) -> str:
 
 
 def split(line: str, separator: str | None) -> list[str]:
-    """The fields of a line, without their quotes; a separator may end the line."""
+    """Return the fields of a line without quotes; a separator at the end of the line adds no field."""
     fields = [field.strip().strip('"') for field in line.split(separator)]
     return fields[:-1] if len(fields) > 1 and not fields[-1] and fields[-2] else fields
 
@@ -97,7 +97,7 @@ def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int
 
 
 def _is_count(text: str, line: int) -> bool:
-    """Whether a line is the number of the lines or numbers below it, and their step."""
+    """Return whether a line states the number of the lines or numbers below it, and their time step."""
     *_, first, below = text.split("\n", line + 1)
     stated = NUMBER_AND_STEP.fullmatch(first)
     return stated is not None and int(stated[1]) in (
@@ -107,7 +107,10 @@ def _is_count(text: str, line: int) -> bool:
 
 
 def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
-    """The separator and number of columns of a line of numbers, some of which may be times of day; else empty."""
+    """Return the separator and number of columns of a line of numbers; empty for another line.
+
+    Some of the numbers may be times of day. The result is a list of at most one tuple, which begins with ``k``.
+    """
     for separator in SEPARATORS:
         fields = split(line, separator)
         filled = list(filter(None, fields))
@@ -120,7 +123,7 @@ def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
 def cells_of(
     name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1
 ) -> tuple[list[str], Lines]:
-    """Fields below a header, and the line of each: of a table with so many columns, or all in sequence."""
+    """Return the fields below a header and the line number of each; a table of ``width`` > 1 must be complete."""
     fields, lines = list[str](), array("q")
     for k, line in enumerate(map(without_comment, below), above + 1):
         if not line:
@@ -138,7 +141,7 @@ def cells_of(
 
 
 def numbers_of(name: str, fields: Sequence[str], lines: Lines) -> Floats:
-    """The fields as numbers."""
+    """Return the fields of a file as numbers; an invalid field raises an error with its line."""
     joined = "".join(fields)
     try:
         if "_" in joined or not joined.isascii():  # numbers in Python's spelling
@@ -155,7 +158,7 @@ def _number(name: str, line: int, field: str) -> float:
 
 
 def plain_numbers(cells: list[str]) -> Floats:
-    """The numbers of a column; none if a cell is not a plain number."""
+    """Return the cells of a column as numbers; an empty array if a cell is not a plain number."""
     try:
         return np.array(cells, dtype=np.float64)
     except ValueError:
@@ -163,7 +166,7 @@ def plain_numbers(cells: list[str]) -> Floats:
 
 
 def is_even(numbers: Floats, longest: float) -> bool:
-    """Whether numbers increase by equal steps below the longest one, but for their rounding."""
+    """Return whether numbers increase by equal steps, up to rounding, that are shorter than ``longest``."""
     if numbers.size < 2 or not np.all(np.abs(numbers) < 1e300):
         return False
     even, step = np.linspace(numbers[0], numbers[-1], numbers.size, retstep=True)
@@ -172,7 +175,7 @@ def is_even(numbers: Floats, longest: float) -> bool:
 
 
 def check_count(name: str, count: int, stated: float) -> None:
-    """Reject a file with another number of values than its header states."""
+    """Raise an error if the number of values in a file differs from the number stated in its header."""
     if count != stated:
         raise ValueError(
             f"{name}: holds {count} values, but its header says {stated:.0f}; is the file cut short, or another's "

@@ -1,4 +1,4 @@
-"""Units: their sizes, the suffixes that they give to keys of scene files, and their spellings in record files."""
+"""Units: sizes, suffixes of keys in scene files, and spellings in record files."""
 
 import re
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ _POUND = 0.45359237 * 9.80665  # N, of force
 _PSF = _POUND / _FOOT**2
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "ft": _FOOT, "in": 0.0254, "us_ft": 1200 / 3937}
 STRESSES = {"kPa": 1e3, "Pa": 1.0, "MPa": 1e6, "psf": _PSF, "ksf": 1e3 * _PSF, "psi": 144 * _PSF}
-UNITS_OF_KEYS: Mapping[str, Mapping[str, float]] = {  # by SI unit; the first is that of published keys
+UNITS_OF_KEYS: Mapping[str, Mapping[str, float]] = {  # by SI unit; published keys have the first unit
     "m": LENGTHS,
     "m/s": {f"{length}/s": size for length, size in LENGTHS.items()},
     "m/s^2": {f"{length}/s2": size for length, size in LENGTHS.items()},
@@ -37,7 +37,7 @@ _PER_S2 = r"(?:/s/s|/\(?s[.*]?s\)?|/\(?s2\)?|[._]?s-2|_s_?2)"
 
 
 class Quantity(NamedTuple):
-    """A quantity in record files: sizes of its units, expressions for their spellings, and formats of its files."""
+    """Quantity in record files: sizes of its units, expressions for their spellings, and formats of its files."""
 
     name: str
     units: Mapping[str, float]
@@ -93,7 +93,7 @@ _TYPED = str.maketrans({"²": "2", "⁻": "-", "−": "-", "–": "-", "·": "."
 
 
 def suffix(unit: str) -> str:
-    """Return the end of a key with a unit: ``per_m_kPa`` for kPa/m, ``ft_s2`` for ft/s2."""
+    """Return the ending of a key for a unit: ``per_m_kPa`` for kPa/m, ``ft_s2`` for ft/s2."""
     of, _, per = unit.partition("/")
     return f"per_{per}_{of}" if per in LENGTHS else unit.replace("/", "_")
 
@@ -107,7 +107,10 @@ _SUFFIX = re.compile(f"_({'|'.join(sorted(_PUBLISHED, key=len, reverse=True))})$
 
 
 def published(key: str) -> tuple[str, str, float]:
-    """Return the published spelling of a key, the unit at its end, and the unit's size in that of the spelling."""
+    """Return the published spelling of a key, the unit of the key, and the ratio of this unit to the published unit.
+
+    The key ``height_ft`` gives ("height_m", "ft", 0.3048).
+    """
     found = _SUFFIX.search(key)
     if found is None:
         return key, "", 1.0
@@ -116,7 +119,7 @@ def published(key: str) -> tuple[str, str, float]:
 
 
 def spelt_like(typed: str, key: str) -> str:
-    """Return a published key with the unit of another one, where both have the same quantity."""
+    """Return a published key rewritten in the unit of a typed key, if both have the same quantity."""
     spelling, unit, _ = published(typed)
     end = suffix(unit)
     of_published = spelling[len(typed) - len(end) :]
@@ -124,7 +127,7 @@ def spelt_like(typed: str, key: str) -> str:
 
 
 def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:
-    """Return the unit that a text spells, by its key in ``units``; None if it is not a unit of the quantity."""
+    """Return the unit in ``quantity.units`` that a text spells; None if it is not a unit of the quantity."""
     plain = re.sub(r"\bper\b", "/", text.strip().lower().translate(_TYPED))
     plain = re.sub(r"sec(?:ond)?s?(?![a-z])", "s", plain).replace("squared", "2")
     plain = re.sub(r"\s|\^|\*\*", "", plain)
@@ -136,7 +139,7 @@ def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:
 
 
 def seconds_of(unit: str, text: str, default: str = "s") -> float:
-    """Return a time in s from a text such as "0.02 sec", whose unit may be known apart; 0 if it is not a time."""
+    """Return a time in s from a text such as "0.02 sec", or from a text and a unit; 0 if it is not a time."""
     found = re.match(r"(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+)\s*([^\d\s/,;]*)", text, re.IGNORECASE)
     if found is None or not 0.0 < float(found[1]) < 1e9:
         return 0.0
@@ -147,18 +150,21 @@ def seconds_of(unit: str, text: str, default: str = "s") -> float:
 
 
 def period_of(unit: str, text: str) -> float:
-    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not one."""
+    """Return the period in s of a rate such as "50Hz" or "200"; 0 if the text is not a rate."""
     return seconds_of(unit, text, "Hz")
 
 
 def over_gravity(values: Floats, units: str, holds: str, gravity: float) -> Floats:
-    """Accelerations as driving ones over gravity."""
+    """Return accelerations in units of gravity, positive if they drive the mass down-slope.
+
+    Accelerations of the ground, with ``holds`` equal to "ground", change their sign.
+    """
     factor = GRAVITIES.get(units, UNITS[units] / gravity)
     return values * (-factor if holds == "ground" else factor) + 0.0
 
 
 def check_strength(name: str, values: Floats, units: str) -> None:
-    """Reject accelerations beyond any recorded ground motion, and name the unit in which they would be plausible."""
+    """Reject accelerations beyond any recorded ground motion, and suggest a unit that makes them plausible."""
     most = float(np.max(np.abs(values), initial=0.0))
     peak = most * UNITS[units] / 9.81
     if peak <= STRONGEST:

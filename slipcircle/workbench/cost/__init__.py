@@ -1,1 +1,1 @@
-"""What each way to compute something costs, and its error."""
+"""Computing time and error of the alternative ways to compute a result."""

@@ -1,4 +1,4 @@
-"""What accuracy costs as a picture: error against time."""
+"""Picture of the cost of accuracy: error against time."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -13,7 +13,10 @@ _LEAST, _NONE = 1e-17, 1.0  # ends of the axis of errors; errors beyond are draw
 
 
 def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
-    """Error against time by group, each point with its way, a line through the frontier and a bar up to the bound."""
+    """Draw error against time by group, with the name of each way; return the axis.
+
+    A line connects the ways on the frontier, and a bar extends from each error to its bound.
+    """
     axes = axis(ax, SIZE)
     for group, style in zip(dict.fromkeys(row.group for row in rows), SERIES, strict=False):
         _group([row for row in rows if row.group == group], style, axes)
@@ -30,7 +33,7 @@ def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
 
 
 def _group(rows: Sequence[Row], style: tuple[str, Any, str], axes: Any) -> None:
-    """The ways of a group."""
+    """Draw the ways of a group."""
     colour, dashes, marker = style
     for row in rows:
         height = _height(row.error)

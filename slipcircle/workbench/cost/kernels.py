@@ -1,4 +1,4 @@
-"""What accuracy costs for a kernel: its tiers beside the form that the paper prints, against exact values.
+"""Cost of accuracy for a kernel: error and time of its tiers and of the printed form, against exact values.
 
 Inputs are uniform in value, and uniform in decades towards both ends of [0, pi/2].
 """
@@ -19,18 +19,18 @@ from slipcircle.workbench.cost.rows import Row, judged, medians
 
 KERNELS = (*CLOSED, *QUOTIENTS)
 SIZE = 10_000  # elements of the timed arrays, which stay in the cache
-POINTS = 10_000  # at which errors are seen
-_DECADES = {"float64": -96.0, "float32": -12.0}  # below which moments, alpha**3 or smaller, underflow
+POINTS = 10_000  # number of points for the errors
+_DECADES = {"float64": -96.0, "float32": -12.0}  # decades below which moments, alpha**3 or smaller, underflow
 _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
 
 
 class Way(NamedTuple):
-    """A way to compute a kernel."""
+    """Way to compute a kernel."""
 
     name: str
     function: Callable[[Any], Any]
     kind: str = "float64"  # format of its input and result
-    bound: float | None = None  # proved, of the relative error
+    bound: float | None = None  # proved bound of the relative error
 
 
 class Exact(NamedTuple):
@@ -39,10 +39,10 @@ class Exact(NamedTuple):
     points: Floats
     nearest: Floats
     rest: Floats
-    least: float  # that errors are relative to
+    least: float  # least size to which errors are relative
 
     def errors(self, results: NDArray[Any]) -> Floats:
-        """Relative errors; infinite where a result is not finite."""
+        """Return the relative errors of results at the points; infinite where a result is not finite."""
         size = np.maximum(np.abs(self.nearest), self.least)
         with np.errstate(all="ignore"):
             errors = np.abs((results - self.nearest) - self.rest) / size
@@ -50,7 +50,7 @@ class Exact(NamedTuple):
 
 
 def of_kernel(name: str) -> list[Row]:
-    """Return errors and times of all ways to compute a kernel."""
+    """Return a row with error and time for each way to compute a kernel."""
     optional("flint", "the reference", "python-flint")
     inputs_in_order = np.random.default_rng(0).uniform(0.0, np.pi / 2, SIZE)
     every = list(ways(name))
@@ -65,21 +65,21 @@ def of_kernel(name: str) -> list[Row]:
 
 
 def ways(name: str) -> Iterator[Way]:
-    """The tiers of a kernel as this machine runs them, the same on NumPy, and the printed form."""
+    """Yield the tiers of a kernel as this machine runs them, the same tiers on NumPy, and the printed form."""
     for level in dict.fromkeys((_compiled.LEVEL, "numpy")):
         form, _ = _compiled.LEVELS[level]
         for tier in kernels.TEXTS[name]:
             proved = tiers.BOUNDS.get(name, {}).get(tier, {})
             bound, _ = proved.get(form, proved.get("plain", (None, None)))
             kind = "float32" if tier == "float32" else "float64"
-            asked = bound if tier.startswith("1e") else None  # the cheapest that meets its own bound is itself
+            asked = bound if tier.startswith("1e") else None  # a tier is the cheapest that meets its own bound
             call = partial(_compiled.kernel(name, kernels.TEXTS[name], level), accuracy=asked)
             yield Way(tier if level != "numpy" else f"{tier}, NumPy", call, kind, bound)
     yield Way("printed", partial(as_printed, name))
 
 
 def as_printed(name: str, x: Floats) -> Floats:
-    """As the paper prints it; where it does not, its closed form, or the quotient of two."""
+    """Return a kernel as the paper prints it, otherwise by its closed form or as a quotient of two kernels."""
     with np.errstate(all="ignore"):
         if hasattr(printed, name):
             value = getattr(printed, name)(x)
@@ -97,7 +97,7 @@ def as_printed(name: str, x: Floats) -> Floats:
 
 @cache
 def inputs(kind: str = "float64") -> NDArray[Any]:
-    """Inputs in a format, sorted, drawn with a fixed seed."""
+    """Return inputs from 0 to pi/2 in a format ("float64" or "float32"), sorted, drawn with a fixed seed."""
     rng = np.random.default_rng(2017)
     uniform = rng.uniform(0.0, np.pi / 2, POINTS // 2)
     decades = rng.uniform(_DECADES[kind], 0.0, POINTS // 4)
@@ -108,7 +108,7 @@ def inputs(kind: str = "float64") -> NDArray[Any]:
 
 @cache
 def reference(name: str, kind: str = "float64") -> Exact:
-    """Exact values of a kernel at `inputs`, where it has one, by its declared closed form in ball arithmetic."""
+    """Return exact values of a kernel at `inputs` where they exist, by its closed form in ball arithmetic."""
     from flint import ctx
 
     with ctx.workprec(400):
@@ -125,12 +125,12 @@ def reference(name: str, kind: str = "float64") -> Exact:
 
 @cache
 def _balls(kind: str) -> dict[float, dict[str, Any]]:
-    """Every base quantity at every input; they share sine, cosine and logarithm."""
+    """Return every base quantity at every input as balls, by input and name."""
     from flint import arb, ctx
 
     values = {}
     for alpha in inputs(kind).tolist():
-        # For 50 digits: closed forms are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
+        # For 50 digits: closed forms are O(alpha**3) differences of O(alpha) terms, 1 - cos a difference of O(1) terms.
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(320 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
@@ -139,7 +139,7 @@ def _balls(kind: str) -> dict[float, dict[str, Any]]:
             if not half < right_angle:
                 half = right_angle
             sine, cosine = half.sin(), half.cos()
-            tangent = sine / (1 + cosine)  # of x/2, as artanh(sin x) = 2 artanh(tan(x/2))
+            tangent = sine / (1 + cosine)  # tan(x/2), as artanh(sin x) = 2 artanh(tan(x/2))
             log = arb(0) if cosine.contains(0) else 2 * tangent.atanh()
             balls = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
             values[alpha] = {name: form(balls, half) for name, form in CLOSED.items()}

@@ -1,6 +1,6 @@
-"""Ways to compute the same thing: error and time of each, measured here, and which of them are worth their time.
+"""Alternative ways to compute the same result: error and time of each, measured here, and a verdict.
 
-Ratios within one run mean something; absolute times belong to the machine that the answer names.
+Ratios within one run are meaningful; absolute times belong to the machine that the output names.
 """
 
 import math
@@ -12,30 +12,30 @@ from timeit import timeit
 
 import numpy as np
 
-ULP = 2.0**-52  # relative errors that differ by no more are equal
+ULP = 2.0**-52  # relative errors that differ by at most this are equal
 MARGIN = 1.2  # times and errors whose ratio is smaller are equal
 REPEATS = 9
 FRONTIER = "frontier"
 RECOMMENDED = "recommended"
 BEATEN = "beaten by "
-_TICK = 5e-4  # s, the shortest work that is timed
-_PATIENCE = 2.0  # s, after which no further turn begins
+_TICK = 5e-4  # s, shortest timed work
+_PATIENCE = 2.0  # s, after which the turns end
 
 
 @dataclass(frozen=True)
 class Row:
-    """One way to compute something.
+    """Error and time of one way to compute a result.
 
     Attributes
     ----------
     group, way : str
-        What is computed, and how.
+        Name of the result, and of the method.
     count : int
-        Elements or scenes that were computed at once.
+        Number of elements or scenes that were computed at once.
     error : float
-        Largest relative error seen.
+        Largest observed relative error.
     bound : float or None
-        Proved or estimated bound of it.
+        Proved or estimated bound of the error.
     seconds : float
         Processor time of one element or scene, the median of several turns.
     verdict : str
@@ -61,15 +61,18 @@ class Row:
 
 
 def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
-    """Seconds that each piece of work took, several times, all of them in turns: disturbances affect all alike."""
-    # glibc gives the heap's top back to the system, and faults every page again, until a large array came and went:
-    # NumPy's expressions take up to three times longer before. Most programs are past that, so this one shall be.
+    """Return the processor seconds of each piece of work, several times.
+
+    All pieces run in turns, so that disturbances affect them alike.
+    """
+    # Until a large array has been allocated and freed, glibc returns the top of the heap to the system and faults its
+    # pages again, and NumPy expressions take up to three times longer. Most programs are past that state.
     np.ones(4_000_000)
     loops = []
     for work in works:
-        work()  # what is slow at first only shall not pass for long work
+        work()  # a slow first run shall not be taken for long work
         count = 1
-        while count * _timed(work, count) < _TICK:  # by a coarse clock one loop may take no time
+        while count * _timed(work, count) < _TICK:  # a coarse clock may measure 0 for one loop
             count *= 2
         loops.append(count)
     samples: list[list[float]] = [[] for _ in works]
@@ -78,24 +81,24 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
         if turn and time.monotonic() - start > _PATIENCE:
             break
         for work, count, sample in zip(works, loops, samples, strict=True):
-            if count > 1:  # short work finds the caches as the one before left them
+            if count > 1:  # the preceding work has changed the caches
                 work()
             sample.append(_timed(work, count))
     return samples
 
 
 def medians(works: Sequence[Callable[[], object]]) -> list[float]:
-    """Median seconds of each piece of work."""
+    """Return the median processor seconds of each piece of work."""
     return [median(sample) for sample in interleaved(works)]
 
 
 def _timed(work: Callable[[], object], loops: int) -> float:
-    """Processor seconds of one loop."""
+    """Return the processor seconds of one loop."""
     return max(timeit(work, timer=time.process_time, number=loops) / loops, 1e-9)
 
 
 def judged(rows: Iterable[Row]) -> list[Row]:
-    """Name for each row of a group the fastest way that beats it, if there is one."""
+    """Return the rows of a group with verdicts: the fastest way that beats each, or that it is on the frontier."""
     rows = list(rows)
     judged_rows = []
     for row in rows:
@@ -109,14 +112,18 @@ def judged(rows: Iterable[Row]) -> list[Row]:
 
 
 def _beats(one: Row, other: Row) -> bool:
-    """Whether one way is faster or more accurate by more than a tie, and not worse in the other respect."""
+    """Return whether one way is faster or more accurate by more than a tie, and not worse in the other respect."""
     if one.seconds > other.seconds or one.error > other.error + ULP:
         return False
     return one.seconds * MARGIN < other.seconds or one.error * MARGIN + ULP < other.error
 
 
 def recommended(rows: Sequence[Row], accuracy: float | None = None, budget: float | None = None) -> list[Row]:
-    """Mark the fastest way whose error and bound are at most an accuracy, or the most accurate way within a budget."""
+    """Return the rows with the recommended way marked.
+
+    This is the most accurate way within a ``budget`` in s; without a budget, the fastest way whose error and bound are
+    at most ``accuracy``.
+    """
     if budget is not None:
         meeting = [row for row in rows if row.seconds <= budget]
         best = min(meeting, key=lambda row: (row.error, row.seconds), default=None)
@@ -131,7 +138,7 @@ def recommended(rows: Sequence[Row], accuracy: float | None = None, budget: floa
 
 
 def price_of_a_digit(rows: Sequence[Row]) -> float:
-    """Return the factor in time for one digit more, between the least and the most accurate way; NaN without two."""
+    """Return the factor in time for one more digit, between least and most accurate way; NaN if undefined."""
     finite = [row for row in rows if 0.0 < row.error < 1.0]
     if len(finite) < 2:
         return math.nan

@@ -1,4 +1,4 @@
-"""What accuracy costs for a scene: its error and its time, alone and in an ensemble, at each requested accuracy."""
+"""Cost of accuracy for a scene: its error and time, alone and in an ensemble, at each requested accuracy."""
 
 import time
 from collections.abc import Mapping
@@ -15,27 +15,27 @@ from slipcircle.workbench.cost.rows import Row, judged, medians, recommended
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 
 Ranges = tuple[dict[str, tuple[float, ...]], bool]
-_PRIMES = (2, 3, 5, 7, 11, 13)  # whose roots spread several numbers independently
+_PRIMES = (2, 3, 5, 7, 11, 13)  # their square roots spread several numbers independently
 ACCURACIES = ("1e-3", "1e-6", "1e-9", "1e-12", "1e-15")
-DEFAULT = 1e-9  # of `solve`
-REFERENCE = 1e-16  # accuracy to which the reference is solved: one order more than the most accurate way
+DEFAULT = 1e-9  # default accuracy of `solve`
+REFERENCE = 1e-16  # accuracy of the reference, one order better than the most accurate way
 ALONE = "alone"
 ENSEMBLE = "ensemble"
 ANY = "any"  # accuracy: a single scene is solved to rounding
-SPREAD = 0.2  # of the strength, by which the cases of an ensemble differ from the scene without distributions
-QUANTILES = (0.01, 0.99)  # between which a distribution of the scene is covered
-_STRENGTH = ("friction", "cohesion", "soils.")  # beginnings of the names of its numbers
-_UNITS = ("", "Pa")  # of which, of these
-MOST = 10_000  # cases
-PASS = 0.15  # s that an ensemble may take
+SPREAD = 0.2  # range of the strength to both sides, relative, in a scene without distributions
+QUANTILES = (0.01, 0.99)  # ends of the covered range of a distribution
+_STRENGTH = ("friction", "cohesion", "soils.")  # prefixes of the names of strength parameters
+_UNITS = ("", "Pa")  # units of strength parameters
+MOST = 10_000  # greatest number of cases of an ensemble
+PASS = 0.15  # s, greatest time of an ensemble
 
 
 def of_scene(scene: Scene, vary: Mapping[str, tuple[float, float]] | None = None) -> list[Row]:
-    """Return errors and times of a scene, alone and in an ensemble; a scene of arrays is the ensemble itself.
+    """Return rows with error and time of a scene, alone and in an ensemble; arrays are an ensemble themselves.
 
     Errors are the largest relative errors of run-out, peak velocity and duration over the ensemble, compared with a
-    solution with more terms. The ensemble covers the ranges ``vary`` by key, in its unit, else the distributions of the
-    scene, else its strength within `SPREAD`.
+    solution with more terms. The ensemble covers the ranges ``vary`` by key, in the unit of the key, or else the
+    distributions of the scene, or else its strength within `SPREAD`.
     """
     if scene.shape:
         return _of_ensemble(scene, False, int(np.prod(scene.shape)))
@@ -51,7 +51,7 @@ def of_scene(scene: Scene, vary: Mapping[str, tuple[float, float]] | None = None
 
 
 def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
-    """Return the time that the most accurate solution of an ensemble takes, in seconds."""
+    """Return the time in s that the most accurate solution of an ensemble takes."""
     ensemble, invalid = _varied(scene, ranges, cases)
     start = time.process_time()
     solve(ensemble, REFERENCE, invalid=invalid)
@@ -96,7 +96,7 @@ def _varied(scene: Scene, ranges: Ranges, cases: int) -> tuple[Scene, Any]:
 
 
 def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[Row]:
-    """A row for each requested accuracy, of which one is recommended."""
+    """Return a row for each requested accuracy, with one recommended."""
     reference = solve(ensemble, REFERENCE, invalid=invalid)
     motions = [solve(ensemble, float(way), invalid=invalid) for way in track(ACCURACIES, "accuracies solved")]
     seconds = medians([partial(solve, ensemble, float(way), invalid=invalid) for way in ACCURACIES])
@@ -109,7 +109,7 @@ def _of_ensemble(ensemble: Scene, invalid: Any, cases: int) -> list[Row]:
 
 
 def _error(motion: Motion, reference: Motion) -> float:
-    """Largest relative error of the outcomes; 1 where one has a result and the other has none."""
+    """Return the largest relative error of the outcomes; 1 where a result is missing on one side only."""
     largest = 0.0
     for name in OUTCOMES:
         value, exact = (np.asarray(each.outcomes[name], dtype=float) for each in (motion, reference))

@@ -1,1 +1,1 @@
-"""Scene files."""
+"""Reading of scene files (TOML) and construction of scenes from them."""

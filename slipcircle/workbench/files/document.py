@@ -1,7 +1,7 @@
-"""A TOML document checked against the tables of a scene file: arguments in SI units, and a sentence for each mistake.
+"""Validation of a TOML document against the tables of a scene file, with conversion to SI units.
 
-All mistakes are reported together, with path in the file, value and what is allowed. For an unknown key the message
-names the key that was probably meant, which is then not reported as missing.
+All mistakes are reported together, each with its path in the file, the value and the allowed values. For an unknown key
+the message suggests a similar known key, which is then not reported as missing.
 """
 
 import json
@@ -22,19 +22,20 @@ _UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in U
 
 
 class Document:
-    """Content of a document.
+    """Validated content of a scene file, and the mistakes found in it.
 
     Attributes
     ----------
     arguments : dict of dict
-        Of each table, by the name of the argument; of a distribution its median.
+        Values by path of the table and name of the argument, in SI units; a distribution is replaced by its median.
     typed : dict
-        The key of each argument, both with their tables.
+        Key in the file by argument, both as paths such as ``friction.angle_deg`` and ``friction.coefficient``.
     uncertain : dict
-        Distributions by key, in the order of samples.
+        Distributions (mappings) by key, in the order that samples follow.
     mistakes : list of str
+        A message for each mistake.
     wrong : set of str
-        Tables with a mistake.
+        Names of the top-level tables that contain a mistake.
     """
 
     def __init__(self, content: Mapping[str, Any], tables: Mapping[str, Table]) -> None:
@@ -52,12 +53,12 @@ class Document:
         self._put_in_order_of_samples()
 
     def _report(self, path: str, *sentences: str) -> None:
-        """Store sentences about a path, and mark its table as wrong."""
+        """Store messages about a path, and mark its top-level table as wrong."""
         self.mistakes.extend(sentences)
         self.wrong.add(path.partition(".")[0])
 
     def _report_missing(self) -> None:
-        """Report what is missing, but not for a key that was misspelt, which is reported itself."""
+        """Report missing keys and tables, except keys already reported as misspelt."""
         for path, words in self._missing.items():
             if path in self._meant:
                 self._report(path)
@@ -65,7 +66,7 @@ class Document:
                 self._report(path, f"{path}: is missing: {words}")
 
     def _put_in_order_of_samples(self) -> None:
-        """Sort the distributions, and put mistakes in them first."""
+        """Sort the distributions into the order of samples, and put their mistakes first."""
         order = [*numbers(self._tables)]
 
         def place(key: str) -> int:
@@ -76,7 +77,7 @@ class Document:
         self.mistakes = [*odd, *self.mistakes]
 
     def _read_table(self, path: str, content: Mapping[str, Any]) -> None:
-        """Read a table with those inside it."""
+        """Read a table and the tables inside it into `arguments`, and report its mistakes."""
         arguments = self.arguments.setdefault(path, {})
         table = self._tables[path]
         if table.is_of_unknown_law:
@@ -108,7 +109,7 @@ class Document:
         self._check_choices(path, spelt)
 
     def _report_mixed_units(self, path: str, table: Table, spelt: Mapping[str, str]) -> None:
-        """Report a quantity that a table has in several units."""
+        """Report quantities of one table that are given in different units."""
         units: dict[str, dict[str, str]] = {}
         for known, name in spelt.items():
             if known in table.keys:
@@ -120,17 +121,17 @@ class Document:
                 self._report(path, f"{words}: are mixed units in one table; give both in one unit")
 
     def _described(self, path: str) -> str:
-        """Return the heading of a table with its title."""
+        """Return the heading of a table and its title, for messages."""
         return f"{self._heading(path)}: {self._tables[path].title}"
 
     def _heading(self, path: str) -> str:
-        """Heading of a table of a file, or of each table in a list."""
+        """Return the heading of a table as a file writes it, such as "a table [water]" or "tables [[layers]]"."""
         if self._tables[path].repeats == "numbered":
             return f"tables [[{path}]]"
         return f"a table [{path}]"
 
     def _argument(self, full: str, key: Key, value: Any, content: Mapping[str, Any], table: Table) -> Any:
-        """A value in SI units, the median of a distribution; None if it is wrong, which is reported."""
+        """Return a value in SI units, or the median of a distribution; report a wrong value and return None."""
         if isinstance(value, dict) and key.kind in VARYING:
             limits = key.number.low, key.number.high
             odd = distribution_mistakes(value, limits)
@@ -147,7 +148,7 @@ class Document:
         if key.kind == "points" and not wrong:
             wrong += points_errors(full, value, many=False)
         if key.kind == "series" and isinstance(value, list) and "time_s" not in content:
-            needs = "is a list, which needs its times beside it, time_s; or give one number"
+            needs = "is a list, which needs a list of times, time_s, in the same table; or give one number"
             wrong.append(f"{full} = {shown(value)}: {needs}")
         if wrong:
             self._report(full, *wrong)
@@ -155,7 +156,7 @@ class Document:
         return key.convert(value)
 
     def _note_missing(self, path: str, content: Mapping[str, Any]) -> None:
-        """Collect required keys and tables missing in a table; they are reported once all misspelt keys are known."""
+        """Collect the missing required keys and tables; they are reported when all misspelt keys are known."""
         for name, key in self._tables[path].keys.items():
             if key.required and name not in content:
                 self._missing[joined(path, name)] = f"{key.title}, {key.allowed}"
@@ -165,20 +166,20 @@ class Document:
                 self._missing[full] = f"{table.title}, {self._heading(full)}"
 
     def _check_sets(self, path: str, content: Mapping[str, Any]) -> None:
-        """Check that a table has all keys of exactly one of its sets."""
+        """Report a table whose keys do not match exactly one of its sets."""
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
         misspelt = any(key.startswith(joined(path, "")) for key in self._meant)
         if not sets or present in map(set, sets) or misspelt:
             return
-        fault = "something is missing"
+        fault = "keys are missing"
         if present:
             fault = f"{' and '.join(sorted(present))} do not go together"
         allowed = [" with ".join(keys) for keys in sets]
         self._report(path, f"{path}: {fault}; give {', or '.join(allowed)}")
 
     def _check_choices(self, path: str, content: Mapping[str, Any]) -> None:
-        """Check that a table has exactly one key of a choice, or at least one."""
+        """Report a table without exactly one key of a choice, or without any key of ``any_of``."""
         table = self._tables[path]
         for choice in table.one_of:
             present = [key for key in choice if key in content]
@@ -196,7 +197,7 @@ class Document:
 
 
 def shown(value: Any) -> str:
-    """A value as the file has it."""
+    """Return a value in the notation of a scene file, shortened to 60 characters."""
     if isinstance(value, bool | float):
         text = str(value).lower()
     else:
@@ -205,7 +206,7 @@ def shown(value: Any) -> str:
 
 
 def _question(key: Key, entry: Any, table: Table) -> str:
-    """Additional advice on a wrong value: the key's title, and the word, unit or angle that was probably meant."""
+    """Return additional advice on a wrong value: the key's title, and a similar word, another unit or an angle."""
     title = f": {key.title}"
     if "|" in key.kind or key.name == "law":
         choice = table.laws or key.kind.split("|")
@@ -232,9 +233,10 @@ def _question(key: Key, entry: Any, table: Table) -> str:
 
 
 def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
-    """The path of the key that was probably meant by an unknown one, and advice on it.
+    """Return the path of the known key most similar to an unknown one ("" if none), and advice in words.
 
-    In the same table a similar key or the only one with that unit; in other tables only an almost identical one.
+    In the same table, a similar key or the only key with the same unit is suggested. In other tables, only an almost
+    identical key is suggested.
     """
     typed = unknown
     unknown, _, _ = published(typed)
@@ -262,7 +264,7 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
 
 
 def _similar(unknown: str, here: list[str], table: Table) -> str:
-    """The key or table that is most like an unknown key, or the only one with its unit; "" if there is none."""
+    """Return the key or table most similar to an unknown key, or the only key with its unit; "" without a candidate."""
     units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
     of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]
     similar = get_close_matches(unknown, here, 1)

@@ -25,55 +25,55 @@ VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers ma
 
 @dataclass(frozen=True)
 class Number:
-    """A number of a scene: its key and unit in files, its name and unit in the scene."""
+    """Declaration of a number of a scene: key and unit in files, name and unit in the scene, and bounds."""
 
     key: str = ""  # a scene file's key, or the name
     name: str = ""  # in `Scene.numbers`
     unit: str = ""  # of the key
     low: float = -math.inf  # open bounds, in the key's unit
     high: float = math.inf
-    closed: bool = False  # whether the lower one is allowed as well
-    per_unit: float = 1.0  # SI units in the key's unit
+    closed: bool = False  # whether the lower bound itself is allowed
+    per_unit: float = 1.0  # size of the key's unit in SI units
     tangent: bool = False  # whether the key is the angle of a coefficient, in degrees
     si: str = ""  # unit of the name
 
     @property
     def plain(self) -> "Number":
-        """The number with its name and unit in the scene."""
+        """Declaration of the same number by its name and SI unit in the scene instead of its key and unit."""
         low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
         return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
 
     def in_unit(self, key: str, unit: str, ratio: float) -> "Number":
-        """Return the number by another key, in a unit of which ``ratio`` is the size in that of its key."""
+        """Return the declaration of the number for another key, whose unit is ``ratio`` times the unit of this key."""
         low, high = self.low / ratio, self.high / ratio
         return replace(self, key=key, unit=unit, low=low, high=high, per_unit=self.per_unit * ratio)
 
     def to_si(self, values: Any) -> Any:
-        """Values in the key's unit converted to SI units of the scene."""
+        """Return values converted from the key's unit to SI units; angles of friction become coefficients."""
         return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
 
     def from_si(self, values: Any) -> Any:
-        """Values of the scene converted to the key's unit."""
+        """Return values converted from SI units to the key's unit; coefficients of friction may become angles."""
         return np.rad2deg(np.arctan(values)) if self.tangent else np.asarray(values) / self.per_unit
 
     def slope(self, value: float) -> float:
-        """Derivative of the scene's value by the key's value."""
+        """Return the derivative of the value in SI units with respect to the value in the key's unit."""
         return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
 
     def holds(self, values: Any) -> Any:
-        """Which values are finite and within the bounds."""
+        """Return whether each value, in the key's unit, is finite and within the bounds."""
         least = values >= self.low if self.closed else values > self.low
         return least & (values < self.high) & (abs(values) < math.inf)
 
     @property
     def limits(self) -> dict[str, float]:
-        """Its bounds by their names in JSON Schema: gt or ge, and lt."""
+        """Finite bounds in the key's unit by their names in JSON Schema: gt or ge, and lt."""
         low, high = {"ge" if self.closed else "gt": self.low}, {"lt": self.high}
         return (low if self.low > -math.inf else {}) | (high if self.high < math.inf else {})
 
 
 class Key(NamedTuple):
-    """A key of a scene file: its argument, meaning and allowed values.
+    """Declaration of a key of a scene file: its argument, meaning and allowed values.
 
     ``kind`` is "text", "name" (a text or a whole number), "flag", "number", "fixed" (a number that no scene varies),
     "list" (of numbers), "series" (a number or a list), "pair" and "points" (of two numbers), "line" (a number or
@@ -88,7 +88,7 @@ class Key(NamedTuple):
     number: Number = Number()
 
     def wrong(self, value: Any) -> list[tuple[str, Any]]:
-        """Mistakes in a value: places in a list, "" for the value itself, and the wrong items."""
+        """Return the mistakes in a value, pairs of a place ("[2]", or "" for the value itself) and the wrong item."""
         if isinstance(value, list) and self.kind in ("list", "series"):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
         if isinstance(value, list) and self.kind in ("points", "line") and len(value) > 1:
@@ -107,7 +107,7 @@ class Key(NamedTuple):
         return [] if right.get(self.kind, is_word) else [("", value)]
 
     def spelt(self, name: str) -> "Key":
-        """Return the key by another spelling, in the unit at its end."""
+        """Return the declaration for another spelling of the key, in the unit at the end of that spelling."""
         _, unit, ratio = published(name)
         if unit in ("", self.number.unit):
             return self
@@ -120,7 +120,7 @@ class Key(NamedTuple):
         return self._replace(allowed=allowed, number=self.number.in_unit(name, unit, ratio))
 
     def convert(self, value: Any) -> Any:
-        """A valid value as an argument, in SI units."""
+        """Return a valid value of a file as an argument in SI units."""
         if self.kind == "seen" and isinstance(value, str):
             value = Interval.of_limit(value)
         if self.kind not in (*VARYING, "fixed", "list", "pair", "points", "seen"):
@@ -147,11 +147,12 @@ LENGTH = Number(unit="m", si="m")  # of points
 
 
 class Table(NamedTuple):
-    """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``.
+    """Declaration of a table of a scene file.
 
-    Of ``sets`` of keys all of one and none of the others. It may hold other ``tables``, by name. Where there are
-    ``laws``, its key ``law`` chooses the one whose keys it has, by default the first. One that ``repeats`` stands for
-    many: "named", by any name, or "numbered" from 1, which the file has as a list [[...]].
+    Exactly one key of each of ``one_of`` is required, and at least one key of ``any_of``. The keys present must match
+    exactly one of the ``sets``. Tables inside it are in ``tables``, by name. A table with ``laws`` has the keys of the
+    law that its key ``law`` chooses, by default the first. If ``repeats`` is "named", the declaration applies to any
+    number of tables with arbitrary names; if it is "numbered", to the tables of a list [[...]], numbered from 1.
     """
 
     title: str
@@ -165,7 +166,7 @@ class Table(NamedTuple):
     laws: Mapping[str, Any] = {}
 
     def of_law(self, given: Any) -> "Table":
-        """The table with the keys of a law, or one like it; where none is, ``law`` is its only key."""
+        """Return the table with the keys of the law most similar to ``given``; without one, ``law`` is its only key."""
         names = tuple(self.laws)
         near = get_close_matches(str(given), names, 1)
         if not near:
@@ -176,23 +177,23 @@ class Table(NamedTuple):
 
     @property
     def is_of_unknown_law(self) -> bool:
-        """Whether `of_law` knew no law; parameters of an unknown law cannot be checked."""
+        """Whether `of_law` did not recognise the law; parameters of an unknown law cannot be checked."""
         return bool(self.laws) and self.keys["law"].kind not in self.laws
 
 
 def joined(path: str, name: str) -> str:
-    """The path of a key or a table inside a table."""
+    """Return the path of a key or a table inside a table."""
     return f"{path}.{name}" if path else name
 
 
 def tables_in(content: Any, name: str) -> dict[str, Any]:
-    """The tables inside a table of a file."""
+    """Return the tables (by name) inside a named table of a file's content; empty if it is absent or not a table."""
     table = content.get(name)
     return {k: one for k, one in table.items() if isinstance(one, Mapping)} if isinstance(table, Mapping) else {}
 
 
 def fitted(table: Table, content: Any = None, path: str = "") -> dict[str, Table]:
-    """A table and all inside it by their paths, fitted to a file: its laws, and one for each that repeats there."""
+    """Return a table and all tables inside it by path, adapted to a file's content: chosen laws and repeated tables."""
     given = content if isinstance(content, Mapping) else {}
     if table.laws:
         table = table.of_law(given.get("law", next(iter(table.laws))))
@@ -217,6 +218,7 @@ def declare(
     optional: bool = False,
     kind: str = "number",
 ) -> Parameter:
+    """Return the declaration of a parameter that files read in the key's unit, ``per_unit`` SI units each."""
     return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
 
 
@@ -257,7 +259,7 @@ _GIVEN = [declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kin
 
 
 def _number(p: Parameter, title: str, unit: str = "", required: bool = False, tangent: bool = False) -> Key:
-    """The key of a number, of a list of them or of either, with the parameter's bounds in the file's unit."""
+    """Return the declaration of the key of a number or a list, with the parameter's bounds in the file's unit."""
     of = Number(p.key, p.name, unit, per_unit=p.per_unit, tangent=tangent, si=p.unit)
     closed = p.lower == -5e-324  # bounds are open, and zero is allowed
     of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
@@ -276,7 +278,7 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
 
 
 def _bounds_in_words(p: Parameter, number: Number) -> str:
-    """Bounds of a parameter in the file's unit; only the sign if bounds merely detect a wrong unit."""
+    """Return a parameter's bounds in the file's unit, in words; only the sign if they just detect a wrong unit."""
     least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
     most = min(most, _MOST.get(p.unit, INFINITY))
     bounds = dict(number.limits)
@@ -291,7 +293,7 @@ def _bounds_in_words(p: Parameter, number: Number) -> str:
 
 
 def _keys(p: Parameter) -> dict[str, Key]:
-    """The keys of a parameter; friction has two, for its angle and for the coefficient itself."""
+    """Return the keys of a parameter by spelling; friction has a key for its angle and one for its coefficient."""
     plain = {"flag": "true or false", "text": "text", "name": "text or a number"}
     words = plain.get(p.kind, f"one of {p.kind.replace('|', ', ')}")
     if not p.key:
@@ -303,7 +305,7 @@ def _keys(p: Parameter) -> dict[str, Key]:
         return {p.key: angle, p.name: _number(p, p.help)}
     _, known, _ = published(p.key)
     unit = known if p.per_unit != 1.0 else p.unit
-    if not unit and p.unit:  # the key tells it, such as MPa_K for Pa/K, but not what stands between
+    if not unit and p.unit:  # the key has the unit, such as MPa_K for Pa/K, without its separators
         between = iter(re.findall("[/ ]", p.unit))
         tail = p.key.removeprefix(f"{p.name}_")
         unit = re.sub("_", lambda _: next(between, " "), tail)
@@ -313,6 +315,7 @@ def _keys(p: Parameter) -> dict[str, Key]:
 def table_of(
     title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: tuple[str, ...] = ()
 ) -> Table:
+    """Return a table with the keys of parameters and ``more`` keys; at least one key of ``any_of`` is required."""
     keys = {p: _keys(p) for p in parameters}
     by_name = dict(more)
     alternatives: list[tuple[str, ...]] = []
@@ -327,7 +330,7 @@ def table_of(
 
 
 def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
-    """A table for each law."""
+    """Return a table for each law, by the name of the law."""
     by_name = {law.name: law for law in laws}
     found = {}
     for name, law in by_name.items():
@@ -336,7 +339,7 @@ def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
     return found
 
 
-_RATE = Table("law of speed that multiplies that of slip", laws=_laws(LAWS[name] for name in RATE_LAWS))
+_RATE = Table("law of speed that multiplies the law of slip", laws=_laws(LAWS[name] for name in RATE_LAWS))
 OF_SOIL = Table("friction of the soil, by default none", laws=_laws(LAWS.values()))
 RATE_OF_SOILS = _RATE._replace(title="law of speed that multiplies the friction of all soils")
 _WITH_RATE = {
@@ -359,14 +362,14 @@ for _q in OBSERVABLE.values():
     _most = LIMITS[_q.unit][1]
     _least = -5e-324 if _q.unit in ("s", "") else -_most
     _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
-OBSERVED = table_of("what was observed of the motion, for `slipcircle backanalyse`", _SEEN)
+OBSERVED = table_of("observations of the motion, for `slipcircle backanalyse`", _SEEN)
 REPORT = Table(
-    "what heads a report",
+    "heading of a report",
     {
         "title": Key("title", "title, by default the name of the scene"),
         "project": Key("project", "project"),
-        "author": Key("author", "who computed"),
-        "checker": Key("checker", "who checks"),
+        "author": Key("author", "author of the computation"),
+        "checker": Key("checker", "checker of the computation"),
     },
 )
 FURTHER = {"observed": OBSERVED, "report": REPORT}

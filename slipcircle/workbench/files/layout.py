@@ -1,6 +1,7 @@
-"""Tables that a scene file may have, depending on its content: an arc or a slope, one soil or layers, which laws.
+"""Selection of the tables that a scene file may have: arc or slope, one soil or layers, and the chosen laws.
 
-Tables in lists, [[layers]], [[surcharge]] and [[pond]], are read as tables with numbers for names: ``layers.2.top_m``.
+Tables in lists, [[layers]], [[surcharge]] and [[pond]], are read as tables named by their number, as in
+``layers.2.top_m``.
 """
 
 from collections.abc import Mapping
@@ -24,10 +25,10 @@ _POND = (
 
 
 class Layout(NamedTuple):
-    """How a file is read.
+    """Tables that a file may have, and its content arranged for them.
 
-    ``content`` has tables in lists by their numbers, and nothing of what excludes something else, which is among the
-    ``mistakes``.
+    In ``content``, tables in lists are named by their numbers. Tables excluded by other tables are left out of it, and
+    reported in ``mistakes``.
     """
 
     tables: dict[str, Table]
@@ -38,7 +39,7 @@ class Layout(NamedTuple):
 
 
 def layout_of(content: Mapping[str, Any]) -> Layout:
-    """The tables that a file may have, and its content arranged accordingly."""
+    """Return the tables that a file may have, and its content arranged for them."""
     layered = any(get_close_matches(name, ("soils", "layers"), 1, 0.8) for name in content)
     on_slope = layered or "ground" in content
     whole = WITH_LAYERS if layered else WITH_ONE_SOIL if on_slope else WITH_ARC
@@ -64,14 +65,14 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
 
 
 def _excluded(on_slope: bool, layered: bool) -> dict[str, str]:
-    """Tables excluded by others, and the reason."""
+    """Return the names of the tables that other tables exclude, each with the reason as the end of a message."""
     of_arc = {"arc": "and ground exclude each other; remove one"} if on_slope else {}
     of_soils = {name: f"{_BY_SOILS}: {_IN_SOILS[name]}; leave it out" for name in NOT_WITH_LAYERS}
     return of_arc | (of_soils if layered else {})
 
 
 def _numbered(value: Any) -> Any:
-    """Tables of a list by their numbers from 1; other values are kept and reported later."""
+    """Return the tables of a list by their numbers from 1; other values are left as they are and reported later."""
     if isinstance(value, list) and all(isinstance(one, dict) for one in value):
         return {str(k): one for k, one in enumerate(value, 1)}
     return [value] if isinstance(value, dict) else value

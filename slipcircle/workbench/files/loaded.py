@@ -1,4 +1,4 @@
-"""Factors of safety and warnings of a scene or a motion, if it has a slope."""
+"""Stability and warnings of scenes and motions loaded from files."""
 
 from slipcircle.core import Motion, Scene, lazy_import
 from slipcircle.workbench.files.numbers import by_name
@@ -6,12 +6,12 @@ from slipcircle.workbench.stability.critical import Critical, SlopeScene
 
 
 def stability_of(scene: Scene) -> Critical | None:
-    """The factors of safety of a scene's circle, or None."""
+    """Return the factors of safety of a scene's circle; None for a scene without a slope."""
     return scene.stability if isinstance(scene, SlopeScene) else None
 
 
 def warnings_of(motion: Motion) -> tuple[str, ...]:
-    """Warnings about a single motion, whose numbers have the keys and units of files, and about its circle."""
+    """Return warnings about a single motion and its circle, with the keys and units of scene files."""
     scene = motion.plan.scene
 
     def written(name: str, value: float) -> str:

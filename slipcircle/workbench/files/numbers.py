@@ -1,8 +1,8 @@
-"""The numbers of a scene that may vary, by their keys in a scene file and in its units.
+"""Numbers of a scene that may vary, by their keys and units in scene files.
 
 A grid, an uncertain number, a back-analysis and a derivative name a number in the same way: by its key
-(``friction.angle_deg``), or in SI units by its name in `Scene.numbers` (``friction``). A coordinate has the key of the
-list that it stands in, the number of its point from 0, and x or y: ``ground.points_m.3.y``, in SI units ``ground.3.y``.
+(``friction.angle_deg``), or in SI units by its name in `Scene.numbers` (``friction``). The key of a coordinate consists
+of the key of its list, the number of its point from 0, and x or y: ``ground.points_m.3.y``, in SI units ``ground.3.y``.
 """
 
 from collections.abc import Collection, Mapping
@@ -32,7 +32,7 @@ from slipcircle.workbench.files.slopekeys import WITH_LAYERS
 
 
 def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
-    """The numbers that tables of a scene file have, by key."""
+    """Return the declarations of the numbers that tables of a scene file have, by key."""
     found = {}
     for path, table in tables.items():
         for k, key in table.keys.items():
@@ -47,20 +47,23 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
     return found
 
 
-DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad")  # down-slope; both ends turn
+DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad")  # down-slope; turns both ends
 _POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "water.level_m"}  # where files have them
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
 
 def lengths(arc: Any) -> set[str]:
-    """Coordinates and radii of a section, whose size depends on the distance from the origin, or on how flat it is."""
+    """Return the names of coordinates and radii of a section; empty for an arc without a position.
+
+    Their size depends on the distance from the origin, or on the flatness of the circle.
+    """
     if "ground" not in arc.quantities:
         return set()
     return {name for name in arc.numbers_by_name() if name.partition(".")[0] in ("radius", *_POINTS)}
 
 
 def _tables(scene: Any) -> dict[str, Table]:
-    """The tables that a file of the scene may have, with its laws."""
+    """Return the tables, by path, that a file of the scene may have with its laws."""
     arc = scene.arc
     if not isinstance(arc, LayeredSection):
         law, *rate = law_names(scene.friction)
@@ -75,12 +78,12 @@ def _tables(scene: Any) -> dict[str, Table]:
 
 
 def _some(these: Collection[Any]) -> dict[str, Any]:
-    """Empty tables by their numbers."""
+    """Return empty tables named by the numbers 1 to n of n items."""
     return {f"{k}": {} for k in range(1, len(these) + 1)}
 
 
 def by_key(scene: Any) -> dict[str, Number]:
-    """The numbers that a scene with its friction and arc may have, by their keys."""
+    """Return the declarations of the numbers that a scene with its friction and arc may have, by key."""
     arc = scene.arc
     law = "constant" if isinstance(arc, LayeredSection) else law_names(scene.friction)[0]
     known = numbers(_tables(scene))
@@ -89,7 +92,7 @@ def by_key(scene: Any) -> dict[str, Number]:
     if "ground" not in arc.quantities:
         return known | {DIP.key: DIP}
     found = {}
-    for k, n in known.items():  # a slope's file has what an arc has in other tables
+    for k, n in known.items():  # the file of a slope has the numbers of an arc in other tables
         if n.name in arc.quantities:
             k = k.replace("arc.", "circle." if n.name == "radius" else "ground.")
         if not k.startswith("arc."):
@@ -103,13 +106,13 @@ def by_key(scene: Any) -> dict[str, Number]:
 
 
 def by_name(scene: Any) -> dict[str, Number]:
-    """Numbers by their names; friction is in degrees, a factor of friction is a number."""
+    """Return the declarations of a scene's numbers by name, with friction in degrees and rate factors as numbers."""
     found = reversed(by_key(scene).values())
     return {n.name: n for n in found if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
 
 
 def number_in(scene: Any, path: str) -> Number:
-    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
+    """Return the declaration of a number of a scene by its key or name, also of a number without a value."""
     known = by_key(scene)
     path = str(path)
     only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
@@ -127,18 +130,18 @@ def number_in(scene: Any, path: str) -> Number:
             return n.plain
     near = get_close_matches(path, known, 1)
     asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith((*_POINTS.values(),)) for n in near)
-    raise ValueError(f"{path}: is no number of a scene{asked or '; known are ' + listed(known)}")
+    raise ValueError(f"{path}: is not a parameter of this scene{asked or '; known are ' + listed(known)}")
 
 
 def listed(keys: Collection[str]) -> str:
-    """Keys in words; coordinates of points by a rule."""
+    """Return keys as a comma-separated text, with all coordinates of points replaced by one rule."""
     plain = [k for k in keys if not k.startswith((*_POINTS.values(),))]
     return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
 
 
 @dataclass(frozen=True)
 class Uncertain:
-    """A number with a distribution, as in a scene file or SciPy's frozen one, in the key's unit."""
+    """Uncertain number: its declaration and distribution, as in a scene file or frozen by SciPy, in the key's unit."""
 
     number: Number
     given: Any
@@ -149,17 +152,17 @@ class Uncertain:
 
     @cached_property
     def distribution(self) -> Any:
-        """The named distribution of a scene file, or SciPy's."""
+        """Distribution as an object with the methods of SciPy's distributions."""
         return distribution_of(self.given) if isinstance(self.given, Mapping) else self.given
 
     def drawn(self, p: Any) -> Any:
-        """Quantiles, in the number's unit."""
+        """Return the quantiles at probabilities ``p``, in the number's unit."""
         found = self.distribution
         return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
 
     @property
     def moments(self) -> tuple[float, float]:
-        """Mean and standard deviation, in the number's unit."""
+        """Mean and standard deviation in the number's unit."""
         found = self.distribution
         if isinstance(found, Gaussian | Triangle):
             return found.moments
@@ -167,18 +170,18 @@ class Uncertain:
 
     @property
     def record(self) -> dict[str, Any]:
-        """For JSON."""
+        """Key and distribution as values of JSON."""
         given = dict(self.given) if isinstance(self.given, Mapping) else described(self.given)
         return {"key": self.key} | given
 
 
 def uncertain_numbers(scene: Scene) -> dict[str, Uncertain]:
-    """The uncertain numbers of a scene by their names in `Scene.numbers`.
+    """Return the uncertain numbers of a scene by their names in `Scene.numbers`.
 
     Raises
     ------
     ValueError
-        Lists every key that is no number of the scene, and every distribution that is none.
+        Lists every key that is not a number of the scene, and every invalid distribution.
     """
     found: dict[str, Uncertain] = {}
     said = []

@@ -1,4 +1,4 @@
-"""Points of a profile from spreadsheets (CSV) and drawings (DXF), which a scene file names in place of a list."""
+"""Points of a profile read from spreadsheets (CSV) and drawings (DXF) that a scene file refers to."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -21,17 +21,17 @@ _MOST_BYTES = 10**7
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?", re.IGNORECASE)
 _TYPES = "LINE LWPOLYLINE POLYLINE"
 _DRAWING_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 21: "us_ft"}  # $INSUNITS
-_TOGETHER = 1e-6  # of the size of a drawing: as near to one another, ends of lines are joined
+_TOGETHER = 1e-6  # relative to the size of a drawing: ends of lines at most this far apart are joined
 Points = list[tuple[float, float]]
 
 
 def with_points(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Return the content of a scene file with the points of files, relative to its folder, in the place of their names.
+    """Return the content of a scene file with references to point files replaced by the points.
 
     Raises
     ------
     ValueError
-        Lists a sentence for each file that cannot be read.
+        Lists a message for each file that cannot be read.
     """
     tables = dict(content)
     mistakes: list[str] = []
@@ -46,7 +46,7 @@ def with_points(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
 
 
 def _with_points(table: Mapping[str, Any], path: str, key: str, folder: Path, mistakes: list[str]) -> dict[str, Any]:
-    """Return a table with the points of its file; mistakes are added to the list."""
+    """Return a table with its reference to a file replaced by points; append mistakes to the list."""
     found = dict(table)
     file = found.pop(f"{key}_file", None)
     if file is None:
@@ -70,7 +70,7 @@ def _with_points(table: Mapping[str, Any], path: str, key: str, folder: Path, mi
 
 
 def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, str]:
-    """Return points from left to right and their unit, which the file or the key states.
+    """Return the points of a file from left to right and their unit, stated by the file or by ``unit``.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def _sheet(text: str) -> tuple[Points, str]:
 
 
 def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> tuple[float, float]:
-    """Return the numbers of a row in two columns."""
+    """Return the x and y of a row of a spreadsheet."""
     cells = [row[k] if k < len(row) else "" for k in columns]
     for cell in cells:
         marks = set(cell) & {".", ","}
@@ -137,14 +137,14 @@ def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str
 
 
 def _column(cell: str, names: str) -> list[str]:
-    """Return the unit in the name of a column, "" where it has none; an empty list for other columns."""
+    """Return a list of the unit in the name of a column, "" without a unit; an empty list for other columns."""
     parts = re.fullmatch(rf"({names})(?:[\s_,]*[(\[{{]?([^()\[\]{{}}]+)[)\]}}]?)?", cell, re.IGNORECASE)
     unit = unit_of(parts[2], LENGTH) if parts and parts[2] else ""
     return [unit] if parts and unit is not None else []
 
 
 def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
-    """Return the numbers of the columns of x and y in a header, and their unit."""
+    """Return the indices of the columns of x and y in a header, and their common unit."""
     found = []
     units = set()
     for axis, names in _COLUMNS.items():
@@ -187,12 +187,12 @@ def _drawing(path: Path, layer: str) -> tuple[Points, str]:
 
 
 def _joined(lines: Iterable[Points]) -> Points:
-    """Return lines with common ends as one.
+    """Return one line that joins lines with common ends.
 
     Raises
     ------
     ValueError
-        If a line is left over.
+        If a line is not connected to the others.
     """
     first, *rest = lines
     near = _TOGETHER * float(np.ptp(np.concatenate([first, *rest]), axis=0).max())
@@ -208,7 +208,7 @@ def _joined(lines: Iterable[Points]) -> Points:
 
 
 def _connected(line: Points, others: Sequence[Points], near: float) -> Iterator[tuple[int, Points]]:
-    """Yield the number of each other line that begins or ends at an end of a line, and both as one."""
+    """Yield the index of each line that shares an end with a line, and the two joined into one."""
     for k, other in enumerate(others):
         for one in (line, line[::-1]):
             for second in (other, other[::-1]):

@@ -1,4 +1,4 @@
-"""Soils, layers and loads of a scene file as objects of the core, with a sentence for each mistake across tables."""
+"""Conversion of soils, layers and loads of a scene file to objects of the core, with checks across tables."""
 
 from collections.abc import Callable, Iterator, Mapping
 from difflib import get_close_matches
@@ -27,7 +27,7 @@ class Profile(NamedTuple):
 
 
 def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
-    """The tables of a list, in order."""
+    """Return the arguments of the tables of a list such as [[layers]], in order."""
     tables = {}
     for path, table in given.items():
         of_list, _, number = path.partition(".")
@@ -37,7 +37,7 @@ def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
 
 
 def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]], list[str]]:
-    """Surcharges for the core, and mistakes in them."""
+    """Return surcharges as tuples (left and right x in m, pressures there in Pa), and mistakes in them."""
     loads = []
     mistakes = []
     for k, load in enumerate(numbered(given, "surcharge"), 1):
@@ -55,7 +55,7 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
 
 
 def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
-    """The layers of a file; if its tables are not ``readable``, only mistakes across them."""
+    """Return the layers of a file; if its tables are not ``readable``, only mistakes across them."""
     layers = numbered(given, "layers")
     slip = given.get("slip", {})
     of_soils = [path.removeprefix("soils.") for path in given if path.startswith("soils.")]
@@ -82,7 +82,7 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any
 
 
 def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tuple[dict[str, Soil], list[str]]:
-    """The soils of a file by their names, and mistakes in them."""
+    """Return the soils of a file by name, and the mistakes in them."""
     soils = {}
     mistakes = []
     for name in names:
@@ -95,21 +95,21 @@ def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tu
 
 
 def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
-    """Layers with undefined soils, and unused soils."""
+    """Yield a message for each reference to an undefined soil and for each unused soil."""
     meant = set()
     for path, soil in places.items():
         if soil not in names:
             near = get_close_matches(soil, names, 1)
             meant.update(near)
             advice = f"did you mean {near[0]}?" if near else f"known are {', '.join(names)}"
-            yield f"{path} = {shown(soil)}: is no soil of this file; {advice}"
+            yield f"{path} = {shown(soil)}: is not a soil of this file; {advice}"
     for name in names:
         if name not in places.values() and name not in meant:
-            yield f"soils.{name}: is the soil of no layer; use it in [[layers]], or leave it out"
+            yield f"soils.{name}: is not used by any layer; assign it to a layer, or leave it out"
 
 
 def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical) -> Iterator[str]:
-    """A sentence for each surcharge that lies, in part or as a whole, where it acts on no mass."""
+    """Yield a message for each surcharge that lies wholly or partly beside the ground or the sliding mass."""
     ground = np.asarray(circle.slope.ground)[[0, -1], 0].tolist()
     for k, (left, right, _, _) in enumerate(loads, 1):
         for (first, last), what in ((ground, "ground"), (circle.between, "mass that slides")):
@@ -117,11 +117,11 @@ def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical)
                 yield f"surcharge.{k}: lies beside the {what} (x = {first:.4g} to {last:.4g} m), and has no effect"
                 break
             if what == "ground" and (left < first or right > last):
-                yield f"surcharge.{k}: what lies beside the {what} (x = {first:.4g} to {last:.4g} m) has no effect"
+                yield f"surcharge.{k}: its part beside the {what} (x = {first:.4g} to {last:.4g} m) has no effect"
 
 
 def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
-    """Mistakes: a first layer with a top, other layers without."""
+    """Yield a message if the first layer has a top, and for each other layer without one."""
     if layers and "top" in layers[0]:
         yield "layers.1.top_m: must be left out, as the top of the first layer is the ground"
     for k, layer in enumerate(layers[1:], 2):
@@ -130,7 +130,7 @@ def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
 
 
 def _soil(name: str, given: Arguments) -> Soil:
-    """Return a soil of a file by its name."""
+    """Return a soil of a file by its name, built from its tables."""
     numbers = dict(given[f"soils.{name}"])
     friction = given.get(f"soils.{name}.friction", {"law": "constant", "coefficient": 0.0})
     is_constant = friction.get("law", "constant") == "constant"
@@ -143,7 +143,7 @@ def _soil(name: str, given: Arguments) -> Soil:
 
 
 def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
-    """A sentence for each boundary that rises above a previous one; reaching the ground is normal."""
+    """Yield a message for each layer whose top rises above the top of the previous layer."""
     points = given.get("ground", {}).get("ground")
     ground = np.zeros((2, 2)) if points is None else np.asarray(points)
     left, right = ground[[0, -1], 0]
@@ -159,4 +159,4 @@ def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
         highest = int(np.argmax(excess))
         if excess[highest] > tolerance:
             place = f"at x = {x[highest]:.6g}"
-            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, {place}; what is above is cut off"
+            yield f"layers.{k}.top_m: rises above the top of layer {k - 1}, {place}; the part above is cut off"

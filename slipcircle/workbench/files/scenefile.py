@@ -1,4 +1,4 @@
-"""Scenes read from TOML files, every mistake listed at once."""
+"""Construction of scenes from TOML files, with all mistakes reported at once."""
 
 import json
 import os
@@ -33,12 +33,12 @@ _MOST_BYTES, _DEEPEST = 10**7, 64
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
-    """Load a scene that ships, by name, or one from a TOML file, by its path.
+    """Load a scene that ships, by its name, or a scene from a TOML file, by its path.
 
     Raises
     ------
     ValueError
-        If it cannot be read; lists every mistake, with its path in the file, its value and what is allowed.
+        If it cannot be read; lists every mistake with its path in the file, its value and the allowed values.
     """
     source = find(name)
     file = str(source)
@@ -63,15 +63,24 @@ def load(name: str | PathLike[str]) -> Scene[float]:
 def critical_of_file(
     name: str | PathLike[str], method: str | None, tell: Callable[[str], None]
 ) -> tuple[str, str, Critical, list[str]]:
-    """Name, note, critical circle and warnings of the slope in a file, by default as it says, or by Bishop's method.
+    """Return the name, note, critical circle and warnings of the slope in a file.
 
-    If it gives a circle, the factors of that circle. ``tell`` is called with lines of progress.
+    A file without [circle] is searched with Bishop's method. If a circle is given, its factors of safety are returned.
+
+    Parameters
+    ----------
+    name : str or path
+        Scene that ships, or path of a scene file.
+    method : str, optional
+        Method of the search in place of the file's.
+    tell : callable
+        Called with lines of progress.
     """
     source = find(name)
     file = str(source)
     content = _content(source, file)
     if "arc" in content and "ground" not in content:
-        raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
+        raise ValueError(f"{file}: arc: does not describe the ground; replace [arc] by [ground] for a search")
     circle = content.setdefault("circle", {"critical": "bishop"})
     if method and isinstance(circle, dict) and "critical" in circle:
         circle["critical"] = method
@@ -93,15 +102,15 @@ _CIRCLE = re.compile(rf"^[ \t]*\[[ \t]*circle[ \t]*\].*?(?={_ELSEWHERE}|\Z)", re
 
 
 def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
-    """Return the text of the scene in which the slope of a file moves along a circle of `critical_of_file`.
+    """Return the text of a scene file with its circle replaced by a circle found by `critical_of_file`.
 
-    A slope without a motion gets rotation and centripetal stress.
+    Tables for rotation and centripetal stress are added to a slope without a motion.
 
     Raises
     ------
     ValueError
-        If the circle is not a table of its own, a motion does not allow another table, or the file refers to files in
-        its folder and the scene is for a ``path`` in another one.
+        If the circle is not a table of its own, if a table is not allowed in a motion, or if the file refers to files
+        in its folder and ``path``, where the scene will be written, is in another folder.
     """
     source = find(name)
     file = str(source)
@@ -125,7 +134,7 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
 
 
 def _with_tables(text: str, tables: Mapping[str, Mapping[str, Any]]) -> str:
-    """Return the text of a file with tables in the place of its circle, which is the first of them, and at the end."""
+    """Return the text of a file with its [circle] replaced by the first of the tables, and the others appended."""
     texts = []
     for name, values in tables.items():
         lines = [f"{key} = {json.dumps(value)}\n" for key, value in values.items()]
@@ -141,7 +150,7 @@ _ADVICE = (
 
 
 def _content(source: Any, file: str) -> dict[str, Any]:
-    """Content of a TOML file; an error in one sentence if it cannot be read."""
+    """Return the content of a TOML file; raise an error with one sentence if it cannot be read."""
     try:
         with source.open("rb") as opened:
             text = opened.read(_MOST_BYTES + 1)
@@ -161,7 +170,7 @@ def _content(source: Any, file: str) -> dict[str, Any]:
 
 
 def _check_depth(content: Mapping[str, Any], file: str) -> None:
-    """Reject tables and lists in one another, deeper than any scene has them, on which recursions would fail."""
+    """Reject tables and lists nested more deeply than in any scene, on which recursive functions would fail."""
     inside: list[Any] = [content]
     for _ in range(_DEEPEST):
         inside = [v for i in inside for v in (i.values() if isinstance(i, dict) else i if isinstance(i, list) else ())]
@@ -181,7 +190,7 @@ class _Input(NamedTuple):
 
 
 def _read(content: Mapping[str, Any], moving: bool) -> _Input:
-    """Read a file; unless ``moving``, tables that only factors of safety use are allowed."""
+    """Return the content of a file with its mistakes; unless ``moving``, tables for statics alone are allowed."""
     layout = layout_of(content)
     document = Document(layout.content, layout.tables)
     given, keys = document.arguments, _keys(layout.tables, document.typed)
@@ -200,9 +209,9 @@ def _read(content: Mapping[str, Any], moving: bool) -> _Input:
 def _parts(
     content: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None, moving: bool = True
 ) -> tuple[dict[str, Any], Callable[[str], str]]:
-    """The fields of a scene, its stability, and the keys of arguments; all mistakes are listed.
+    """Return the fields of a scene with its stability, and a function from arguments to keys; list all mistakes.
 
-    Unless ``moving``, tables that only factors of safety use are allowed, and a slope has no arc.
+    Unless ``moving``, tables that only factors of safety use are allowed, and the arc of a slope is None.
     """
     try:
         content = with_points(content, Path(file).parent)
@@ -221,12 +230,12 @@ def _parts(
         parts["start"] = slope.start
         remarks = slope.profile.remarks if slope.profile else []
         parts["remarks"] = (*remarks, *(idle_loads(slope.surcharge, parts["stability"]) if parts["stability"] else ()))
-    document.arguments[""].pop("format", None)  # read by this version, as it is no mistake
+    document.arguments[""].pop("format", None)  # valid here, as it is not among the mistakes
     return parts | document.arguments[""], keys
 
 
 def _short(friction: Mapping[str, Any] | None) -> Any:
-    """A friction law; constant friction as its coefficient."""
+    """Return a friction law as a mapping, or the coefficient of constant friction."""
     constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
     return friction["coefficient"] if friction is not None and constant else friction
 
@@ -238,7 +247,7 @@ def _slope_input(
     keys: Callable[[str], str],
     moving: bool,
 ) -> tuple[SlopeInput, list[str]]:
-    """The slope of a file, without the strength of a single soil, and mistakes across tables."""
+    """Return the slope of a file, without the strength of a single soil, and the mistakes across tables."""
     mistakes = motion_mistakes(given, layout.layered) if moving else []
     layers = None
     if layout.layered:
@@ -252,7 +261,7 @@ def _slope_input(
 def _along_slope(
     slope: SlopeInput, keys: Callable[[str], str], tell: Callable[[str], None], file: str, moving: bool
 ) -> tuple[Section | None, Critical | None]:
-    """The section of a slope and its stability; an error names the keys of the file."""
+    """Return the section of a slope and its stability; an error names the keys of the file."""
     try:
         return slope.moving(tell) if moving else (None, slope.stability(tell)[1])
     except InputError as error:
@@ -260,7 +269,7 @@ def _along_slope(
 
 
 def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
-    """The arc of a file, or its mistakes."""
+    """Return the arc of a file and no mistakes, or None and its mistakes."""
     try:
         return Arc(**given["arc"], given=given.get("arc.given")), []
     except InputError as error:
@@ -268,13 +277,13 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
 
 
 def _friction(given: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
-    """The law of slip of a file, with the law of speed that multiplies it."""
+    """Return the law of slip of a file, with the law of speed that multiplies it."""
     rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
     return {"law": "constant"} | given.get("friction", {"coefficient": 0.0}) | rate
 
 
 def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:
-    """Keys of arguments: ``effects.shaking.step`` is ``shaking.step_s``; of two keys the one in the file."""
+    """Return a function from names of arguments (``effects.shaking.step``) to keys in the file (``shaking.step_s``)."""
     keys = {"arc.level": "water.level_m", "end_time": "end_time_s", "initial_velocity": "initial_velocity_m_s"}
     for path, table in tables.items():
         keys |= {f"{path}.{key.name}": f"{path}.{k}" for k, key in table.keys.items()}
@@ -283,7 +292,7 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[st
 
 
 def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dict[str, Any]]:
-    """The effects among the tables; paths of records are relative to the scene file."""
+    """Return the effects among the tables, by name; paths of records are relative to the scene file."""
     effects = {name: dict(given[name]) for name in EFFECTS if name in given}
     if effects.get("cohesion", {}).get("law") == "constant":
         del effects["cohesion"]["law"]
@@ -293,7 +302,7 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
 
 
 def _slope_message(error: InputError, keys: Callable[[str], str], file: str) -> str:
-    """The message of an error in a slope, a section or a search, with the keys of its file."""
+    """Return the message of an error in a slope, a section or a search, with the keys of its file."""
     tables: dict[str, Table] = {**SLOPING, **LOADS}
     about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
     of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}

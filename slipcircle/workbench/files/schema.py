@@ -1,4 +1,4 @@
-"""The JSON Schema of a scene file, for editors: tables, keys, and their allowed values."""
+"""JSON Schema of a scene file, for editors: tables, keys and their allowed values."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,7 +14,7 @@ _FILED = ("points", "line")  # kinds of keys whose points may be in a file
 
 
 def _present(name: str, key: Key) -> dict[str, Any]:
-    """Return the condition that a key is present, in any unit or as a file."""
+    """Return the schema condition that a key is present, in any unit or as a file."""
     units = [*map(suffix, UNITS_OF_KEYS.get(key.number.si, ()))]
     stem = name.removesuffix(units[0]) if units else name
     others = [stem + end for end in units[1:] + ["file"] * (key.kind in _FILED)]
@@ -23,7 +23,7 @@ def _present(name: str, key: Key) -> dict[str, Any]:
 
 
 def _other_units(keys: Mapping[str, Key]) -> dict[str, Any]:
-    """Return the patterns of keys in other units than the published ones, and of points in files."""
+    """Return the schema of keys in units other than the published ones, and of points in files."""
     patterns = {}
     for name, key in keys.items():
         first, *others = map(suffix, UNITS_OF_KEYS.get(key.number.si, ("",)))
@@ -41,7 +41,7 @@ _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
 
 
 def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or in its place with a ground and a circle."""
+    """Return the JSON Schema (draft 2020-12) of a scene file with an arc, or with a ground and a circle instead."""
     defs = {
         name: _object(
             {"distribution": {"const": name}} | {k: {"type": "number"} for k in kind.parameters},
@@ -70,7 +70,7 @@ def schema() -> dict[str, Any]:
 
 
 def _schema_of_table(table: Table, name: str, defs: dict[str, Any]) -> dict[str, Any]:
-    """Schema of a table with those inside it; laws, by the table's name, are put among the definitions."""
+    """Return the schema of a table and the tables inside it; add the schemas of its laws to ``defs``."""
     if table.laws:
         for law, of_law in table.laws.items():
             defs[f"{name}_{law}"] = _schema_of_table(of_law, name, defs)
@@ -103,7 +103,7 @@ def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> d
 
 
 def _schema_of_key(key: Key) -> dict[str, Any]:
-    """Schema of a key; a number may be uncertain unless it is fixed."""
+    """Return the schema of a key; a number may be uncertain unless it is fixed."""
     number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}

@@ -1,4 +1,4 @@
-"""Files of scenes by name: the scenes that ship, and others by their path."""
+"""Location of scene files: scenes that ship by name, others by path."""
 
 import os
 from difflib import get_close_matches
@@ -11,14 +11,14 @@ _FOLDER = resources.files("slipcircle") / "scenes"
 
 
 def shipped() -> tuple[str, ...]:
-    """Return the names of the scenes that ship."""
+    """Return the names of the scenes that ship with the package, sorted."""
     return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
 def find(name: str | PathLike[str]) -> Any:
-    """Return the file of a scene that ships, by name, or of another scene, by path."""
+    """Return the file of a scene that ships, by its name, or of another scene, by its path."""
     if not isinstance(name, str | PathLike):
-        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
+        raise ValueError(f"scene {name!r}: must be the name of a scene that ships, or the path of a scene file")
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)

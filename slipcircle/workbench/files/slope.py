@@ -1,4 +1,4 @@
-"""The slope of a scene file: its circle with factors of safety, and the section that moves along it."""
+"""Slope of a scene file: its circle with factors of safety, and the section that moves along it."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -19,17 +19,18 @@ _OF_MOTION = ("gravity", "width")  # in [ground], not used by statics
 
 @dataclass(frozen=True)
 class SlopeInput:
-    """The slope of a file.
+    """Slope of a scene file, as read.
 
     Attributes
     ----------
     given : mapping
-        Arguments by table.
+        Arguments by path of the table, in SI units.
     strength : mapping
-        Of one soil, with its pore pressure; empty where it has no strength, or layers.
+        Strength and pore pressure of a single soil; empty for a soil without strength and for layers.
     profile : Profile, optional
-        Its layers.
-    surcharge : sequence
+        Layers, if any.
+    surcharge : list of tuple
+        Left and right x in m, and the pressures there in Pa.
     """
 
     given: Arguments
@@ -39,7 +40,7 @@ class SlopeInput:
 
     @property
     def ground(self) -> dict[str, Any]:
-        """Ground, unit weight of a single soil, base; gravity and width."""
+        """Arguments of [ground], with a simple slope replaced by its points."""
         ground = dict(self.given["ground"])
         if simple := {n: ground.pop(n) for n in ("height", "angle", "run") if n in ground}:
             ground["ground"] = simple_slope(**simple)
@@ -47,7 +48,7 @@ class SlopeInput:
 
     @property
     def water(self) -> dict[str, Any]:
-        """Water level, whether it is confined, unit weight of water, and ponds."""
+        """Arguments of [water] and [[pond]]: level, confinement, unit weight of water, and ponds."""
         water = dict(self.given.get("water", {}))
         if "unit_weight" in water:
             water["water_unit_weight"] = water.pop("unit_weight")
@@ -57,18 +58,18 @@ class SlopeInput:
 
     @property
     def limits(self) -> dict[str, Any]:
-        """Limits of the search, and seismic coefficient."""
+        """Limits of the search, and the seismic coefficient."""
         return self.given.get("search", {})
 
     @property
     def start(self) -> str:
-        """Return the method from which the motion starts, by default that of the search, or Bishop's."""
+        """Method whose factor of safety starts the motion: as given, else the method of the search, else Bishop's."""
         circle = self.given.get("circle", {})
         named = circle.get("critical")
         return str(circle.get("start", named if named in METHODS else "bishop"))
 
     def slope(self) -> Slope:
-        """For factors of safety."""
+        """Return the slope for the computation of factors of safety."""
         fields = {name: value for name, value in self.ground.items() if name not in _OF_MOTION}
         fields |= self.water | self.given.get("tension_crack", {})
         fields |= {name: self.limits[name] for name in ("k_h", "k_h_on_surcharge") if name in self.limits}
@@ -76,17 +77,17 @@ class SlopeInput:
         return Slope(**fields, **soils, surcharge=self.surcharge)
 
     def stability(self, tell: Callable[[str], None]) -> tuple[dict[str, Any], Critical | None]:
-        """The given or the critical circle with its factors; None without strength."""
+        """Return the given or the critical circle, and its factors of safety; None without strength."""
         circle = {name: value for name, value in self.given.get("circle", {}).items() if name != "start"}
         known = self.profile is not None or bool(self.strength)
         if "critical" in circle:
             if not known:
-                needs = "circle.critical: needs friction or cohesion, and a pore pressure that is no record"
+                needs = "circle.critical: needs friction or cohesion, and a pore pressure that is not a record"
                 raise InputError("critical", [needs])
             limits = {name: self.limits[name] for name in ("entry", "exit", "depth") if name in self.limits}
             least = critical(self.slope(), circle["critical"], **limits, tell=tell)
             if least.radius > _FLATTEST * least.slope.size:
-                raise InputError("critical", ["{depth}: is missing: the least factor is that of an ever thinner skin"])
+                raise InputError("critical", ["{depth}: is missing: the search leads to ever thinner masses"])
             found = replace(least, start=self.start)
             return {"centre": found.centre, "radius": found.radius, "between": found.between}, found
         circle = _circle(circle)
@@ -101,7 +102,7 @@ class SlopeInput:
         return circle, given and replace(_deep_enough(given, geometry), start=self.start)
 
     def section(self, circle: Mapping[str, Any]) -> Section:
-        """The section that moves along a circle."""
+        """Return the section that moves along a circle."""
         common = self.ground | self.water | dict(circle)
         if self.profile is None:
             return Section(**common)
@@ -117,13 +118,13 @@ class SlopeInput:
         )
 
     def moving(self, tell: Callable[[str], None]) -> tuple[Section, Critical | None]:
-        """The section of a motion, with the factors of its circle."""
+        """Return the section of a motion, and the factors of safety of its circle."""
         circle, found = self.stability(tell)
         return self.section(circle), found
 
 
 def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
-    """Tables that factors of safety use but motions do not, and the reason."""
+    """Return a message for each table that factors of safety use but motions do not."""
     alone = "is for factors of safety alone (slipcircle search)"
     mistakes = []
     if given.get("tension_crack", {}).get("crack_water"):
@@ -132,12 +133,12 @@ def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
     present = {"tension_crack": "tension_crack" in given, "surcharge": bool(numbered(given, "surcharge"))}
     for name in (name for name, there in present.items() if there and not layered):
         fix = "put the soil into [soils.NAME], with one [[layers]] of it"
-        mistakes.append(f"{name}: a motion takes it on layered ground alone: {fix}; or leave it out")
+        mistakes.append(f"{name}: a motion uses it on layered ground only: {fix}; or leave it out")
     return mistakes
 
 
 def _deep_enough(found: Critical, section: Section) -> Critical:
-    """The factors of a circle; an error if a tension crack cuts off its mass."""
+    """Return the factors of safety of a circle, or raise an error if a tension crack cuts off its mass."""
     slope = found.slope
     if slope.crack and not any(found.factors_of_safety.values()):
         uncracked = at_circle(replace(slope, crack=0.0, crack_water=0.0), section)
@@ -148,7 +149,7 @@ def _deep_enough(found: Critical, section: Section) -> Critical:
 
 
 def _circle(circle: dict[str, Any]) -> dict[str, Any]:
-    """Centre, radius and stretch of a circle from any way to give it."""
+    """Return centre, radius and range of a circle from any of the ways to define it."""
     if "through" not in circle:
         return circle
     points = circle.pop("through")

@@ -1,4 +1,4 @@
-"""Tables and keys of a scene file along a real slope: ground, circle and water, its soils and layers, loads."""
+"""Declarations of the tables of a scene file with a slope: ground, circle, water, soils, layers and loads."""
 
 import math
 from collections.abc import Mapping
@@ -25,7 +25,7 @@ from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
 NOT_WITH_LAYERS = ("friction", "cohesion", "pore_pressure")
-_MOST_COHESION = 1e5  # kPa, of the soil of a homogeneous slope: more was in Pa
+_MOST_COHESION = 1e5  # kPa, of the soil of a homogeneous slope; larger values are in Pa by mistake
 
 
 def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
@@ -51,7 +51,7 @@ def _place(name: str, help: str) -> Parameter:
 
 
 def _of_soil(name: str, key: str, help: str, per_unit: float = 1.0, optional: bool = True) -> Parameter:
-    """A number of a soil by its field of `Soil`."""
+    """Return the declaration of a number of a soil by its field of `Soil`."""
     return declare(name, key, SOIL_BOUNDS[name][0], help, *SOIL_BOUNDS[name][1:], per_unit, optional)
 
 
@@ -107,13 +107,13 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         | {
             "critical": Key(
                 "critical",
-                "method by which the critical circle is searched",
+                "method of the search for the critical circle",
                 f"one of {', '.join(METHODS)}, or {YIELD}: least yield coefficient",
                 kind="|".join((*METHODS, YIELD)),
             ),
             "start": Key(
                 "start",
-                "method from whose factor of safety the motion starts, by default that of critical, or bishop",
+                "method from whose factor of safety the motion starts, by default the method of critical, or bishop",
                 f"one of {', '.join(METHODS)}",
                 kind="|".join(METHODS),
             ),
@@ -142,7 +142,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         },
     ),
     "search": table_of(
-        "what limits the search for the critical circle",
+        "limits of the search for the critical circle",
         [
             _length("depth", "least thickness of the mass, against skins", -5e-324),
             declare(
@@ -167,7 +167,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
     ),
 }
 
-LOADS: Mapping[str, Table] = {  # beside them
+LOADS: Mapping[str, Table] = {  # in addition to them
     "tension_crack": table_of(
         "a tension crack at the upper end of the slip surface",
         [
@@ -218,22 +218,22 @@ _LAYER = table_of(
     {"soil": Key("soil", "name of the soil", required=True)},
 )._replace(required=True, repeats="numbered")
 _SLIP = table_of(
-    "where the strength of the soils goes as the mass slides",
+    "strength along the slip surface as the mass slides",
     [],
     {
         "strength": Key(
             "strength",
-            "whether strength stays with the base, over which the mass slides, by default, or goes with the mass",
+            "base (default): strength of the ground below; mass: strength carried along with the mass",
             "one of base, mass",
             kind="base|mass",
         ),
-        "foreland": Key("foreland", "name of the soil below the arc beyond its exit, by default that at the exit"),
+        "foreland": Key("foreland", "name of the soil below the arc beyond its exit, by default the soil at the exit"),
     },
 )._replace(tables={"rate": RATE_OF_SOILS})
 
 
 def _plausible(table: Table) -> Table:
-    """A table of cohesion with bounds of soils."""
+    """Return a table of cohesion with the bounds that apply to soils."""
     keys = {
         name: key._replace(number=replace(key.number, high=_MOST_COHESION)) if name.endswith("_kPa") else key
         for name, key in table.keys.items()

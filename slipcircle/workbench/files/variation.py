@@ -1,4 +1,4 @@
-"""Scenes derived from others: along the critical circle of the means."""
+"""Scenes along the critical circle of the mean values of their uncertain numbers."""
 
 from dataclasses import replace
 from typing import Any
@@ -16,7 +16,7 @@ from slipcircle.workbench.stability.stability import Slope, soil
 
 
 def along_means(scene: Scene) -> Scene:
-    """A scene with a critical circle, along the critical circle of the means of its uncertain numbers."""
+    """Return a scene along the critical circle of the means of its uncertain numbers; other scenes unchanged."""
     if not isinstance(scene, SlopeScene) or scene.stability is None or not scene.stability.method:
         return scene
     found = scene.stability
@@ -32,7 +32,7 @@ def along_means(scene: Scene) -> Scene:
 
 
 def slope_of(scene: Scene, like: Slope) -> Slope:
-    """The slope with the ground, level, soils, surcharge and crack of a scene, otherwise like another."""
+    """Return a slope with the ground, level, soils, surcharge and crack of a scene, otherwise equal to ``like``."""
     arc = scene.arc
     assert isinstance(arc, Section)
     if isinstance(arc, LayeredSection):

@@ -1,1 +1,1 @@
-"""Output of results: tables, traces, pictures, reports and files."""
+"""Conversions of results to tables, pictures, HTML pages, reports and CSV."""

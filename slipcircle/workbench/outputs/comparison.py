@@ -1,6 +1,6 @@
-"""Several motions in one picture: farthest positions, velocities and displacements over time, run-outs.
+"""Pictures that compare several motions, or the run-outs of one scene as its effects are added.
 
-So too the run-outs of one scene with more and more of its effects.
+The pictures show the farthest positions, velocity and displacement over time, and the run-outs.
 """
 
 from collections.abc import Iterable, Sequence
@@ -32,7 +32,7 @@ from slipcircle.workbench.outputs.sheets import Drawing, sheet
 from slipcircle.workbench.outputs.trace import drawn
 from slipcircle.workbench.studies.ladder import Rung
 
-_MOST_BARS = 24  # further ones are summarised in text
+_MOST_BARS = 24  # greatest number; the other run-outs are summarised in text
 STILL = "does not move"
 _SECTION = 3.6  # heights in inches
 _CURVES = 2.8
@@ -40,7 +40,7 @@ _BAR = 0.3
 
 
 def overview(motions: Sequence[Motion]) -> Drawing:
-    """One picture of several motions, of which the first eight that move have a colour and a label."""
+    """Return a picture of several motions; the first eight that move have their own colours and labels."""
     sections = [(_SECTION, [partial(_sections, motions)])] if _same_slope(motions) else []
     velocity = partial(_curves, motions, "velocity", "velocity $v$ (m/s)")
     displacement = partial(_curves, motions, "displacement", "displacement $s$ (m)")
@@ -51,7 +51,7 @@ def overview(motions: Sequence[Motion]) -> Drawing:
 
 
 def _same_slope(motions: Sequence[Motion]) -> bool:
-    """Whether all masses are the same at the start."""
+    """Return whether all masses have the same outline at the start."""
     outlines = []
     for motion in motions:
         soil = motion.plan.scene.arc
@@ -61,13 +61,13 @@ def _same_slope(motions: Sequence[Motion]) -> bool:
 
 
 def _named(motions: Sequence[Motion]) -> dict[int, tuple[str, Any, str]]:
-    """Styles of the coloured motions, by number."""
+    """Return colour, dashes and marker of the first motions that move, by index in ``motions``."""
     moving = [k for k, motion in enumerate(motions) if motion.moves]
     return dict(zip(moving, SERIES, strict=False))
 
 
 def _sections(motions: Sequence[Motion], ax: Any) -> Any:
-    """The mass at the start, and at the run-out of each motion."""
+    """Draw the mass at the start and at the run-out of each motion; return the axis."""
     soil = motions[0].plan.scene.arc
     facing = float(soil.facing)
     mass = mass_of(soil, soil)
@@ -90,7 +90,7 @@ def _sections(motions: Sequence[Motion], ax: Any) -> Any:
 
 
 def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
-    """A quantity over time: a curve with a label for each motion."""
+    """Draw a column of `HISTORY` over time as a labelled curve for each motion; return the axis."""
     styles = _named(motions)
     for k, motion in enumerate(motions):
         if motion.moves and k not in styles:
@@ -115,7 +115,7 @@ def _curves(motions: Sequence[Motion], column: str, words: str, ax: Any) -> Any:
 
 
 def _bars(motions: Sequence[Motion], ax: Any) -> Any:
-    """Run-outs with peak velocities and durations; the greatest ones if there are too many."""
+    """Draw run-outs as bars with peak velocities and durations, the greatest if there are many; return the axis."""
     order = sorted(range(len(motions)), key=lambda k: -abs(motions[k].run_out))
     shown = [motions[k] for k in sorted(order[:_MOST_BARS])]
     words = []
@@ -135,7 +135,7 @@ def _bars(motions: Sequence[Motion], ax: Any) -> Any:
 
 
 def _draw_bars(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float, bool]], words: Sequence[str]) -> None:
-    """A bar of each run-out, by whether the mass is at rest, between a name and what happened."""
+    """Draw a bar for each run-out in m, styled by whether the mass is at rest, between a name and its outcome."""
     lines(ax, names)
     for place, (run_out, arrested) in enumerate(outcomes):
         ax.barh(place, run_out, height=0.62, **AREAS["rests" if arrested else "moves on"])
@@ -149,7 +149,10 @@ def _words(run_out: float, speed: float, end: str, duration: float) -> str:
 
 
 def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
-    """The run-out as the effects of a scene are added one by one, beside that of the whole scene."""
+    """Draw the run-outs of a ladder, which adds the effects of a scene one by one, as bars; return the axis.
+
+    A dotted line marks the run-out with all effects. Without an axis, a new figure is created.
+    """
     ax = axis(ax, (9.0, 3.5))
     rungs = list(rungs)
     names = [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs]

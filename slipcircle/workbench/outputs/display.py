@@ -1,4 +1,4 @@
-"""Pictures and HTML of results: methods of `Motion` and `Study` call these functions by name."""
+"""Pictures and HTML of results. The methods of `Motion` and `Study` call these functions by name."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -18,7 +18,7 @@ from slipcircle.workbench.studies.study import Study
 __all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas", "to_xarray"]
 
 
-# By result, or by the records of a study: the overview among the pictures, its data, and the panels.
+# By type of the result, or of the records of a study: kind of the overview, function that gives its data, and panels.
 _DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
     Critical: ("search", lambda found: ("", found), {}),
     Motion: ("motions", lambda motion: [motion], plots.PANELS),
@@ -28,7 +28,10 @@ _DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
 
 
 def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
-    """Draw one panel of a result on an axis, or all panels on a new figure or into a file; return the axes if any."""
+    """Draw one panel of a result on an axis, or all panels on a new figure or into a file; return the axis or None.
+
+    ``what`` is "overview", the name of a panel, or a path that ends in the name of an image format.
+    """
     records = result.design.records if isinstance(result, Study) else None
     overview, drawn, panels = _DRAWN[type(records or result)]
     _one_lane(result)
@@ -49,12 +52,12 @@ def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
 
 
 def html(motion: Motion) -> str:
-    """Key results as a table; for a single motion below its live slide."""
+    """Return key results as an HTML table, for a single motion below its live page."""
     return table_of(motion) if motion.shape else live.framed(motion) + table_of(motion)
 
 
 def animate(motion: Motion, path: str, seconds: float) -> Any:
-    """The slide as an animation to play, or written into a file."""
+    """Return the animation of a slide of some duration in s, or write it into a .gif file if there is a path."""
     _one_lane(motion)
     if not path:
         return film.animate(motion, seconds=seconds)
@@ -64,6 +67,6 @@ def animate(motion: Motion, path: str, seconds: float) -> Any:
 
 
 def _one_lane(result: Any) -> None:
-    """Reject an ensemble, which has no single picture."""
+    """Raise ValueError for an ensemble of motions, which cannot be drawn as one picture."""
     if isinstance(result, Motion) and result.shape:
-        raise ValueError(f"a motion of {len(result)} lanes is not one picture: take one of them, motion[0]")
+        raise ValueError(f"an ensemble of {len(result)} lanes cannot be drawn; select a lane, such as motion[0]")

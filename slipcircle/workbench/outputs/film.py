@@ -1,4 +1,4 @@
-"""The slide as a film: the section with the mass at equidistant times."""
+"""Animation of a slide: the section with the mass at equidistant times."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -14,17 +14,17 @@ _FRAMES = 60
 
 
 class Film(NamedTuple):
-    """A section with a moving mass: its moving artists, a function that draws a frame, and the times of frames."""
+    """Section with a moving mass: artists that move, a function that draws a frame, and times of the frames in s."""
 
     figure: Any
     moving: tuple[Any, ...]
     draw: Callable[[int], tuple[Any, ...]]
     times: Floats
-    seconds: float  # of playing time
+    seconds: float  # playing time
 
 
 def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
-    """The section with the mass at equidistant times, played in so many seconds; a single frame if nothing moves."""
+    """Return an animated section that plays a motion in ``seconds``, with one frame if the mass does not move."""
     ax = axis(None if figure is None else figure.add_subplot())
     stage = set_stage(motion, ax)
     mass = stage.mass
@@ -49,7 +49,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
 
 
 def _pace(motion: Motion, seconds: float, magnification: float) -> str:
-    """Speed-up and magnification of a film, in words."""
+    """Return the speed-up of an animation and the magnification of its displacements as text."""
     words = ""
     if motion.moves:
         words = f"; {pace(motion.settling_time, seconds)}"
@@ -59,10 +59,10 @@ def _pace(motion: Motion, seconds: float, magnification: float) -> str:
 
 
 def animate(motion: Motion, seconds: float = 5.0, figure: Any = None) -> Any:
-    """The slide as a matplotlib.animation.FuncAnimation: the section with the mass at equidistant times.
+    """Return the slide as a `matplotlib.animation.FuncAnimation` that plays for ``seconds``.
 
-    An empty figure may be given, with a constrained layout; keep what is returned while it plays, or save it. Where the
-    mass does not move there is one frame.
+    The section shows the mass at equidistant times, with a single frame if it does not move. A given figure has to be
+    empty, with a constrained layout. Keep a reference to the animation while it plays, or save it.
     """
     from matplotlib.animation import FuncAnimation
 

@@ -1,4 +1,4 @@
-"""The scene file reference as text: every table, law and effect with its formula, keys, bounds and equation."""
+"""Reference of the scene file as text: every table, law and effect with its formula, keys, bounds and equation."""
 
 import textwrap
 from collections.abc import Iterator
@@ -37,12 +37,12 @@ radial weight and J_theta the moment of the weight; A and lambda are (2.24) and 
 adds to these; notebooks/0_the_method.ipynb derives them.
 """
 
-# How the methods for factors of safety differ.
+# Comparison of the methods for factors of safety.
 COMPARED = """\
-The factor is the moment of this strength about the centre, divided by that of the weight and of k_h times the weight \
+The factor is the moment of this strength about the centre, divided by the moment of the weight and of k_h times it \
 at half the height of the slices. The three agree for mu = 0, and nearly for flat arcs. On the circle of real-slope \
 they are 0.942, 0.950 and 0.985; with r_u = 0.5, on the circle that is then critical, 0.431, 0.443 and 0.499. The \
-paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which counts on more normal stress on steep bases. The \
+paper's factor is the lowest, by 4 % and by 14 % of Bishop's, which assumes more normal stress on steep bases. The \
 motion starts from the factor by the method of the search, or by start in [circle]: strength is multiplied by \
 one number, which is constant during the motion; a Scene built by hand has 1. Below a water level the \
 paper's factor is least on circles close to half discs, where Bishop's is two to three times as high: minimise \
@@ -57,7 +57,7 @@ to 0 it would be 4 to 23 % too high. For mu = 0 the share has no meaning."""
 
 
 def guide() -> str:
-    """The text, at most 100 columns wide."""
+    """Return the reference of the scene file as text of at most 100 columns."""
     lines = [HEAD, "Above the first table", *_keys(TOP)]
     layered = {name: WITH_LAYERS.tables[name] for name in ("soils", "layers", "slip")}
     of_forms = [WITH_ARC.tables, SLOPING, layered, LOADS]
@@ -70,11 +70,11 @@ def guide() -> str:
         lines += _title(f"  {method}", f"{name}: {description}")
     lines += [
         "",
-        *_title("[friction]", "mu on the slip surface, by one of these laws; of layers [soils.NAME.friction]"),
+        *_title("[friction]", "mu on the slip surface, by the laws below; for layers in [soils.NAME.friction]"),
     ]
     for name, law in LAWS.items():
         lines += ["", *_title(f'  law = "{name}"', _with_source(law)), *_keys(FRICTION.laws[name])]
-    lines += ["", *_title("[friction.rate]", "a law of speed that multiplies one of slip, with the keys of that law")]
+    lines += ["", *_title("[friction.rate]", "a rate law that multiplies the slip law, with the keys of the rate law")]
     for name, effect in EFFECTS.items():
         lines += ["", *_title(f"[{name}]", _with_source(effect))]
         lines += [INDENT * " " + formula for formula in effect.formulas]
@@ -86,14 +86,14 @@ def guide() -> str:
 
 
 def _tables(path: str, table: Table) -> Iterator[str]:
-    """Lines of a table and those inside it; of one that chooses a law, its laws."""
+    """Yield the lines of a table and of the tables inside it."""
     if table.repeats == "named":
         path = f"{path}.NAME"
     head = f"[[{path}]]" if table.repeats == "numbered" else f"[{path}]"
     words = table.title
     if table.laws:
         like = "cohesion" if path.endswith("cohesion") else "friction"
-        words += f": with the keys of [{like}], law one of {', '.join(table.laws)}"
+        words += f": with the keys of [{like}]; law is {' or '.join(table.laws)}"
     yield ""
     yield from _title(head, words)
     yield from _keys(table)
@@ -106,7 +106,7 @@ def _with_source(declared: Law | Effect) -> str:
 
 
 def _of_uncertain_numbers() -> str:
-    """Form of an uncertain number, and its distributions."""
+    """Return the syntax of an uncertain number and the list of distributions as text."""
     example = '{ distribution = "normal", mean = 10, std = 1 }'
     kinds = [f"{name} ({', '.join(kind.parameters)})" for name, kind in DISTRIBUTIONS.items()]
     return f"instead of a number: {example}, in the key's unit, for `slipcircle sweep`; {', '.join(kinds)}"
@@ -117,7 +117,7 @@ def _title(head: str, words: str) -> list[str]:
 
 
 def _keys(table: Table) -> Iterator[str]:
-    """Lines for each key; alternatives of which one is required are together."""
+    """Yield lines for each key of a table; alternative keys share an entry if exactly one is required."""
     pairs = {pair[0]: pair[1] for pair in table.one_of}
     for k, key in table.keys.items():
         other = pairs.get(k)

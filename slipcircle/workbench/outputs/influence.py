@@ -1,4 +1,4 @@
-"""Table of `slipcircle sensitivity`: the most important numbers of a scene, and where its mass stays at rest."""
+"""Table of `slipcircle sensitivity`: the most important numbers of a scene, and their values for F = 1."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,17 +14,18 @@ from slipcircle.workbench.outputs.tables import Part
 _MOST = 10  # rows
 _TERMS = {
     "kink": "kink: the slopes to both sides differ, and their mean is given",
-    "jump": "jump: a change to one side changes the outcome at once, and the slope is that to the other side",
-    "one side": "one side: there is no scene to the other side",
-    "unresolved": "unresolved: no derivative is known",
+    "jump": "jump: a change to one side changes the outcome at once, and the slope is taken on the other side",
+    "one side": "one side: values on the other side are not a valid scene",
+    "unresolved": "unresolved: the derivative is unknown",
 }
 
 
 def important(table: Sensitivity) -> dict[str, float]:
-    """Return the sizes of the numbers with the greatest effect on the run-out, in order, in SI units.
+    """Return the sizes of the numbers with the greatest effect on the run-out, in SI units by name, largest first.
 
-    An effect is that of a change by a share of the size: of places the depth of the mass, of the ends of an arc half
-    its angle, of other numbers their value. Of all points of the geometry the most important coordinate is listed.
+    The effect of a number is the derivative of the run-out times the size of the number. The size of a place is the
+    depth of the mass, of an end of the arc half the opening angle, and otherwise the value itself. Among all
+    coordinates of the geometry, only the most important is listed.
     """
     arc: Any = table.scene.arc
     effects = dict[str, float]()
@@ -49,7 +50,18 @@ def _is_point(name: str) -> bool:
 
 
 def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str) -> Part:
-    """Return a table of derivatives per unit of the key of each number, with the value at which the mass would stay."""
+    """Return a table of derivatives of the outputs per unit of the key of each number.
+
+    Parameters
+    ----------
+    table : Sensitivity
+    stops : mapping
+        Values in SI units at which F = 1, by name of the number. They are listed with their distance.
+    names : mapping
+        Names of the listed numbers, such as the result of `important`.
+    name : str
+        Title of the table.
+    """
     rows: list[list[Any]] = [["", "", "", "", *(table.at[output] for output in table.outputs)]]
     keys = by_name(table.scene)
     for parameter in names:
@@ -67,7 +79,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapp
 
 
 def _label(table: Sensitivity, key: Number) -> str:
-    """Return the key of a number, of a coordinate with the number of coordinates."""
+    """Return the key of a number; for a coordinate, also the number of coordinates."""
     count = sum(map(_is_point, table.parameters))
     if count > 1 and _is_point(key.name):
         return f"{key.key}, of {count} coordinates"
@@ -75,7 +87,7 @@ def _label(table: Sensitivity, key: Number) -> str:
 
 
 def _cell(table: Sensitivity, output: str, parameter: str, key: Number) -> str:
-    """Return a derivative per unit of a key, in brackets in per cent per per cent, and its kind unless it is smooth."""
+    """Return a derivative as text: per unit of the key, in brackets relative, and its kind unless it is smooth."""
     at = table.at[output]
     value = float(key.from_si(table.at[parameter]))
     per_si = table.derivative(output, parameter)
@@ -89,7 +101,7 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Number) -> str:
 
 
 def _note(table: Sensitivity, names: Mapping[str, float]) -> str:
-    """Return what the columns and the terms in a table mean, and how many numbers it leaves out."""
+    """Return the explanation of the columns and terms of a table, and the number of omitted rows."""
     notes = ["change per unit of the key, and in brackets in per cent per per cent of it"]
     notes.append("F = 1 at: the nearest value at which the mass begins or ceases to slide on this circle")
     kinds = {table.kind(output, parameter) for output in table.outputs for parameter in names}

@@ -1,4 +1,4 @@
-"""Installed versions, and digests of the generated files."""
+"""Installed versions and digests of the generated files."""
 
 import hashlib
 import platform
@@ -15,7 +15,7 @@ from slipcircle.words import integrator
 
 
 def facts() -> dict[str, str]:
-    """Return versions of the package, Python and optional libraries, the kernels in use, and digests of files."""
+    """Return versions, the processor, the kernels in use, and digests of the generated files, as texts by name."""
     remedy = FREE_THREADED if is_free_threaded() else "`python -m derive.build` compiles them"
     kernels = f"NumPy, not compiled: {remedy}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
@@ -35,7 +35,7 @@ def facts() -> dict[str, str]:
 
 
 def processor() -> str:
-    """Name of the processor; the level of the kernels shows which of its instructions are used."""
+    """Return the name of the processor."""
     try:
         named = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
     except OSError:
@@ -44,5 +44,5 @@ def processor() -> str:
 
 
 def machine() -> str:
-    """Processor and versions, to be printed with measured times."""
+    """Return the processor and the installed versions as text, to be printed with measured times."""
     return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and not v.startswith("not "))

@@ -1,8 +1,8 @@
-"""Labels that are placed where they cover least when a picture is drawn.
+"""Labels that matplotlib places, when it draws, where they cover least.
 
-A label may stand at several distances and in several directions from each of its anchors. The cost of a place counts
-the points of lines, marks and outlines that it covers, overlap with other labels and with the edge of the axis, and the
-distance. Labels are placed in the order of their creation, so that pictures are reproducible.
+Candidate places lie at several distances and in several directions from each anchor of a label. The cost of a place
+adds the points of lines, marks and outlines that the label would cover, its overlap with other labels and with the edge
+of the axis, and the distance. Labels are placed in the order of their creation, so that pictures are reproducible.
 """
 
 import math
@@ -17,19 +17,19 @@ from matplotlib.text import Annotation, Text
 
 from slipcircle.base.kinds import Floats
 
-_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # of a label from an anchor, in points
-_NEAR = 15.0  # points, within which a label needs no leader
+_DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # distances of a label from an anchor, in points
+_NEAR = 15.0  # points, greatest distance of a label without a leader
 _DIRECTIONS = np.linspace(0.0, 2 * math.pi, 16, endpoint=False)
-_SPACING, _MOST = 4.0, 1000  # of the points that stand for a line, in pixels; how many of them
-_GAP = 2.0  # around labels, in pixels
+_SPACING, _MOST = 4.0, 1000  # spacing of the sample points of a line, in pixels; their greatest number
+_GAP = 2.0  # free space around labels, in pixels
 # Costs: a covered point, a pixel outside the axis, an overlap with a label, a pixel of distance.
 _COVERED, _OUTSIDE, _WORDS, _FAR = 2.0, 200.0, 400.0, 0.25
 BACK = 1.5  # `zorder` below which artists may be covered
-_HALO = 2.5  # points of white around a label
+_HALO = 2.5  # width of the white outline of a label, in points
 
 
 class Label(Annotation):
-    """A label beside one of some anchors in data coordinates; if ``inside``, on one of them."""
+    """Label beside the best of its anchors, which are points in data coordinates; if ``inside``, on it."""
 
     def __init__(self, ax: Any, words: str, anchors: Any, colour: str, inside: bool = False, **more: Any) -> None:
         self.anchors = np.reshape(np.asarray(anchors, dtype=np.float64), (-1, 2))
@@ -50,7 +50,7 @@ class Label(Annotation):
         ax.add_artist(self)
 
     def update_positions(self, renderer: Any) -> None:
-        """Place the label as matplotlib is about to draw it."""
+        """Place the label when matplotlib is about to draw it."""
         limits = np.column_stack([self.parent.get_xlim(), self.parent.get_ylim()])
         in_pixels = self.parent.transData.transform(limits)
         where = np.concatenate([limits, in_pixels]).tobytes()
@@ -60,7 +60,7 @@ class Label(Annotation):
         super().update_positions(renderer)
 
     def _place(self, renderer: Any) -> None:
-        """Choose the anchor and the place of least cost."""
+        """Move the label to the anchor and the offset of least cost."""
         pixels = renderer.points_to_pixels(1.0)
         self.leader.set_visible(False)
         box = Text.get_window_extent(self, renderer)
@@ -77,7 +77,7 @@ class Label(Annotation):
         self.leader.set_visible(distances[place] > _NEAR * pixels)
 
     def _offsets(self, half: Floats, pixels: float) -> tuple[Floats, Floats]:
-        """Distances of a label from an anchor, and offsets of its centre, (places,) and (places, 2)."""
+        """Return distances from an anchor, (places,), and offsets of the centre of a label, (places, 2), in pixels."""
         if self.inside:
             return np.zeros(1), np.zeros((1, 2))
         away = np.stack([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)], axis=1)
@@ -86,7 +86,7 @@ class Label(Annotation):
         return distances, (distances[:, None] + half) * directions
 
     def _cost(self, centres: Floats, half: Floats) -> Floats:
-        """Costs of what a label of a half size covers at centres, (anchors, places, 2) in pixels."""
+        """Return the costs of a label with a half size at centres, (anchors, places, 2), all in pixels."""
         frame = self.parent.bbox
         too_low = np.maximum(frame.min - centres + half, 0.0)
         too_high = np.maximum(centres + half - frame.max, 0.0)
@@ -99,7 +99,7 @@ class Label(Annotation):
         return cost
 
     def _placed(self) -> Iterator[Any]:
-        """The labels that have been placed, and all other texts."""
+        """Yield the labels that have been placed, and all other texts."""
         for ax in _beside(self.parent):
             is_later = False
             for text in ax.texts:
@@ -108,30 +108,30 @@ class Label(Annotation):
                     yield text
 
     def _other_words(self, renderer: Any) -> Iterator[Any]:
-        """Boxes of the texts that have been placed."""
+        """Yield the boxes of the texts that have been placed."""
         for text in self._placed():
             yield Text.get_window_extent(text, renderer)
 
 
 def _overlaps(centres: Floats, half: Floats, box: Any) -> Any:
-    """Whether a label of a half size overlaps a box, at centres (..., 2)."""
+    """Return whether a label of a half size overlaps a box, for centres (..., 2)."""
     return np.all((centres - half < box.max) & (centres + half > box.min), axis=-1)
 
 
 def _crosses(anchors: Floats, centres: Floats, box: Any) -> Any:
-    """Whether the way from anchors (n, 2) to centres (n, places, 2) crosses a box."""
+    """Return whether lines from anchors (n, 2) to centres (n, places, 2) cross a box."""
     share = np.linspace(0.1, 0.9, 9)[:, None, None, None]
     points = anchors[:, None] + share * (centres - anchors[:, None])
     return np.any(np.all((points > box.min) & (points < box.max), axis=-1), axis=0)
 
 
 def _beside(ax: Any) -> list[Any]:
-    """The axis with its twins."""
+    """Return an axis and its twins."""
     return [other for other in ax.figure.axes if other.bbox.bounds == ax.bbox.bounds]
 
 
 def _obstacles(axes: Any) -> Iterator[Floats]:
-    """Points in pixels that stand for lines, marks and outlines on an axis and its twins."""
+    """Yield points (n, 2), in pixels, on the lines, marks and outlines of an axis and its twins."""
     frame = axes.bbox
     for ax in _beside(axes):
         for artist in ax.get_children():
@@ -150,7 +150,7 @@ def _obstacles(axes: Any) -> Iterator[Floats]:
 
 
 def _about(points: Floats, size: float) -> Floats:
-    """Points that stand for marks of a size in pixels."""
+    """Return points around the centres of marks of a size in pixels."""
     shares = (-0.5, 0.0, 0.5)
     offsets = size * np.array([(across, up) for across in shares for up in shares])
     around = points[:, None] + offsets
@@ -158,7 +158,7 @@ def _about(points: Floats, size: float) -> Floats:
 
 
 def _along(points: Floats, frame: Any) -> Floats:
-    """Equidistant points along a line, clipped to the surroundings of the frame."""
+    """Return equidistant points along a line, clipped to a margin around the frame."""
     is_finite = np.all(np.isfinite(points), axis=1)
     points = points[is_finite]
     if len(points) < 2:
@@ -175,7 +175,7 @@ def _along(points: Floats, frame: Any) -> Floats:
 
 
 def _inside(path: Any, frame: Any) -> Floats:
-    """Points of a hatched area."""
+    """Return grid points inside a hatched area."""
     extents = path.get_extents()
     left, bottom = np.maximum(extents.min, frame.min)
     right, top = np.minimum(extents.max, frame.max)

@@ -1,4 +1,4 @@
-"""The soils along the arc of a layered section, and the stress on them."""
+"""Soils and normal stress along the arc of a layered section."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -12,17 +12,17 @@ from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, po
 from slipcircle.workbench.outputs.scenery import key_of, numbers_of
 from slipcircle.workbench.outputs.shapes import Mass
 
-_ACROSS = 400  # points of the stress
+_ACROSS = 400  # number of points of the stress curve
 _START = 6.0  # width of the arc at the start, in points
-_TURNED = 2.5  # of the turned arc
-_NAMED = 0.03  # of the arc, shorter stretches of which have no name
+_TURNED = 2.5  # width of the turned arc, in points
+_NAMED = 0.03  # relative to the arc; shorter stretches are not named
 
 
 def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence[float]) -> None:
-    """The arc in the colours of its soils, at the start a broad line, turned a narrow one.
+    """Draw the arc in the colours of its soils, at the start as a broad line, turned as a narrow one.
 
-    Where the strength belongs to the base the colours stay in place; beyond the exit the soil at the exit, or the
-    foreland, continues.
+    ``turns`` are rotations in rad. Where the strength belongs to the base, the colours stay in place; beyond the exit
+    the soil at the exit, or the foreland, continues.
     """
     numbers = numbers_of(section.layers)
     facing = float(section.facing)
@@ -38,10 +38,13 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
 
 
 def stress_along(motion: Motion, ax: Any = None) -> Any:
-    """Total normal stress along the arc at the start, by strips, on which the strength is based, and its mean (2.9)."""
+    """Draw the total normal stress at the start along the arc of a layered section, and its mean (2.9).
+
+    The strength is based on this stress, which is computed by strips. Raises ValueError for a scene without layers.
+    """
     section = motion.plan.scene.arc
     if not isinstance(section, LayeredSection):
-        raise ValueError("plot: the stress along the arc by strips: of a section with layers")
+        raise ValueError("plot: the stress along the arc requires a section with [[layers]]")
     ax = axis(ax, (7.0, 3.0))
     rows = stretches(section)
     angles = np.linspace(rows[0].start, rows[-1].end, _ACROSS)
@@ -67,7 +70,7 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
 
 
 def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
-    """The soil of each stretch as a coloured area behind curves along the arc, with its name."""
+    """Shade the soil of each stretch behind curves along the arc, with its name; ``height`` is their maximum."""
     numbers = numbers_of(section.layers)
     rows = stretches(section)
     shortest = _NAMED * sum(row.length for row in rows)

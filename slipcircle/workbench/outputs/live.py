@@ -1,7 +1,7 @@
-"""The live page of a slide: a self-contained page that solves its scene as one drags its numbers, also for reports.
+"""Live page of a slide: a self-contained HTML page that solves its scene again when its sliders are moved.
 
-Layout, colours and programs are in the folder `page`, the integrator is `generated/flow.wasm.txt`; this module supplies
-numbers, drawings, and the motion as it is, which a browser without WebAssembly plays.
+Layout, colours and programs are in the folder `page`, the integrator is `generated/flow.wasm.txt`. This module supplies
+numbers, drawings, and the solved motion, which a browser without WebAssembly plays.
 """
 
 import base64
@@ -36,10 +36,10 @@ from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS,
 from slipcircle.workbench.outputs.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
-_SAMPLES = 241  # of the motion as it is
+_SAMPLES = 241  # number of samples of the solved motion
 _DIGITS = 8
-INTERPOLATED = 1e-6  # error of inputs that a page may have and show, where a slider is asked for
-_SHORTEST = 4.0  # seconds in which a slide is played, as in `live.js`
+INTERPOLATED = 1e-6  # allowed error of inputs for a requested slider; the page shows the error
+_SHORTEST = 4.0  # seconds of the animation, as in `live.js`
 _LONGEST = 10.0
 _PAGE = resources.files("slipcircle.workbench.outputs") / "page"
 _SHELL = """
@@ -49,12 +49,12 @@ h1 { margin: 0; font: 600 .95rem/1.4 system-ui, sans-serif; color: var(--soft); 
 
 
 def text(name: str) -> str:
-    """A file of the folder `page`."""
+    """Return the text of a file in the folder `page`."""
     return (_PAGE / name).read_text("utf-8")
 
 
 def style() -> str:
-    """The style of `fragment`, in the colours of pictures; `live.css` has those for a dark screen."""
+    """Return the CSS of `fragment` in the colours of pictures; `live.css` has the colours for a dark screen."""
     colours = {f"band-{k}": band for k, (band, _) in enumerate(SOILS)}
     colours |= {"soil": SCENERY["soil"]["color"], "mass": AREAS["moving"]["facecolor"]}
     colours |= {"way": LINES["main"]["color"], "speed": LINES["other"]["color"]}
@@ -63,26 +63,26 @@ def style() -> str:
 
 
 def script() -> str:
-    """Return the programs of `fragment` without comments; a page needs them once, at its end."""
+    """Return the JavaScript of `fragment` without comments. A page needs it once, at its end."""
     lines = [line.strip() for name in ("engine.js", "live.js") for line in text(name).splitlines()]
     return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def engine() -> Raw:
-    """The integrator for a browser, compressed; a page needs it once."""
+    """Return the compressed integrator for a browser as an HTML element. A page needs it once."""
     _, packed = (resources.files("generated") / "flow.wasm.txt").read_text("utf-8").split()
     return Raw(f'<script type="text/plain" id="slide-engine">{packed}</script>')
 
 
 def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
-    """A single motion as a page of its own, which solves its scene for other values of the sliders' numbers.
+    """Return a single motion as a complete HTML page, which solves its scene for other values of the sliders.
 
     Parameters
     ----------
     motion : Motion
-        One without a result is shown at its start.
+        A motion without a result is shown at its start.
     sliders : sequence of Slider, optional
-        By default the numbers of strength and load, and the shape of an arc.
+        By default for the numbers of strength and load, and for the shape of an arc.
     """
     scene = motion.plan.scene
     title = " \N{MIDDLE DOT} ".join(filter(None, [scene.name or "slide", scene.note]))
@@ -91,14 +91,14 @@ def page(motion: Motion, sliders: Sequence[Slider] | None = None) -> str:
 
 
 def framed(motion: Motion) -> Raw:
-    """The page of a motion in an isolated frame of another page, such as a notebook."""
-    size = 'width="100%" height="1560"'  # of the whole page where charts are in pairs
+    """Return the page of a motion in an isolated frame of another page, such as a notebook."""
+    size = 'width="100%" height="1560"'  # height of the whole page where charts are in pairs
     attributes = f'sandbox="allow-scripts allow-downloads" {size} style="border: 0" title="the slide"'
     return Raw(f'<iframe {attributes} srcdoc="{escaped(page(motion))}"></iframe>')
 
 
 def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None) -> Raw:
-    """The slide as a part of a page, which needs `style`, `engine` and `script`; the name is its identifier there."""
+    """Return the slide as part of a page, which needs `style`, `engine` and `script`; ``name`` is its identifier."""
     scene = motion.plan.scene
     magnification = magnified(motion)
     frame = frame_around(motion, magnification)
@@ -125,7 +125,7 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
 
 
 def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> dict[str, Any]:
-    """Data for the script: the motion as it is, what was observed, and what the engine solves."""
+    """Return the data of the script: the solved motion, the observations, and the inputs of the engine."""
     scene = motion.plan.scene
     duration = _duration(motion)
     data: dict[str, Any] = {
@@ -146,12 +146,14 @@ def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_no
 
 
 def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
-    """Sliders of a scene's page, of which the first is for a number of it, between two values in its key's unit.
+    """Return the sliders of a scene's page, first a slider for a key, from ``low`` to ``high`` in the key's unit.
+
+    The default sliders follow if the page can have them as well.
 
     Raises
     ------
     ValueError
-        For a key without a value in the scene, and for values that it cannot have.
+        If the scene has no value for the key, if the values are not valid, or if the inputs cannot be interpolated.
     """
     number = varied_number(scene, key, [low, high])
     asked = Slider(number, low, high)
@@ -159,7 +161,7 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
         with_parameters(scene, {number.name: value})  # raises an error for an invalid value
     if not interpolates(scene, [asked], INTERPOLATED):
         raise ValueError(
-            f"--vary {key}: what the motion starts from is not smooth enough between these values to be interpolated "
+            f"--vary {key}: the initial state is not smooth enough between these values to be interpolated "
             f"to {INTERPOLATED:.0e}; narrow the range"
         )
     others = [other for other in default_sliders(scene) if other.number.name != number.name]
@@ -167,7 +169,7 @@ def slider(scene: Scene, key: str, low: float, high: float) -> list[Slider]:
 
 
 def headline(motion: Motion) -> str:
-    """The outcome of a motion in a few words."""
+    """Return the outcome of a motion in a few words."""
     if motion.status not in ANSWERED:
         return f"no result: {motion.reason}"
     if not motion.moves:
@@ -180,12 +182,12 @@ def _is_motion(motion: Motion) -> bool:
 
 
 def _duration(motion: Motion) -> float:
-    """Of what is played, s; of a mass that creeps its settling time."""
+    """Return the duration of the animation in s: settling time or duration, the shorter one; 0 without motion."""
     return float(np.fmin(motion.duration, motion.settling_time)) if _is_motion(motion) else 0.0
 
 
 def _stored(motion: Motion) -> dict[str, Any]:
-    """The motion as it is at even times, to as many digits as a screen shows."""
+    """Return time, displacement and velocity of the solved motion at equidistant times, rounded for the screen."""
     times = np.linspace(0.0, _duration(motion), _SAMPLES if _is_motion(motion) else 1)
     columns = {"t": times, "s": np.zeros(times.size), "v": np.zeros(times.size)}
     if _is_motion(motion):
@@ -197,7 +199,7 @@ def _stored(motion: Motion) -> dict[str, Any]:
 
 
 def _first(motion: Motion) -> dict[str, Any]:
-    """What is said of the motion as it is."""
+    """Return headline, end, key results and warnings of the solved motion."""
     answered = motion.status in ANSWERED
     end = ending(motion) if _is_motion(motion) else end_words(motion).get("comes to rest", "no result")
     return {
@@ -209,7 +211,7 @@ def _first(motion: Motion) -> dict[str, Any]:
 
 
 def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str]:
-    """Sentences on what the drawing shows."""
+    """Yield the sentences of the caption."""
     arc = motion.plan.scene.arc
     yield "To scale. Dashed: the mass at the start; dotted: the circle continued, as the method assumes."
     if isinstance(arc, Arc):
@@ -219,20 +221,20 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
     if magnification > 1.0:
         yield f"Displacements are drawn {shown(magnification)} times as large."
     if motion.moves and "rotation" not in motion.plan.effects:
-        yield "Frozen geometry: the mass is drawn turned, its forces stay those of the start."
+        yield "Frozen geometry: the mass is drawn turned, its forces remain as at the start."
     if why_not:
         yield f"The page plays the motion as it was solved, and does not solve: {why_not}."
     else:
-        yield "Grey, dashed: the scene as given, beside what the sliders make of it, which this page solves itself."
+        yield "Grey, dashed: the scene as given. This page itself solves the scene with the values of the sliders."
 
 
 def _packed(data: Mapping[str, Any]) -> str:
-    """Data that the script unpacks."""
+    """Return data as compressed JSON in base64, which the script unpacks."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
 
 
 def _as_script_data(data: Mapping[str, Any]) -> str:
-    """JSON in which nothing is HTML or XML."""
+    """Return data as JSON with escaped ``&``, ``<`` and ``>``, which is safe inside HTML and XML."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")

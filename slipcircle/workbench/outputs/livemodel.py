@@ -1,8 +1,8 @@
-"""What a live page solves: the programs of a scene, and their inputs as functions of the numbers that one may drag.
+"""Model of a live page: the programs of a scene, and their inputs as functions of the numbers with sliders.
 
-An input is a polynomial in these numbers, SI units: Chebyshev interpolants on Lobatto's points, of as many of the
-numbers as it depends on. Inputs that are linear in them, as all numbers of friction are, come out exact. The motion
-itself is not interpolated: the page integrates it with the compiled text of `generated/_flow.c`.
+An input is a polynomial in these numbers in SI units: a Chebyshev interpolant on Lobatto points, in the numbers on
+which it depends. Inputs that are linear in them, as in all numbers of friction, are exact. The motion itself is not
+interpolated: the page integrates it with the compiled text of `generated/_flow.c`.
 """
 
 import math
@@ -25,24 +25,24 @@ from slipcircle.workbench.files.numbers import Number, by_name
 from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of
 from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
 
-DEGREE = 16  # of an interpolant in one number, at most
-ROUNDING = 4e-15  # of the greatest value, which coefficients have to exceed
-TRIALS = 64  # random places at which interpolants are compared with what they stand for
-ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as a single scene's
-SHARE = 0.5  # of a number, to both sides of its value, that a slider has where no range is given
+DEGREE = 16  # greatest degree of an interpolant in one number
+ROUNDING = 4e-15  # relative to the greatest value; smaller coefficients are dropped
+TRIALS = 64  # number of random places for the comparison of interpolants with exact inputs
+ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as for a scene
+SHARE = 0.5  # default range of a slider to both sides of the value, relative to it
 CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
-# Numbers that sliders are for where none is named; those that shape a section are cheap to lay out for an arc alone.
+# Numbers with sliders by default; those that shape a section are cheap to lay out for an arc alone.
 _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
-SMOOTH = 1e-12  # error of inputs, of their greatest values, above which a number has no slider
-MOST_COEFFICIENTS = 1300  # of interpolants, for a page below 130 kB
-MOST_NUMBERS = 60_000  # of tables
+SMOOTH = 1e-12  # greatest error of inputs of a default slider, relative to their greatest values
+MOST_COEFFICIENTS = 1300  # greatest number of coefficients of interpolants, for a page below 130 kB
+MOST_NUMBERS = 60_000  # greatest number of values in tables
 
 
 class Slider(NamedTuple):
-    """A number of a scene with its range, in the unit of its key."""
+    """Number of a scene with its range in the unit of its key."""
 
     number: Number
     low: float
@@ -50,11 +50,11 @@ class Slider(NamedTuple):
 
     @property
     def ends(self) -> Floats:
-        """Of the range, SI."""
+        """Ends of the range in SI units, an array of shape (2,)."""
         return np.asarray(self.number.to_si(np.array([self.low, self.high])), dtype=np.float64)
 
     def described(self, scene: Scene) -> dict[str, Any]:
-        """Return the slider for the page."""
+        """Return key, label, unit, range and present value of the slider as JSON data for the page."""
         number = self.number
         return {
             "key": number.key,
@@ -71,7 +71,7 @@ class Slider(NamedTuple):
 
 
 def default_sliders(scene: Scene) -> list[Slider]:
-    """Return sliders for strength, load, and the shape of an arc, those that change the run-out most first."""
+    """Return sliders for strength, load and the shape of an arc, by decreasing influence on the run-out."""
     keys = by_name(scene)
     names = []
     for name in parameters(scene):
@@ -93,14 +93,14 @@ def default_sliders(scene: Scene) -> list[Slider]:
 
 
 def _influence(scene: Scene, slider: Slider) -> float:
-    """Return the greatest change of the run-out over both ends and the present value of a slider."""
+    """Return the greatest change of the run-out in m over both ends and the present value of a slider."""
     values = np.array([*slider.ends, parameter_value(scene, slider.number.name)])
     cases, _ = with_parameter_arrays(scene, {slider.number.name: values})
     return float(np.ptp(np.nan_to_num(solve(cases).run_out)))
 
 
 def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: float = math.inf) -> bool:
-    """Whether the inputs are interpolated to an error, with so many coefficients at most."""
+    """Return whether interpolants reach a relative error with at most ``most`` coefficients."""
     try:
         inputs = _Inputs(scene, sliders, plan(scene).accuracy)
         return _greatest_error(inputs, _fits(inputs, most)) < error
@@ -109,7 +109,7 @@ def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: fl
 
 
 def _around(scene: Scene, number: Number) -> Slider | None:
-    """A slider around the scene's value, narrowed until both of its ends are scenes."""
+    """Return a slider around the scene's value, narrowed until both ends are valid, or None if it gets too narrow."""
     value = float(number.from_si(parameter_value(scene, number.name)))
     share = 0.1 if number.name in _SHAPE else SHARE
     while value and share > 0.01:
@@ -123,12 +123,12 @@ def _around(scene: Scene, number: Number) -> Slider | None:
 
 
 def unsolvable(motion: Motion) -> str:
-    """Why a page cannot solve a scene; empty where it can."""
+    """Return the reason why a page cannot solve a scene, as text; empty if it can."""
     scene, problem = motion.plan.scene, motion.problem
     if problem.functions:
         return "its friction or cohesion is a function in Python"
     if may_creep(problem) and scene.end_time is None:
-        return "it creeps, for which the page has no implicit steps"
+        return "it creeps, and the page cannot take implicit steps"
     size = sum(data.breaks.size + data.coefficients.size for data in problem.tables())
     if size > MOST_NUMBERS:
         return f"its records have {size} numbers, more than a page holds ({MOST_NUMBERS})"
@@ -136,7 +136,7 @@ def unsolvable(motion: Motion) -> str:
 
 
 class _Inputs:
-    """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers that the page needs."""
+    """Inputs of a scene's programs as rows of numbers: cells by name, tables, and other numbers of the page."""
 
     def __init__(self, scene: Scene, sliders: Sequence[Slider], accuracy: float) -> None:
         self.scene, self.sliders = scene, sliders
@@ -154,7 +154,7 @@ class _Inputs:
         self.base = self._rows(self.motion, 1)[:, 0]
 
     def at(self, shares: Floats) -> Floats:
-        """Return rows at places of the sliders, (sliders, places), from -1 to 1: (rows, places)."""
+        """Return the rows, (rows, places), at places of the sliders, (sliders, places), from -1 to 1."""
         scene = self.scene_at(shares)
         alike = self._rows(_at_start(scene, ACCURACY), shares.shape[1])
         if len(alike) != self.base.size:
@@ -163,25 +163,25 @@ class _Inputs:
         return alike
 
     def scene_at(self, shares: Floats) -> Scene[Any]:
-        """Return the scenes at places of the sliders."""
+        """Return the ensemble of scenes at places of the sliders, (sliders, places), from -1 to 1."""
         ends = [slider.ends for slider in self.sliders]
         of_places = zip(self.sliders, ends, shares, strict=True)
         values = {s.number.name: (low + high) / 2 + (high - low) / 2 * x for s, (low, high), x in of_places}
         scene, invalid = with_parameter_arrays(self.scene, values)
         if np.any(invalid):
             worst = int(np.argmax(invalid))
-            with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises why
+            with_parameters(self.scene, {name: float(value[worst]) for name, value in values.items()})  # raises
         return scene
 
     def scaled(self) -> list[int]:
-        """Return the rows that are proportional to the strength factor."""
+        """Return the indices of the rows that are proportional to the strength factor."""
         twice = _at_start(replace(self.scene, strength_factor=2.0), ACCURACY)
         doubled = np.isclose(self._rows(twice, 1)[:, 0], 2.0 * self.base, rtol=SMOOTH, atol=0.0)
         rows: list[int] = np.flatnonzero(doubled & np.isfinite(self.base) & (self.base != 0.0)).tolist()
         return rows
 
     def sizes(self, values: Floats) -> Floats:
-        """The greatest value of each row; of a table's coefficients that of the same power in any of its pieces."""
+        """Return the greatest absolute value of each row, (rows,); for tables, over all pieces at each power."""
         sizes = np.abs(values).max(axis=1)
         at = len(self.names)
         for table in self.problem.tables():
@@ -211,7 +211,7 @@ class _Inputs:
 
 
 def _at_start(scene: Scene, accuracy: float) -> Motion:
-    """A scene that is not integrated yet, its functions of the rotation laid out to the end."""
+    """Return a scene before its integration, with its functions of the rotation tabulated to the end."""
     chosen = plan(scene, accuracy)
     problem = problem_of(chosen)
     problem.reach_farther(np.full(problem.lanes, np.inf))
@@ -219,7 +219,7 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
 
 
 def _others(motion: Motion) -> dict[str, Any]:
-    """Units of dimensionless numbers, and what is known at the start."""
+    """Return units of the dimensionless numbers in SI units, and the factor of safety at the start, by name."""
     arc = motion.plan.scene.arc
     radius = np.asarray(arc.radius)
     second = np.asarray(arc.time_scale)
@@ -229,7 +229,7 @@ def _others(motion: Motion) -> dict[str, Any]:
 
 
 class Fit(NamedTuple):
-    """Interpolants of some rows in some of the numbers: coefficients (rows, *(degrees + 1))."""
+    """Interpolants of some rows in some of the sliders; the coefficients have shape (rows, *(degrees + 1))."""
 
     of: tuple[int, ...]
     degrees: tuple[int, ...]
@@ -237,7 +237,7 @@ class Fit(NamedTuple):
     coefficients: Floats
 
     def at(self, shares: Floats) -> Floats:
-        """Values at places, (sliders, places)."""
+        """Return the values of the rows, (rows, places), at places of the sliders, (sliders, places)."""
         powers = [chebyshev.chebvander(shares[k], d) for k, d in zip(self.of, self.degrees, strict=True)]
         product = powers[0]
         for power in powers[1:]:
@@ -250,7 +250,7 @@ def _lobatto(degree: int) -> Floats:
 
 
 def _fits(inputs: _Inputs, most: float = math.inf) -> list[Fit]:
-    """Return interpolants of all rows that vary, with so many coefficients at most."""
+    """Return interpolants of all rows that vary, or raise `NoFit` above ``most`` coefficients."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
     of_rows: dict[int, dict[int, int]] = {}  # degrees by slider
     alone: dict[int, Floats] = {}  # coefficients in the last slider
@@ -267,7 +267,7 @@ def _fits(inputs: _Inputs, most: float = math.inf) -> list[Fit]:
 
 
 def _along(inputs: _Inputs, present: Floats, k: int) -> Iterator[tuple[int, int, Floats]]:
-    """Yield the rows that vary with one slider, with their degrees and coefficients."""
+    """Yield index, degree and coefficients of each row that varies with slider ``k``."""
     places = np.repeat(present, DEGREE + 1, axis=1)
     places[k] = _lobatto(DEGREE)
     values = inputs.at(places)
@@ -284,7 +284,7 @@ def _along(inputs: _Inputs, present: Floats, k: int) -> Iterator[tuple[int, int,
 def _fit(
     inputs: _Inputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int], alone: dict[int, Floats]
 ) -> Fit:
-    """Return the interpolant of rows of the same degrees; in one number its coefficients are known."""
+    """Return the interpolant of rows of the same degrees; for one slider the coefficients are known."""
     of, degrees = zip(*key, strict=True)
     if len(of) == 1:
         return Fit(of, degrees, rows, np.stack([alone[row][: degrees[0] + 1] for row in rows]))
@@ -299,7 +299,7 @@ def _fit(
 
 
 def _share(slider: Slider, scene: Scene) -> float:
-    """Where the scene's own value is in the range, from -1 to 1."""
+    """Return the place of the scene's own value in the range of a slider, from -1 to 1."""
     low, high = slider.ends.tolist()
     value = float(parameter_value(scene, slider.number.name) or 0.0)
     share = (2 * value - low - high) / (high - low)
@@ -307,7 +307,7 @@ def _share(slider: Slider, scene: Scene) -> float:
 
 
 def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
-    """Of all inputs at random places, relative to their greatest value."""
+    """Return the greatest error of all inputs at random places, relative to their greatest values."""
     if not fits:
         return 0.0
     shares = np.random.default_rng(7).uniform(-1.0, 1.0, (len(inputs.sliders), TRIALS))
@@ -318,7 +318,7 @@ def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
 
 
 def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
-    """What the page needs to solve the scene for any values of its sliders."""
+    """Return JSON data for the page to solve the scene with any values of its sliders."""
     inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     fits = _fits(inputs)
     end = {Status.MOVING: FIRST} if scene.end_time is None else {}
@@ -344,7 +344,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
 
 
 def _start(inputs: _Inputs, start: Start) -> dict[str, Any]:
-    """Return the bounds and the degree of the series of a start, and the rows that follow from them."""
+    """Return bounds and degree of the series of a start, and the rows that follow from them, as JSON data."""
     at = inputs.base.size - len(start.rows(inputs.scene))
     return {
         "at": at,
@@ -361,14 +361,14 @@ def _table_names(problem: Problem) -> list[str]:
 
 
 def _table(name: str, problem: Problem) -> dict[str, Any]:
-    """A table but for its breaks and coefficients, which are rows."""
+    """Return a table as JSON data without its breaks and coefficients, which are rows."""
     data = problem.data[name]
     pieces, terms = data.coefficients.shape[:2]
     return {"pieces": pieces, "terms": terms, "jumps": _plain(data.jumps), "sine": data.sine, "open": data.open}
 
 
 def _program(problem: Problem, names: Names) -> dict[str, Any]:
-    """A program as integers, and where it has its inputs, outputs and further states."""
+    """Return a program as integers, and the places of its inputs, outputs and additional states."""
     program = problem.program
     return {
         "code": program_integers(program),
@@ -381,7 +381,7 @@ def _program(problem: Problem, names: Names) -> dict[str, Any]:
 
 
 def _runs(inputs: _Inputs) -> dict[str, Any]:
-    """The runs that estimate the error: factors of the inputs that they change, by row."""
+    """Return number and input factors, by row, of the perturbed runs that estimate the error."""
     rounding = inputs.scene.arc.rounding
     cells = inputs.problem.cells()
     runs = perturbed_runs(inputs.problem, slice(None), rounding)
@@ -396,5 +396,5 @@ def _runs(inputs: _Inputs) -> dict[str, Any]:
 
 
 def _plain(values: Any) -> list[Any]:
-    """Numbers for JSON, which has no infinity: that is the word by which JavaScript knows it."""
+    """Return numbers as a flat list for JSON; infinite numbers become the text "Infinity", as in JavaScript."""
     return [x if math.isfinite(x) else str(x).replace("inf", "Infinity") for x in np.ravel(values).tolist()]

@@ -1,4 +1,4 @@
-"""The section of the live page as SVG, to scale: ground and soils, water, slip circle, the mass and where it was.
+"""Section of the live page as SVG, to scale: ground and soils, water, slip circle, and the mass now and at the start.
 
 The mass is one group, which the page turns about the centre of the slip circle.
 """
@@ -16,21 +16,21 @@ from slipcircle.workbench.outputs.plotstyle import SOILS
 from slipcircle.workbench.outputs.scenery import Line, lines
 from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
 
-WIDTH = 1000.0  # of the drawing, in its own unit
+WIDTH = 1000.0  # width of the drawing in its own unit
 _LOWEST = 0.42  # least height over width
 _TALLEST = 0.5  # greatest height over width
 _MARGIN = 0.08  # of the view
-_TICKS = 6, 4  # of the axes, at most
-_INSET = 12.0  # of names and numbers from the edges
-_NAME = 0.11  # of the height, for a name below its line on a narrow screen
-_FREE = 0.08, 0.06  # of an axis, without numbers at its two ends
-_STRAIGHT = 1e-6  # change of slope, below which a line has no vertex
+_TICKS = 6, 4  # greatest numbers of ticks of the axes
+_INSET = 12.0  # distance of names and numbers from the edges
+_NAME = 0.11  # space for a name below its line on a narrow screen, relative to the height
+_FREE = 0.08, 0.06  # parts of an axis without numbers at its two ends
+_STRAIGHT = 1e-6  # least change of slope at a vertex of a line
 _INSIDE = ("surcharge", "pond", "beyond")  # lines with their names at their middle
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 
 
 class Section(NamedTuple):
-    """A section as SVG, the centre about which its mass turns, and the turn for a metre of displacement, deg."""
+    """Section as SVG, the centre in the drawing about which its mass turns, and its turn in deg per metre."""
 
     drawing: str
     centre: tuple[float, float]
@@ -38,24 +38,24 @@ class Section(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """The visible part of the world, and its scale in the drawing."""
+    """Visible part of the section, its scale and its height in the drawing."""
 
     view: View
-    scale: float  # of the drawing for a metre
+    scale: float  # units of the drawing per metre
     height: float
 
     def points(self, world: Any) -> Floats:
-        """Points of the world, (..., 2), in the drawing, whose y is downwards."""
+        """Return points of the section, (..., 2) in m, in coordinates of the drawing, whose y is downwards."""
         corner = np.array([self.view.left, self.view.top])
         downwards = np.array([self.scale, -self.scale])
         return (world - corner) * downwards
 
     def depth(self, height: float) -> float:
-        """Depth of a height of the world below the top of the drawing."""
+        """Return the depth below the top of the drawing for a height of the section in m."""
         return (self.view.top - height) * self.scale
 
     def path(self, world: Any, closed: bool = False) -> str:
-        """A line through points of the world, with gaps at NaN, as the data of a path."""
+        """Return a line through points of the section, with gaps at NaN, as the ``d`` attribute of an SVG path."""
         points = np.round(self.points(np.asarray(world, dtype=np.float64)), 2)
         gaps = np.flatnonzero(np.isnan(points[:, 0]))
         end = "Z" if closed else ""
@@ -68,7 +68,7 @@ class Frame(NamedTuple):
 
 
 def frame_around(motion: Motion, magnification: float) -> Frame:
-    """The frame around the mass at the start and at its run-out."""
+    """Return the frame around the mass at the start and at its magnified run-out."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
     rotation = float(motion.farthest.rotation) if motion.moves else 0.0
@@ -88,7 +88,7 @@ def frame_around(motion: Motion, magnification: float) -> Frame:
 
 
 def _bottom_below_names(soil: Any, view: View) -> float:
-    """The bottom of a view, lowered where the lowest visible soil is too thin for its name."""
+    """Return the bottom of a view in m, lowered where the lowest visible soil is too thin for its name."""
     room = _NAME * (view.top - view.bottom)
     is_left = float(soil.facing) > 0.0
     named = [line for line in lines(mass_of(soil, soil), soil, view) if line.name and line.role not in _INSIDE]
@@ -97,7 +97,7 @@ def _bottom_below_names(soil: Any, view: View) -> float:
 
 
 def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Section:
-    """The section of a motion in a frame; the name is in the identifiers of its clipping paths."""
+    """Return the drawing of a motion in a frame; ``name`` is the prefix of the identifiers of its clipping paths."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil, soil)
     left, right = mass.ends.tolist()
@@ -140,14 +140,14 @@ def _path(kind: str, data: str) -> str:
 
 
 def _stretch(mass: Mass, frame: Frame, first: float, last: float) -> str:
-    """The circle from one polar angle to another, as the data of a path."""
+    """Return the circle from one polar angle to another as the ``d`` attribute of a path."""
     x, y = frame.points(mass.on_circle(first)).tolist()
     onwards = _onwards(mass, frame, first, last)
     return f"M{x:.3f} {y:.3f}{onwards}"
 
 
 def _onwards(mass: Mass, frame: Frame, first: float, last: float) -> str:
-    """The circle to a polar angle, continuing a path that ends at another one."""
+    """Return the arc command that continues a path from one polar angle of the circle to another."""
     end = mass.on_circle(last)
     x, y = frame.points(end).tolist()
     radius = mass.radius * frame.scale
@@ -158,7 +158,7 @@ def _onwards(mass: Mass, frame: Frame, first: float, last: float) -> str:
 
 
 def _continued(mass: Mass, frame: Frame) -> str:
-    """The circle beyond both ends of the arc, along which the mass is assumed to continue."""
+    """Return the circle beyond both ends of the arc, along which the mass is assumed to continue, as path data."""
     first, last = mass.ends.tolist()
     opening = last - first
     beyond = min(opening, (2 * math.pi - opening) / 2)
@@ -168,7 +168,7 @@ def _continued(mass: Mass, frame: Frame) -> str:
 
 
 def _surface(mass: Mass, frame: Frame) -> str:
-    """The ground over the mass, from its left to its right end."""
+    """Return the ground over the mass, from its left to its right end, as path data."""
     left, right = mass.on_circle(mass.ends)
     leftwards = mass.outline()[ON_ARC:]
     return frame.path([left, *leftwards[::-1], right])
@@ -178,13 +178,13 @@ def _surface(mass: Mass, frame: Frame) -> str:
 
 
 def _area(line: Floats, bottom: float, frame: Frame) -> str:
-    """The area between a line and a height below it."""
+    """Return the area between a line, (n, 2), and the height ``bottom`` as path data."""
     left, right = line[[0, -1], 0]
     return frame.path([*line, [right, bottom], [left, bottom]], closed=True)
 
 
 def _bands(around: Iterable[Line], frame: Frame) -> Iterator[str]:
-    """The soils of a layered section as areas, each from its top down to the bottom of the view."""
+    """Yield the soils of a layered section as areas, each from its top down to the bottom of the view."""
     for line in around:
         if line.soil is not None:
             area = _area(_corners(line.points), frame.view.bottom, frame)
@@ -200,14 +200,14 @@ def _ponds(around: Iterable[Line], frame: Frame) -> Iterator[str]:
 
 
 def _corners(line: Floats) -> Floats:
-    """The vertices at which a line bends, with its ends."""
+    """Return the ends of a line, (n, 2), and the vertices at which it bends."""
     slopes = np.diff(line[:, 1]) / np.diff(line[:, 0])
     bends = np.abs(np.diff(slopes)) > _STRAIGHT
     return line[np.concatenate([[True], bends, [True]])]
 
 
 def _drawn(around: Iterable[Line], frame: Frame, *roles: str) -> Iterator[str]:
-    """The lines of some roles."""
+    """Yield the lines with one of the roles as SVG paths."""
     for line in around:
         if line.role in roles:
             yield _path(line.role, frame.path(line.points))
@@ -217,7 +217,7 @@ def _drawn(around: Iterable[Line], frame: Frame, *roles: str) -> Iterator[str]:
 
 
 def _names(around: Iterable[Line], is_left: bool, frame: Frame) -> Iterator[str]:
-    """Yield names of lines at the upper side of the slope, which the script moves to their lines."""
+    """Yield names of lines at the upper side of the slope as SVG texts, which the script moves to their lines."""
     edge = _INSET if is_left else WIDTH - _INSET
     side = "start" if is_left else "end"
     named = [(_height(line, is_left, frame.view), line) for line in around if line.name]
@@ -233,21 +233,21 @@ def _names(around: Iterable[Line], is_left: bool, frame: Frame) -> Iterator[str]
 
 
 def _height(line: Line, is_left: bool, view: View) -> float:
-    """Height of a line at the side of the names; of lines inside the view their highest."""
+    """Return the height in m of a line at the side of the names; for lines inside the view, their greatest height."""
     if line.role in _INSIDE:
         return float(np.max(line.places[:, 1]))
     return float(np.interp(view.left if is_left else view.right, *line.points.T))
 
 
 def axes(frame: Frame, names_left: bool) -> Raw:
-    """Ticks in metres along the bottom and both sides, with numbers on the side that has no names."""
+    """Return ticks in metres along the bottom and both sides as SVG, with numbers on the side opposite the names."""
     along_bottom = "".join(_bottom_axis(frame))
     along_sides = "".join(_side_axes(frame, names_left))
     return Raw(along_bottom + along_sides)
 
 
 def _bottom_axis(frame: Frame) -> Iterator[str]:
-    """Ticks and numbers along the bottom."""
+    """Yield ticks and numbers along the bottom."""
     view = frame.view
     above = frame.height - _INSET
     for x in _round_numbers(view.left, view.right, _TICKS[0]):
@@ -257,7 +257,7 @@ def _bottom_axis(frame: Frame) -> Iterator[str]:
 
 
 def _side_axes(frame: Frame, names_left: bool) -> Iterator[str]:
-    """Ticks along both sides, and numbers on the side that has no names."""
+    """Yield ticks along both sides, and numbers on the side opposite the names."""
     view = frame.view
     side = "side" if names_left else "side left"
     edge = WIDTH - _INSET if names_left else _INSET
@@ -268,7 +268,7 @@ def _side_axes(frame: Frame, names_left: bool) -> Iterator[str]:
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:
-    """At most so many round numbers between two, away from both ends."""
+    """Return at most ``most`` round numbers between two bounds, away from both of them."""
     span = high - low
     least = span / most
     power = 10.0 ** math.floor(math.log10(least))

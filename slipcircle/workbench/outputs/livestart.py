@@ -1,4 +1,4 @@
-"""The factor of safety from which a motion starts, for a live page: a root of sums of series.
+"""Factor of safety from which a motion starts, for a live page: the root of an equation between Chebyshev series.
 
 By Bishop's method F D = sum of R_k(mu_k/F), where D is the driving moment, mu_k the friction of a soil and R_k the
 integral of the strength of that soil over m_alpha. As a Chebyshev series in mu_k/F, R_k has coefficients that are
@@ -22,18 +22,18 @@ from slipcircle.workbench.stability.factors import Driven, factor_by
 from slipcircle.workbench.stability.slices import Slices
 from slipcircle.workbench.stability.starting import OF_CLOSURE, driven_blocks
 
-_DEGREE = 32  # of a series, at most
-_ROUNDING = 1e-15  # of the greatest coefficient, which others have to exceed
+_DEGREE = 32  # greatest degree of a series
+_ROUNDING = 1e-15  # relative to the greatest coefficient; smaller terms are dropped
 _STEPS = 100
-_ERROR = 1e-13  # of strength factors
+_ERROR = 1e-13  # relative tolerance of strength factors
 
 
 class NoFit(Exception):
-    """Raised for too many coefficients, and for other pieces or intervals elsewhere in the range of a slider."""
+    """Error for too many coefficients, or for pieces or intervals that change within the range of a slider."""
 
 
 class Start(NamedTuple):
-    """Series of the resistance of each soil along an arc, in the mobilised friction between two bounds."""
+    """Series of the resistance of each soil along an arc in the mobilised friction, between two bounds."""
 
     method: str
     soils: Any  # number of the soil of each interval of the arc
@@ -74,7 +74,7 @@ class Start(NamedTuple):
         return np.moveaxis(coefficients, -1, 0).reshape(self.terms, -1)
 
     def _shear(self, driven: Driven, mobilised: Floats) -> Floats:
-        """Return the integrals over the intervals of the strength over its lever, (lanes, intervals)."""
+        """Return the integrals of the strength over its lever on each interval, (lanes, intervals)."""
         slices = driven.slices
         cohesion, friction = slices.cohesion(), slices.friction
         if self.method == "ordinary":
@@ -100,7 +100,11 @@ class Start(NamedTuple):
 
 
 def start_of(scene: Scene, probe: Scene) -> Start | None:
-    """Return the series for the start of a scene and of a probe, an ensemble of it; None where no series gives it."""
+    """Return the series for the start of a scene, or None if series cannot represent the start.
+
+    ``probe`` is an ensemble of the scene over the ranges of the sliders. It determines the bounds of the series and
+    checks them.
+    """
     if not isinstance(scene, SlopeScene) or scene.strength_factor is not scene.set_by_start:
         return None
     if scene.start == OF_CLOSURE or "shaking" in scene.called:
@@ -125,11 +129,11 @@ def start_of(scene: Scene, probe: Scene) -> Start | None:
 
 
 def _by_lane(slices: Slices, values: Any) -> Floats:
-    """Return numbers of intervals, (lanes, intervals), where lanes share an arc or have as many intervals each."""
+    """Return values of intervals as (lanes, intervals), where lanes share an arc or have equally many intervals."""
     return np.atleast_2d(values) if slices.sine.ndim > 2 else values.reshape(len(slices.arcs.radius), -1)
 
 
 def _driven(scene: Scene) -> Driven:
-    """Return the slices of a scene."""
+    """Return the slices of a scene with their driving moment."""
     ((driven, _),) = driven_blocks(scene, most=1 << 30)
     return driven

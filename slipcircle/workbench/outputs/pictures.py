@@ -1,4 +1,4 @@
-"""Pictures as bytes for files, drawn without a display and independent of the user's settings of matplotlib."""
+"""Pictures as bytes for files, drawn without a display and independent of the user's matplotlib settings."""
 
 import io
 import warnings
@@ -17,25 +17,28 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.sheets import Drawing
 
 KINDS = ("png", "svg", "pdf", "jpg")
-_FRAMES = 12  # of an animation in a second
-_HOLD = 2000  # milliseconds that its last frame is held
-_COLOURS = 64  # of each frame
+_FRAMES = 12  # frames per second
+_HOLD = 2000  # milliseconds, duration of the last frame of a GIF
+_COLOURS = 64  # number of colours of each frame
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
-    """Check that pictures of this type can be drawn for this number of scenes; one scene may be animated."""
+    """Raise an error if a command cannot draw a picture in the format of a path for this number of scenes.
+
+    Requires matplotlib. Only ``run`` can write a .gif, and only for one scene.
+    """
     optional("matplotlib", "pictures")
     kind, known = Path(path).suffix[1:].lower(), (*KINDS, *["gif"] * (command == "run"))
     if path and kind not in known:
         raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
     if kind == "gif" and scenes > 1:
-        raise ValueError(f"{command}: --plot {path}: moves one scene; .png shows all {scenes}")
+        raise ValueError(f"{command}: --plot {path}: a .gif animates a single scene; use .png for all {scenes}")
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
-    """Draw a function's picture on an empty figure of a size in inches, as the content of a .png, .svg, ... file.
+    """Return a picture as the content of a file, in the format of the suffix of ``path``.
 
-    For .gif the function gives the `Film` that it has drawn.
+    ``draw`` draws on an empty figure, whose size is in inches; for .gif it returns a `Film`.
     """
     from matplotlib import rc_context, style
     from matplotlib.figure import Figure
@@ -60,16 +63,16 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> 
 
 
 def _played(film: "Film") -> bytes:
-    """A film as a GIF that holds its last frame; the background is drawn once."""
+    """Return a film as a GIF that pauses at its last frame; the background is drawn once."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
     figure = film.figure
     canvas: Any = FigureCanvasAgg(figure)
     for artist in film.moving:
-        artist.set_animated(True)  # and so not part of the background
+        artist.set_animated(True)  # excludes them from the background
     canvas.draw()
-    figure.set_layout_engine("none")  # it would lay out every frame again
+    figure.set_layout_engine("none")  # otherwise every frame would be laid out again
     background, size = canvas.copy_from_bbox(figure.bbox), canvas.get_width_height()
     images = []
     for frame in track(range(len(film.times)), "frames drawn"):
@@ -86,7 +89,7 @@ def _played(film: "Film") -> bytes:
 
 
 def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
-    """What makes a drawing of a result, by the kind of picture; loaded on first use."""
+    """Return the functions that make a `Drawing` of a result, by kind of picture; modules are loaded on first use."""
     from slipcircle.workbench.cost.costplot import frontier
     from slipcircle.workbench.outputs import (
         comparison,
@@ -122,17 +125,17 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
 
 
 def drawing(what: str, result: Any) -> "Drawing":
-    """Return what draws one of `_drawings` of a result."""
+    """Return the drawing of a result; ``what`` is a key of `_drawings`."""
     return _drawings()[what](result)
 
 
 def picture(what: str, result: Any, path: str) -> bytes:
-    """Return a picture of a result in the format of a file name; a GIF animates the first motion."""
+    """Return a picture of a result as bytes in the format of a file name; a GIF animates the first motion."""
     return slide(result[0]) if path.lower().endswith("gif") else render(*drawing(what, result), path)
 
 
 def slide(motion: Motion, seconds: float = 5.0) -> bytes:
-    """A GIF that plays a motion in so many seconds."""
+    """Return a GIF that plays a motion in ``seconds``."""
     from slipcircle.workbench.outputs.film import film
 
     return render(lambda figure: film(motion, figure, max(2, round(_FRAMES * seconds)), seconds), (7.0, 4.6), ".gif")

@@ -1,6 +1,6 @@
-"""Pictures of motions. Every function draws on a given matplotlib axis, or on one of its own, and returns it.
+"""Pictures of motions. Every function draws on the given matplotlib axis, or on a new axis, and returns the axis.
 
-Matplotlib is loaded when the first picture is drawn. Labels stand beside what they name, in the same colour.
+Matplotlib is loaded when the first picture is drawn. Labels are beside their curves, in the same colour.
 """
 
 import math
@@ -45,14 +45,14 @@ __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane
 
 
 class Curve(NamedTuple):
-    """A column of `HISTORY` as a curve, with its line style and its label."""
+    """Column of `HISTORY` as a curve, with its line style and its label."""
 
     column: str
     line: str = "main"
     label: str = ""
 
 
-# Panels that `history` draws: symbol of the quantity, and its curves, of which the first is the quantity itself.
+# Panels that `history` draws: symbol of the quantity, and its curves, first the quantity itself.
 HISTORIES: Mapping[str, tuple[str, tuple[Curve, ...]]] = {
     "velocity": (" $v$", (Curve("velocity"),)),
     "displacement": (" $s$", (Curve("displacement"),)),
@@ -76,10 +76,11 @@ _PANEL = 2.3  # height of a row of panels, inches
 
 
 def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool = False) -> Any:
-    """Draw one of `HISTORIES` over time, with the peak velocity, the run-out of a mass that swings back, and the end.
+    """Draw a quantity of `HISTORIES` over time, with the peak velocity and the end; return the axis.
 
-    The friction is drawn with the friction required for equilibrium at the same position. In a ``brief`` panel the
-    marks have no names, as the panel beside it names them.
+    A displacement is also marked at the run-out of a mass that swings back. The friction is drawn with the friction
+    required for equilibrium at the same position. In a ``brief`` panel the marks are not named, as the panel beside it
+    names them.
     """
     known("history: what", what, HISTORIES)
     ax, columns, quantity = axis(ax), drawn(motion), HISTORY[what]
@@ -117,14 +118,14 @@ def _limit(ax: Any, motion: Motion, what: str, curves: Sequence[Floats]) -> None
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
-    """Factor and unit in which curves of a quantity are drawn."""
+    """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit."""
     return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
 
 
 def _mark_times(
     ax: Any, motion: Motion, curve: tuple[Floats, Floats], unit: str, with_run_out: bool, brief: bool
 ) -> None:
-    """Marks on a curve over time with their values, and unless ``brief`` with their names and times."""
+    """Mark times on a curve with their values, and unless ``brief`` with their names and times."""
     for role, time, name in _marks(motion, with_run_out):
         value = _read(time, *curve)
         words = f"{number(value)} {unit}".rstrip()
@@ -135,7 +136,7 @@ def _mark_times(
 
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
-    """Points of a curve in view, away from both ends of the time axis, where its label may stand."""
+    """Return points of a curve in view for its label, away from both ends of the time axis."""
     left, right = ax.get_xlim()
     low, high = ax.get_ylim()
     margin = 0.1 * (right - left)
@@ -146,7 +147,7 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
 
 
 def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
-    """Show curves from zero, the others up to `_TALL` times the greatest value of the first.
+    """Show curves from zero, and curves after the first up to `_TALL` times the greatest value of the first.
 
     The friction required for equilibrium grows without bound as the normal stress vanishes.
     """
@@ -156,7 +157,7 @@ def _from_zero(ax: Any, curves: Sequence[Floats]) -> None:
 
 
 def _rotation_axis(ax: Any, motion: Motion) -> None:
-    """Add an axis of rotations to the right of displacements."""
+    """Add an axis of rotations in deg to the right of displacements."""
     degrees = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
     side = ax.secondary_yaxis(
         "right", functions=(lambda s: np.multiply(s, degrees), lambda phi: np.divide(phi, degrees))
@@ -165,7 +166,7 @@ def _rotation_axis(ax: Any, motion: Motion) -> None:
 
 
 def _marks(motion: Motion, with_run_out: bool = False) -> list[tuple[str, float, str]]:
-    """Mark, time and label of the peak velocity, the greatest displacement if the mass swings back, and the end."""
+    """Return mark, time in s and label of the peak velocity, of the run-out if the mass swings back, and of the end."""
     marks = [("peak", float(motion.peak.time), "peak velocity")]
     if with_run_out and swings_back(motion):
         marks.append(("farthest", float(motion.farthest.time), "farthest"))
@@ -173,20 +174,21 @@ def _marks(motion: Motion, with_run_out: bool = False) -> list[tuple[str, float,
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
-    """A column at one of its times; exactly 0 where only rounding error is left."""
+    """Return the value of a column at a time; exactly 0 where only rounding error is left."""
     value = float(np.interp(time, times, values))
     return 0.0 if abs(value) < 1e-9 * float(np.max(np.abs(values))) else value
 
 
 def _differs(one: Floats, other: Floats) -> bool:
-    """Whether a curve has values, and they differ from those of another one."""
+    """Return whether a curve has finite values that differ from the values of another curve."""
     return bool(np.any(np.isfinite(one))) and not np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
 
 
 def phase_plane(motion: Motion, ax: Any = None) -> Any:
-    """Speed against displacement, and behind it the stacked energies: dissipation and kinetic energy make up the work.
+    """Draw speed against displacement, and behind it the stacked energies; return the axis.
 
-    If the mass turns back, the path travelled replaces the displacement.
+    Dissipation and kinetic energy make up the work. If the mass turns back, the path travelled replaces the
+    displacement.
     """
     ax, columns = axis(ax), drawn(motion)
     title(ax, "speed and energy")
@@ -245,10 +247,10 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> str:
 
 
 def shaking(motion: Motion, ax: Any = None) -> Any:
-    """Ground motion over gravity until the mass rests; all of it if the mass does not move.
+    """Draw the ground acceleration over gravity until the mass rests; return the axis.
 
-    The yield coefficient at the start is drawn as well: without k_v, a mass at rest starts when k_h exceeds it, as long
-    as its position and its friction are those of the start.
+    The whole record is drawn if the mass does not move. The yield coefficient at the start is drawn as well: without
+    k_v, a mass at rest starts when k_h exceeds it, as long as its position and its friction are as at the start.
     """
     ax = axis(ax, (7.0, 2.5))
     title(ax, "ground acceleration")
@@ -280,20 +282,20 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
 
 
 def overview(motion: Motion) -> Drawing:
-    """The section and below it the other panels."""
+    """Return the picture of a motion: the section, and the other panels in pairs below it."""
     panels = _panels(motion)
     pairs = [(_PANEL, panels[k : k + 2]) for k in range(0, len(panels), 2)]
     return sheet([(_SECTION, [partial(section, motion)]), *pairs], outcome_title(motion))
 
 
 def histories(motion: Motion) -> Drawing:
-    """Draw velocity, displacement, resistance and stress over time."""
+    """Return the picture of velocity, displacement, resistance and stress over time."""
     panels = _histories(motion)
     return sheet([(_PANEL, panels[:2]), (_PANEL, panels[2:])])
 
 
 def _histories(motion: Motion) -> list[Callable[..., Any]]:
-    """Return functions that draw histories, of which the first one names the marks.
+    """Return functions that draw histories; the first names the marks.
 
     Friction alone is a coefficient; with cohesion or several soils the strength is drawn, as a stress.
     """
@@ -303,7 +305,7 @@ def _histories(motion: Motion) -> list[Callable[..., Any]]:
 
 
 def _panels(motion: Motion) -> list[Callable[..., Any]]:
-    """Functions that draw the panels below the section, in order."""
+    """Return functions that draw the panels below the section, in order."""
     panels: list[Callable[..., Any]] = []
     if motion.moves:
         panels = [*_histories(motion), partial(phase_plane, motion)]
@@ -315,7 +317,7 @@ def _panels(motion: Motion) -> list[Callable[..., Any]]:
 
 
 def outcome_title(motion: Motion) -> str:
-    """A scene's name and what happened, to three digits."""
+    """Return a scene's name and its outcome to three digits."""
     return heading(motion.plan.scene.name, outcome(motion) if motion.moves else standing(motion))
 
 

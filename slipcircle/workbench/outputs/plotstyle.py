@@ -1,4 +1,4 @@
-"""Shared by all pictures: the palette, the format of numbers and units, labels beside what they name."""
+"""Style of all pictures: the palette, the format of numbers and units, and labels beside curves and areas."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -13,8 +13,8 @@ from slipcircle.words import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.outputs.trace import drawn
 
-FIRST = "first standstill"  # the end of a motion that is followed no farther
-WIDTH = 8.6  # inches of a picture of several panels, about what a page shows: texts have 8 points and more there
+FIRST = "first standstill"  # end of a motion that is computed to its first standstill
+WIDTH = 8.6  # inches of a picture of several panels, about the width of a page, where texts have at least 8 points
 
 # The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
 # which remain distinct in grey.
@@ -41,7 +41,7 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
     "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
-# For families of curves, likewise.
+# Styles for families of curves.
 SERIES: Sequence[tuple[str, Any, str]] = (
     ("#0072B2", "-", "o"),
     ("#D55E00", (0, (5, 2)), "s"),
@@ -53,7 +53,7 @@ SERIES: Sequence[tuple[str, Any, str]] = (
     ("0.35", (0, (2, 2)), "*"),
 )
 MEASURED = "measured"  # `gid` of labels with measured values, which differ from run to run
-REST: tuple[str, Any, str] = ("0.75", "-", ".")  # of further curves
+REST: tuple[str, Any, str] = ("0.75", "-", ".")  # style of further curves
 # Of soils, from the ground down: colours of the band and of the stretch of the arc.
 SOILS: Sequence[tuple[str, str]] = (
     ("#F5E8C4", "#9C6F00"),
@@ -77,29 +77,29 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
-    """The given axis, or the axis of a new figure."""
+    """Return the given axis, or the axis of a new figure of a size in inches."""
     return new_figure(size).add_subplot() if ax is None else ax
 
 
 def new_figure(size: tuple[float, float]) -> Any:
-    """An empty figure of pyplot of a size in inches."""
+    """Return an empty pyplot figure of a size in inches."""
     return optional("matplotlib.pyplot", "pictures").figure(figsize=size, layout="constrained")
 
 
 def known(what: str, given: str, choice: Iterable[str]) -> None:
-    """Reject a name that is not among the choices."""
+    """Raise ValueError if a name is not among the choices; ``what`` names the argument in the message."""
     if given not in choice:
         raise ValueError(f"{what} = {given!r}: must be one of {', '.join(choice)}")
 
 
 def number(value: float) -> str:
-    """A number with four significant digits, with a power of ten as a formula."""
+    """Return a number with four significant digits as text, with a power of ten as a formula."""
     mantissa, _, exponent = shown(float(value)).partition("e")
     return f"${mantissa}\\times10^{{{int(exponent)}}}$" if exponent else mantissa
 
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
-    """The legend, above the axis, where it covers nothing."""
+    """Add the legend above the axis, where it covers nothing, and return it."""
     return ax.legend(
         loc="lower left",
         bbox_to_anchor=(0.0, 1.0),
@@ -115,21 +115,21 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
 
 
 def label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
-    """A label beside one of some points of what it names, placed where it covers least."""
+    """Add a label beside the best of its anchors, which are points (n, 2), where it covers least."""
     from slipcircle.workbench.outputs.labels import Label
 
     Label(ax, words, anchors, colour, inside, **more)
 
 
 def points_of(x: Any, y: Any, count: int = 12) -> Any:
-    """Some points of a curve beside which its label may stand, (about count, 2)."""
+    """Return about ``count`` points of a curve, (points, 2), as anchors of its label."""
     points = np.column_stack(np.broadcast_arrays(x, y))
     apart = max(1, len(points) // count)
     return points[::apart]
 
 
 def note(ax: Any, words: Iterable[str]) -> None:
-    """Lines of text in the emptiest place of an axis."""
+    """Write lines of text at the emptiest place of an axis."""
     inside = np.arange(1, 14) / 14
     left, right = ax.get_xlim()
     bottom, top = ax.get_ylim()
@@ -140,7 +140,7 @@ def note(ax: Any, words: Iterable[str]) -> None:
 
 
 def quantity_words(quantity: Number) -> str:
-    """A number of a scene in words: ``friction.angle_deg`` is the friction angle."""
+    """Return the name of a number of a scene in words: ``friction.angle_deg`` is the friction angle."""
     *groups, last = quantity.name.replace("_", " ").split(".")
     if groups and groups[-1].isdigit():  # a point of a line, or a layer
         place = int(groups[-1])
@@ -162,66 +162,66 @@ def quantity_words(quantity: Number) -> str:
 
 
 def unit_of(quantity: Number) -> str:
-    """The unit in which a number is named, as a picture shows it."""
+    """Return the unit of a number's key as a picture shows it."""
     unit = quantity.unit or ("$g$" if quantity.key.endswith("_g") else "")
     return unit.replace("m3", "m³").replace("^2", "²")
 
 
 def axis_words(quantity: Number) -> str:
-    """A number of a scene as the name of an axis."""
+    """Return the name of an axis for a number of a scene: its words and its unit."""
     return f"{quantity_words(quantity)} ({unit_of(quantity) or '–'})"
 
 
 def area(ax: Any, outline: Any, role: str, **more: Any) -> Any:
-    """An area in the style of one of `AREAS`."""
+    """Add a polygon with vertices (n, 2) in a style of `AREAS` and return it."""
     from matplotlib.patches import Polygon
 
     return ax.add_patch(Polygon(outline, closed=True, **{"zorder": 2, **AREAS[role], **more}))
 
 
 def to_scale(ax: Any, across: str, up: str) -> None:
-    """Draw to scale on all of the axis, with the names of its directions."""
+    """Set equal scales on the whole axis, and the names of its directions."""
     ax.set(xlabel=across, ylabel=up)
     ax.set_aspect("equal", adjustable="datalim")
     ax.grid(alpha=0.3)
 
 
 def title(ax: Any, words: str, notes: Iterable[str] = ()) -> None:
-    """Write the title of a panel, and to its right notes of a line each."""
+    """Write the title of a panel, and notes on lines of their own to its right."""
     ax.set_title(words[:1].upper() + words[1:], loc="left", fontweight="bold", fontsize="medium")
     ax.set_title("\n".join(notes), loc="right", fontsize="small", color="0.25")
 
 
 def letter(axes: Iterable[Any]) -> None:
-    """Put a letter before the title of each panel of a figure of several panels."""
+    """Put a letter before the title of each panel of a figure with several panels."""
     panels = [*axes]
     for ax, name in zip(panels, "abcdefghijklmnopqrstuvwxyz" * (len(panels) > 1), strict=False):
         ax.set_title(f"{name}  {ax.get_title('left')}", loc="left", fontweight="bold", fontsize="medium")
 
 
 def mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
-    """One of `MARKS` at a place, also on the edge, with words beside it."""
+    """Draw a mark of `MARKS` at a point, also on the edge, with words beside it."""
     ax.plot(x, y, ls="", clip_on=False, zorder=5, **MARKS[role])
     if words:
         label(ax, words, (x, y), "black")
 
 
 def lines(ax: Any, names: Sequence[str]) -> None:
-    """Prepare an axis for a bar of each name, from the top down."""
+    """Prepare an axis for one bar per name, from the top down."""
     ax.set_yticks(range(len(names)), names, parse_math=False)
     ax.set_ylim(len(names) - 0.5, -0.5)
     ax.grid(axis="x", alpha=0.3)
 
 
 def empty(words: str, ax: Any, *sides: str) -> Any:
-    """Text in the middle of an axis without other content, and without ticks on these sides."""
+    """Write text in the middle of an empty axis, without ticks on the given sides ("x", "y"); return the axis."""
     ax.set(**{f"{side}ticks": [] for side in sides})
     ax.text(0.5, 0.5, words, ha="center", va="center", transform=ax.transAxes)
     return ax
 
 
 def described(figure: Any) -> list[str]:
-    """Texts of titles, axes, legends and labels of a figure, without those that show measured values."""
+    """Return the texts of titles, axes, legends and labels of a figure, except labels with measured values."""
     texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
     legends = list(figure.legends)
     for ax in figure.axes:
@@ -234,7 +234,7 @@ def described(figure: Any) -> list[str]:
 
 
 def _is_fixed(text: Any) -> bool:
-    """Whether a text is a label without measured values."""
+    """Return whether a text is a label without measured values."""
     return hasattr(text, "anchors") and text.get_gid() != MEASURED
 
 
@@ -250,7 +250,7 @@ def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
 
 
 def ending(motion: Motion) -> str:
-    """How a motion ends, in words."""
+    """Return how a motion ends, in words."""
     if motion.arrested:
         return "at rest"
     if motion.status is Status.CREEPS:
@@ -259,7 +259,7 @@ def ending(motion: Motion) -> str:
 
 
 def outcome(motion: Motion, digits: int = 3) -> str:
-    """Return run-out, time and end of a motion in words."""
+    """Return run-out, time and end of a motion in words, with numbers to some digits."""
     time, end = motion.settling_time, ending(motion)
     if swings_back(motion):
         time, end = motion.farthest.time, f"swings back to {shown(motion.end.displacement, digits)} m"
@@ -267,7 +267,7 @@ def outcome(motion: Motion, digits: int = 3) -> str:
 
 
 def pace(duration: float, seconds: float) -> str:
-    """Speed at which a duration is shown in so many seconds, in words."""
+    """Return in words how much faster or slower than real time a duration in s plays in ``seconds``."""
     ratio = f"{max(duration / seconds, seconds / duration):.2g}" if duration else "1"
     if ratio == "1":
         return "in real time"
@@ -275,16 +275,16 @@ def pace(duration: float, seconds: float) -> str:
 
 
 def width(motion: Motion) -> tuple[str, str]:
-    """Width that energies refer to, in words, and the end of their unit: one metre, unless the scene has a width."""
+    """Return the width that energies refer to, in words, and the end of their unit, "/m" for one metre."""
     metres = float(np.asarray(motion.plan.scene.arc.width))
     return ("per metre of width", "/m") if metres == 1.0 else (f"of {number(metres)} m of width", "")
 
 
 def work(motion: Motion) -> str:
-    """Name of the work done."""
+    """Return the name of the work: of gravity, or of gravity and shaking."""
     return "work of gravity and shaking" if "shaking" in motion.plan.effects else "work of gravity"
 
 
 def still(motion: Motion, ax: Any) -> Any:
-    """The axis of a mass that does not move."""
+    """Draw the panel of a mass that does not move: the reason as text; return the axis."""
     return empty(standing(motion).replace(", ", "\n"), ax, "x", "y")

@@ -21,7 +21,7 @@ _LINE = r"""\s*(?:\[{1,2}([^\[\]]+)\]{1,2}|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\
 
 
 class Input(NamedTuple):
-    """An input: its path in the scene, value and unit as given, meaning, and source."""
+    """Input of a scene: path, value and unit as in the file, meaning, and source."""
 
     path: str
     value: str
@@ -31,7 +31,7 @@ class Input(NamedTuple):
 
 
 def inputs(scene: Scene, file: str) -> list[Input]:
-    """The inputs of a scene as in the text of its file, with its comments; uncertain ones are marked."""
+    """Return the inputs of a scene as in the text of its file, with its comments; uncertain inputs are marked."""
     given = list(_of_file(file))
     uncertain = {unknown.key: unknown.record for unknown in uncertain_numbers(scene).values()}
     for place, one in enumerate(given):
@@ -41,7 +41,7 @@ def inputs(scene: Scene, file: str) -> list[Input]:
 
 
 def _of_file(file: str) -> Iterator[Input]:
-    """The inputs of a file, table by table, and the defaults of missing keys."""
+    """Yield the inputs in the text of a file, table by table, and the defaults of missing keys."""
     layout = layout_of(tomllib.loads(file))
     yield from _of_table(layout.tables, comments(file), "", layout.content)
 
@@ -49,7 +49,7 @@ def _of_file(file: str) -> Iterator[Input]:
 def _of_table(
     tables: Mapping[str, Any], sources: Mapping[str, str], path: str, given: Mapping[str, Any]
 ) -> Iterator[Input]:
-    """The inputs of a table of a file and of its subtables."""
+    """Yield the inputs of a table of a file and of its subtables; ``sources`` are the comments by path."""
     keys, prefix = tables[path].keys, f"{path}." if path else ""
     for name, value in given.items():
         where = f"{prefix}{name}"
@@ -75,13 +75,13 @@ def _of_table(
 
 
 def _unit(key: Key) -> str:
-    """The unit in the description of a key."""
+    """Return the unit in the description of a key, or an empty text."""
     found = re.search(r"\(([^()]*)\)$", key.allowed)
     return found[1] if found else ""
 
 
 def comments(file: str) -> dict[str, str]:
-    """The comments at the ends of lines of a TOML file, by the path of the key or table in the line.
+    """Return the comments at the ends of lines of a TOML text, by the path of the key or table in the line.
 
     Tables of a list are numbered from 1; quotes of names are dropped.
     """
@@ -102,7 +102,7 @@ def comments(file: str) -> dict[str, str]:
 
 
 def _shown(value: Any) -> str:
-    """A value in full; for a long list its ends, for a distribution its name and parameters."""
+    """Return a value in full as text; for a long list its ends, for a distribution its name and parameters."""
     if isinstance(value, Mapping):
         parameters = dict(value)
         name = parameters.pop("distribution")
@@ -120,7 +120,7 @@ def _shown(value: Any) -> str:
 
 
 def uncertain_part(design: Design) -> Iterator[Part]:
-    """Distributions of the inputs, where any are uncertain, and which of them are correlated."""
+    """Yield a table of the distributions of uncertain inputs with their correlations; nothing if none are."""
     rows = [[unknown.key, _shown(unknown.record)] for unknown in design.drawn.values()]
     note = f"{design.correlations_text}; all others are independent" if design.correlations else "all are independent"
     if rows:

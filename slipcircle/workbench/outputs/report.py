@@ -1,7 +1,7 @@
-"""Reports on motions and studies for a reviewer: an HTML file, also well-formed XML, with instructions to reproduce it.
+"""Reports on motions and studies for a reviewer: HTML files with instructions to reproduce them.
 
-It is self-contained. Apart from its date, which SOURCE_DATE_EPOCH sets, the same scene, package and machine write the
-same bytes.
+A report is self-contained and also well-formed XML. Apart from its date, which SOURCE_DATE_EPOCH sets, the same scene,
+package and machine write the same bytes.
 """
 
 import base64
@@ -44,9 +44,9 @@ from slipcircle.workbench.studies.statistics import BEYOND
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
-    "The mass is rigid and turns about the centre of its slip circle, which goes on beyond the toe.",
+    "The mass is rigid and turns about the centre of its slip circle, which continues beyond the toe.",
     "Friction takes the mean of the normal stress over the arc, which sums radial components as scalars: (2.1), (2.9).",
-    "Nothing holds it at its sides.",
+    "Resistance at its sides is neglected.",
 )
 TITLE = "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method"
 NO_INTERVAL = (
@@ -59,7 +59,11 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 
 
 def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = "") -> str:
-    """Return a page of parts under its heading, and how to reproduce it: command, digests of scene files, versions."""
+    """Return a page of parts under its heading, with instructions to reproduce it.
+
+    The instructions are the command, digests of the scene files, and installed versions. ``files`` are the scene files
+    as pairs of name and content.
+    """
     files = [*files]
     heading = _heading(title, [content for _, content in files])
     sources = {}
@@ -79,7 +83,7 @@ def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], c
 
 
 def _heading(title: str, files: Iterable[bytes]) -> dict[str, str]:
-    """Return the title, the date and what the first [report] of these scene files says."""
+    """Return the title, the date and the contents of the first [report] table in the scene files, as texts by name."""
     reports = (tomllib.loads(content.decode("utf-8-sig")).get("report") for content in files)
     try:
         now = float(os.environ.get("SOURCE_DATE_EPOCH") or time.time())
@@ -92,7 +96,10 @@ def _heading(title: str, files: Iterable[bytes]) -> dict[str, str]:
 def chapter(
     plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes
 ) -> Iterable[Raw]:
-    """Note and warnings of a scene, its parts, its result as JSON, and its file."""
+    """Yield note and warnings of a scene, its parts, its result as JSON, and its file.
+
+    ``record`` is the result, ``unit`` describes its units, and ``file`` is the content of the scene file.
+    """
     if plan.scene.note:
         yield tag("p", plan.scene.note)
     for warning in warnings:
@@ -104,12 +111,12 @@ def chapter(
             yield from _table(part)
     numbers = json_text(record)
     texts = {f"All numbers, as JSON{unit}": numbers, "The scene's file": file.decode("utf-8-sig")}
-    for heading, text in texts.items():  # folded
+    for heading, text in texts.items():  # collapsed sections
         yield Raw(f"<details><summary>{escaped(heading)}</summary>{tag('pre', text)}</details>")
 
 
 def _table(part: Part) -> Iterator[Raw]:
-    """A table with its title and its note."""
+    """Yield a table with its title and its note."""
     if part.title:
         yield tag("h3", part.title)
     rows = [[cell if isinstance(cell, Raw) else cell_text(cell) for cell in row] for row in part.rows]
@@ -119,12 +126,12 @@ def _table(part: Part) -> Iterator[Raw]:
 
 
 def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
-    """A table that scrolls on a narrow screen, also by keyboard."""
+    """Return a table that scrolls on a narrow screen, also by keyboard."""
     return Raw(f'<div class="scroll" tabindex="0">{table(rows, head)}</div>')
 
 
 def figure(name: str, caption: str, drawing: bytes) -> Raw:
-    """An SVG in the page, with its name for screen readers and its caption."""
+    """Return an SVG as a figure of the page, with its name for screen readers and its caption."""
     image = base64.b64encode(drawing).decode()
     return Raw(
         f'<figure><div class="picture"><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" /></div>'
@@ -133,17 +140,17 @@ def figure(name: str, caption: str, drawing: bytes) -> Raw:
 
 
 def _path(key: str) -> Raw:
-    """Path of a number in a scene."""
+    """Return the path of a number in a scene as HTML."""
     return Raw(f'<code class="path">{escaped(key)}</code>')
 
 
 def _number(value: float) -> str:
-    """Six digits."""
+    """Return a number with six digits as text."""
     return shown(float(value), 6)
 
 
 def slope_figure(scene: Scene) -> Iterator[Raw]:
-    """Yield the section with its circle, and its centre and factors of safety where they are known."""
+    """Yield the picture of a section with its circle, and with centre and factors of safety if they are known."""
     name, critical = scene.name, stability_of(scene)
     what, result = ("search", (name, critical)) if critical else ("slope", scene.arc)
     caption = "The section with its slip circle" + (", the centre and the factors of safety." if critical else ".")
@@ -160,7 +167,7 @@ def slope_parts(scene: Scene) -> Iterator[Part | Raw]:
 
 
 def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
-    """Inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
+    """Yield inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
     given = [[_path(row.path), *row[1:]] for row in inputs(plan.scene, file.decode("utf-8-sig"))]
     yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
@@ -188,7 +195,7 @@ def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> str:
-    """A report on motions as HTML, with their scene files and the command that writes it."""
+    """Return a report on motions as HTML, with the contents of their scene files and the command that writes it."""
     names = [motion.plan.scene.name or f"scene {number}" for number, motion in enumerate(motions, 1)]
     several = len(motions) > 1
     parts = [_overview(motions, names)] if several else []
@@ -206,17 +213,17 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
 
 
 def _overview(motions: Sequence[Motion], names: Sequence[str]) -> Raw:
-    """Results of several motions side by side, with links to their chapters."""
+    """Return a table of the results of several motions side by side, with links to their chapters."""
     links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
     return _scrolling(beside([*map(summary, motions)]), ["", *links])
 
 
 def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
-    """The chapter of a motion below its slide: pictures, all results, inputs, method and accuracy, energy."""
+    """Yield the chapter of a motion below its slide: pictures, all results, inputs, accuracy and energy."""
     plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
-        yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
+        yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep samples the uncertain inputs.")
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
         yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
@@ -238,7 +245,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
 
 
 def _captions(motion: Motion) -> dict[str, str]:
-    """Captions of the pictures of a motion."""
+    """Return the captions of the pictures of a motion, by kind of picture."""
     captions = {"section": "The section: the mass at the start, at its peak velocity and at the run-out."}
     if height := toe_words(motion):
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {height}."
@@ -248,8 +255,7 @@ def _captions(motion: Motion) -> dict[str, str]:
             "mass tends to speed up, elsewhere to slow down."
         )
         captions["phase plane"] = (
-            "Speed against displacement, and the energy: what is dissipated and what is kinetic make up the "
-            f"{work(motion)}."
+            f"Speed against displacement, and the energy: dissipation and kinetic energy make up the {work(motion)}."
         )
     if "shaking" in motion.plan.effects:
         captions["shaking"] = (
@@ -263,7 +269,7 @@ def _captions(motion: Motion) -> dict[str, str]:
 
 
 def _energy(motion: Motion) -> Part:
-    """The balance of energy with its residual."""
+    """Return the energy balance with its residual as a table."""
     labels = {
         "kinetic_start": "kinetic energy at the start",
         "work": work(motion),
@@ -287,7 +293,7 @@ def _energy(motion: Motion) -> Part:
 
 
 def parts(study: Study, verbose: bool = True) -> Iterator[Part]:
-    """Yield tables of a study of samples: each quantity once, and if verbose by every method and estimate."""
+    """Yield tables of a study of samples; if verbose, also for every method and estimate."""
     start = method_of(study.scene)
     methods = [name for name in study.failure if verbose or name.removeprefix(SEARCHED) == start]
     yield _probabilities(study, methods)
@@ -308,25 +314,25 @@ def parts(study: Study, verbose: bool = True) -> Iterator[Part]:
 
 
 def _probabilities(study: Study, methods: Sequence[str]) -> Part:
-    """Return the probabilities of moving and of a factor of safety below 1."""
+    """Return a table of the probabilities of moving and of a factor of safety below 1."""
     rows = [["probability of moving", study.moving]]
     rows += [[f"probability of F < 1, {_method_words(method)}", study.failure[method]] for method in methods]
     invalid = study.design.n - study.n
-    of_all = f" of {study.design.n}, as {invalid} are no scene" if invalid else ""
-    confidence = f"in brackets the interval of {100 * study.confidence:g} % confidence from their number"
+    of_all = f" of {study.design.n}, as {invalid} are not valid scenes" if invalid else ""
+    confidence = f"in brackets: {100 * study.confidence:g} % confidence intervals for this number of samples"
     return Part([], rows, "Whether it moves", f"{study.n} samples{of_all}; {confidence}")
 
 
 def _method_words(method: str) -> str:
-    """A method of stability, and whether the circle was searched for every sample."""
+    """Return the name of a method of stability, and whether the circle was searched for every sample."""
     name = METHODS[method.removeprefix(SEARCHED)][0]
     return f"{name}, circle of each sample" if method.startswith(SEARCHED) else name
 
 
 def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
-    """Return the mean and the standard deviation of each outcome, if verbose with those of linear propagation."""
+    """Return a table of the mean and standard deviation of each outcome, if verbose also by linear propagation."""
     rows: list[list[Any]] = []
-    notes = ["standard deviations have no interval, as their errors depend on few samples in the tails"]
+    notes = ["intervals of standard deviations are omitted, as they depend on few samples in the tails"]
     for moment, (name, estimate) in enumerate((("mean", study.mean), ("std", study.std))):
         rows.append([name, *map(estimate, OUTCOMES)])
         if study.linear and verbose:
@@ -338,7 +344,7 @@ def _moments(study: Study, heads: Sequence[str], verbose: bool) -> Part:
 
 
 def _indices(study: Study) -> Part:
-    """The sensitivity indices of each outcome."""
+    """Return a table of the sensitivity indices of each outcome."""
     rows = []
     for output, (first, total) in study.sensitivity.items():
         for unknown, alone, together in zip(study.design.inputs.values(), first, total, strict=True):
@@ -347,7 +353,7 @@ def _indices(study: Study) -> Part:
         ["output", "input", "first-order index", "total index"],
         rows,
         "Sensitivity indices",
-        "shares of the variance: what each input explains on its own, and together with all others; from "
+        "shares of the variance that each input explains, on its own and together with the other inputs; from "
         f"{study.design.base} base points",
     )
 
@@ -360,12 +366,12 @@ def _quantile_notes(study: Study) -> Iterator[str]:
 
 
 def study_report(study: Study, file: bytes, command: str) -> str:
-    """Return a report on an ensemble of samples as HTML."""
+    """Return a report on an ensemble of samples as HTML; ``file`` is the content of the scene file."""
     return study_page("Uncertain slide", study, _of_study(study, file), export.record(study), file, command)
 
 
 def study_page(title: str, study: Study, parts: Iterable[Part | Raw], record: Any, file: bytes, command: str) -> str:
-    """Return a page on a study as HTML; the seed is added to the command if missing."""
+    """Return a page on a study as HTML. The seed is added to the command if it is missing."""
     name = study.scene.name or "scene"
     if "--seed" not in command:
         command += f" --seed {study.design.seed}"
@@ -374,7 +380,7 @@ def study_page(title: str, study: Study, parts: Iterable[Part | Raw], record: An
 
 
 def _of_study(study: Study, file: bytes) -> Iterable[Part | Raw]:
-    """The chapter of a study: the picture, its parts, inputs and their distributions, method and accuracy."""
+    """Yield the chapter of a study: picture, tables, inputs with their distributions, method and accuracy."""
     design = study.design
     caption = "Exceedance probability of run-out and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."

@@ -1,4 +1,4 @@
-"""What surrounds the mass of a section, as lines with their names: soils, ground, water, firm layer and surcharges.
+"""Surroundings of the mass in a section, as named lines: soils, ground, water, firm layer and surcharges.
 
 Pictures and the live page draw the same lines, each in its own way.
 """
@@ -15,31 +15,31 @@ from slipcircle.core import Arc
 from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.shapes import Mass, View
 
-_ACROSS = 400  # points of a boundary
-_ON_CIRCLE = 100  # points of the ground along a circle
-_PLACES = 40  # for the name of a soil
-_EDGE = 0.06  # of the ground in view, at either end, without names
-_THICK = 0.6  # of the greatest thickness of a soil, from which its name may stand there
-_VISIBLE = 0.003  # of the height of a view: a thinner soil has no name
-_LOAD = 0.05  # of the size of a view, height of the greatest surcharge
-_APART = 0.025  # of the size of a view, between arrows
-_HEAD = 0.3  # of the length of an arrow
+_ACROSS = 400  # number of points of a boundary
+_ON_CIRCLE = 100  # number of points of the ground along a circle
+_PLACES = 40  # greatest number of places for the name of a soil
+_EDGE = 0.06  # part of the ground in view, at either end, without names
+_THICK = 0.6  # least thickness of a soil at its name, relative to its greatest thickness
+_VISIBLE = 0.003  # least thickness of a named soil, relative to the height of a view
+_LOAD = 0.05  # height of the greatest surcharge, relative to the size of a view
+_APART = 0.025  # distance of arrows, relative to the size of a view
+_HEAD = 0.3  # length of the head of an arrow, relative to the arrow
 _NO_PLACES = np.empty((0, 2))
 
 
 class Line(NamedTuple):
-    """A line from left to right; of a soil its top, below which it lies down to the next line or to the firm layer."""
+    """Line from left to right; for a soil its top, below which the soil extends to the next line or firm layer."""
 
     role: str  # in `plotstyle.SCENERY`, and as a class of `live.css`
     points: Floats  # NaN between the parts of a line
     name: str = ""
     places: Floats = _NO_PLACES  # for the name, the best first
     soil: int | None = None  # its number in a layered section, for its colours
-    lower: Floats | None = None  # heights down to which it is filled; of a soil the bottom of the view
+    lower: Floats | None = None  # lower edge of the filled area; a soil is filled to the bottom of the view
 
 
 def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> Iterator[Line]:
-    """Yield the lines of a section in a view, whose soils have no names on the mass.
+    """Yield the lines of a section in a view; names of soils keep clear of the mass.
 
     The chord of an arc replaces the ground; beyond the toe the ground is assumed to follow the circle.
 
@@ -49,7 +49,7 @@ def lines(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) ->
     soil : Arc, Section or Slope
     view : View
     outlines : sequence of ndarray
-        The mass wherever it is shown.
+        Outlines of the mass, (n, 2) in m, at all displayed positions.
     """
     if isinstance(soil, Arc):
         yield Line("soil", _below_arc(mass, float(soil.facing), view))
@@ -95,7 +95,7 @@ def _beyond(ground: Floats, facing: float, view: View) -> Iterator[Line]:
 
 
 def _free_water(ground: Floats, soil: Any) -> Iterator[Line]:
-    """Yield the free water on the ground of a section or a slope, filled down to it."""
+    """Yield the free water on the ground of a section or a slope, filled down to the ground."""
     level = None if soil.level is None else np.asarray(soil.level, dtype=np.float64)[None]
     for start, end, height in free_water(ground[None], level, soil.confined, soil.ponds).of_one:
         x = ground[:, 0]
@@ -107,7 +107,7 @@ def _free_water(ground: Floats, soil: Any) -> Iterator[Line]:
 
 
 def _along_ground(role: str, name: str, points: Floats, ground: Floats, view: View) -> Line:
-    """A line between the ends of the ground."""
+    """Return a line, given by points (n, 2) in m, over the width of the ground, with places for its name."""
     x, y = points.T
     left = ground[0, 0]
     right = ground[-1, 0]
@@ -129,7 +129,7 @@ def _along_ground(role: str, name: str, points: Floats, ground: Floats, view: Vi
 
 
 def _soils(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats]) -> Iterator[Line]:
-    """The tops of soils, each with the name at the places where it is thick and free of the mass."""
+    """Yield the tops of soils, each with the name at places where it is thick and free of the mass."""
     layers = getattr(soil, "layers", ())
     if not layers:
         yield Line("soil", mass.ground)
@@ -153,7 +153,7 @@ def _soils(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats]) -> Ite
 
 
 def _below_mass(mass: Mass, x: Floats, outlines: Sequence[Floats]) -> Floats:
-    """Heights below which the mass is nowhere: the circle, from one end of all outlines to the other."""
+    """Return the heights in m over x below which no outline reaches; infinite beside the outlines."""
     if not outlines:
         return np.full_like(x, np.inf)
     reached = np.concatenate(outlines)[:, 0]
@@ -169,7 +169,7 @@ def _below_mass(mass: Mass, x: Floats, outlines: Sequence[Floats]) -> Floats:
 
 
 def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
-    """Places in the middle of a soil where it is thick, from the middle outwards."""
+    """Return places in the middle of a soil where it is thick, (n, 2), from the middle outwards."""
     left = max(view.left, x[0])
     right = min(view.right, x[-1])
     edge = _EDGE * (right - left)
@@ -190,7 +190,7 @@ def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
 
 
 def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Floats, list[Floats]]:
-    """Tops of the layers over x, each cut off by those above."""
+    """Return x, (n,), and the tops of the layers over x in m, each cut off by the tops above."""
     surface = np.asarray(ground, dtype=np.float64)
     left = surface[0, 0]
     right = surface[-1, 0]
@@ -212,12 +212,12 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
 
 
 def key_of(soil: Any) -> str:
-    """Identifier of a soil: the name if it has one."""
+    """Return the identifier of a soil: its name if it has one."""
     return soil.name or str(id(soil))
 
 
 def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
-    """Numbers of the soils of layers, from the ground down, by `key_of`."""
+    """Return the numbers of the soils of layers, from the ground down, by `key_of`."""
     keys = dict.fromkeys(key_of(soil) for soil, _ in layers)
     return {key: number for number, key in enumerate(keys)}
 
@@ -226,7 +226,7 @@ def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
 
 
 def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], view: View) -> Iterator[Line]:
-    """Pressures on the ground as arrows below a line, in proportion to each other, with their values."""
+    """Yield pressures on the ground as proportional arrows below a line, with their values in kPa."""
     greatest = max([float(np.max(load[2:])) for load in loads], default=0.0)
     if greatest <= 0.0:
         return
@@ -257,7 +257,7 @@ def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], 
 
 
 def _arrow(x: float, y: float, height: float) -> Floats:
-    """An arrow down to a point, after a gap."""
+    """Return the points of an arrow down to (x, y), after a gap of NaN, (6, 2)."""
     head = _HEAD * height
     half = head / 2
     gap = [np.nan, np.nan]

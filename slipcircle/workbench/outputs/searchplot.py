@@ -13,11 +13,11 @@ from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
-_MARGIN = 0.12  # of a view
+_MARGIN = 0.12  # relative to the size of a view
 _CONTOURS = 5
-_RANGE = 0.4  # of the scale of a map, relative to the least factor
-_CELLS = 24  # of the map of factors, across
-_VALLEY = 0.05  # factors in the frame of a map, relative to the least one
+_RANGE = 0.4  # range of the colours of a map, relative to the least factor
+_CELLS = 24  # number of cells across a map of factors
+_VALLEY = 0.05  # range of factors inside the frame of a map, relative to the least factor
 _TALL = 1.4  # greatest height over width
 
 
@@ -56,7 +56,7 @@ def overview(name: str, critical: Critical) -> Drawing:
 
 
 def _outcome(critical: Critical) -> str:
-    """Return the least factor of safety or yield coefficient; empty for a given circle."""
+    """Return the least factor of safety or yield coefficient as text; empty for a given circle."""
     if critical.method == YIELD:
         return f"$k_y$ = {critical.yield_coefficient:.3f}"
     return f"$F$ = {critical.factors_of_safety[critical.method]:.3f}" if critical.method else ""
@@ -68,10 +68,10 @@ def _whose(critical: Critical) -> str:
 
 
 def _map(critical: Critical, ax: Any, view: View) -> View:
-    """Map of the least factor of all circles with centres in a cell, darkest at the minimum.
+    """Draw a map of the least factor of all circles with centres in a cell, darkest at the minimum; return the view.
 
-    The frame is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
-    high as wide, and is returned.
+    The view is extended to all centres with factors up to `_VALLEY` above the least, but is at most `_TALL` times as
+    high as wide.
     """
     from matplotlib.ticker import ScalarFormatter
 

@@ -1,4 +1,4 @@
-"""The section as a picture to scale, after Figure 1-1: ground, slip circle, mass and water."""
+"""Section as a picture to scale, after Figure 1-1: ground, slip circle, mass and water."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -35,14 +35,14 @@ from slipcircle.workbench.stability.stability import METHODS
 
 _SEEN = 0.02  # least displacement over chord that is drawn to scale
 _WIDE = 0.1  # magnified displacement over chord
-_MARGIN = 0.1  # of the view
-_BELOW = 0.08  # of the size of a view, below the firm layer
+_MARGIN = 0.1  # relative to the size of the view
+_BELOW = 0.08  # space below the firm layer, relative to the size of a view
 _BLUE = LINES["main"]["color"]
 _NAMES = {"water": _BLUE, "pond": _BLUE}  # colours of names that differ from the others
 
 
 class Pose(NamedTuple):
-    """The mass at one of the times that a section shows."""
+    """Position of the mass at a time that a section shows; the rotation is in rad."""
 
     role: str  # of `AREAS`
     rotation: float
@@ -53,15 +53,19 @@ class Pose(NamedTuple):
 
 
 def section(motion: Motion, ax: Any = None) -> Any:
-    """The section to scale: the mass at the start, at the peak velocity and at the run-out.
+    """Draw the section to scale with the mass at the start, at the peak velocity and at the run-out.
 
-    The mass is drawn turned by s/R (1.2), also where the geometry is frozen; that of an arc by more if the displacement
-    would be invisible. A note says so. Axes are in metres, for an arc from the centre K; x to the right, y up.
+    The mass is drawn turned by s/R (1.2), also where the geometry is frozen. The displacement of an arc is magnified if
+    it would be invisible, with a note. Axes are in metres, for an arc from the centre K; x to the right, y up.
 
     Parameters
     ----------
     motion : Motion
     ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
     """
     ax = axis(ax, (8.0, 5.0))
     stage = set_stage(motion, ax)
@@ -115,7 +119,7 @@ def set_stage(motion: Motion, ax: Any) -> Stage:
 
 
 def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> View:
-    """Draw slope and circle to scale, with room for the mass in all these outlines; return the view."""
+    """Draw slope and circle to scale, with room for the given outlines of the mass; return the view."""
     view = View.around(*outlines)
     margin = _MARGIN * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin), outlines)
@@ -145,12 +149,12 @@ def _poses(motion: Motion) -> list[Pose]:
 
 
 def _after(state: Any, time: float) -> str:
-    """Time and displacement of a state."""
+    """Return time and displacement of a state as text."""
     return f"\nafter {number(time)} s and {number(state.displacement)} m"
 
 
 def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], rightwards: bool) -> None:
-    """The outline of the mass in each pose.
+    """Draw the outline of the mass in each pose.
 
     Labels are at the rear of the mass at the start and at its front at the run-out.
     """
@@ -163,7 +167,7 @@ def _draw_poses(ax: Any, poses: Sequence[Pose], outlines: Sequence[Floats], righ
 
 
 def _continuation(ax: Any, mass: Mass, turn: float) -> None:
-    """The circle beyond the end of the arc towards which the mass turns, which the method assumes."""
+    """Draw the circle beyond the end of the arc towards which the mass turns, as the method assumes."""
     toe = mass.ends[int(turn > 0.0)]
     beyond = toe + np.linspace(0.0, turn, 60)
     points = mass.on_circle(beyond)
@@ -181,15 +185,15 @@ def _notes(motion: Motion, magnification: float) -> Iterator[str]:
     where += [f"{OUTSIDE} {range_words(motion)}"] if motion.outside_range else []
     if where:
         yield "; ".join(where)
-    # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
+    # The paper turns the mass (1.2) but evaluates J_r and J_theta, which it finds practically constant, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
-        yield "frozen geometry: the mass turns by $s/R$, its forces stay those of the start"
+        yield "frozen geometry: the mass turns by $s/R$, its forces remain as at the start"
     if magnification > 1.0:
         yield f"displacements drawn {number(magnification)} times as large"
 
 
 def magnified(motion: Motion) -> float:
-    """Magnification that makes displacements visible: 1, 2 or 5 times a power of ten."""
+    """Return the magnification that makes displacements visible: 1, 2 or 5 times a power of ten."""
     arc = motion.plan.scene.arc
     if not isinstance(arc, Arc) or not motion.moves:
         return 1.0
@@ -203,7 +207,7 @@ def magnified(motion: Motion) -> float:
 
 
 def factors_in_words(critical: Critical | None) -> str:
-    """Return the factors of safety with the names of their methods; empty without any."""
+    """Return the factors of safety with the names of their methods as text; empty without any."""
     factors = critical.factors_of_safety if critical else {}
     known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
     return f"factor of safety {', '.join(known)}" if known else ""
@@ -213,7 +217,7 @@ def factors_in_words(critical: Critical | None) -> str:
 
 
 def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Floats] = ()) -> View:
-    """Draw the circle and what surrounds the mass in these outlines; return the view, with the firm layer."""
+    """Draw the circle and the surroundings of the mass; return the view, extended down to the firm layer."""
     ax.plot(*mass.arc.T, zorder=4, **LINES["main"])
     base = getattr(soil, "base", None)
     bottom = view.bottom - view.size  # the axis may show more than the view
@@ -239,7 +243,7 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View, outlines: Sequence[Float
 
 
 def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
-    """Labels of the circle, and of the chord of an arc."""
+    """Label the circle, and the chord of an arc."""
     words = f"slip circle, $R$ = {number(mass.radius)} m"
     colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
     quarter = ON_ARC // 4

@@ -8,29 +8,29 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc
 
-ON_ARC = 200  # points along the arc, which an outline begins with
+ON_ARC = 200  # number of points along the arc, the first points of an outline
 
 
 class Mass(NamedTuple):
-    """Geometry of a slip circle and the mass on it, m and rad."""
+    """Geometry of a slip circle and the mass on it, in m and rad."""
 
-    ground: Floats  # of an arc its chord
+    ground: Floats  # (n, 2); the chord of an arc
     centre: Floats
     radius: float
-    ends: Any  # polar angles of both ends of its arc, increasing
+    ends: Any  # polar angles of both ends of the arc, increasing
 
     def on_circle(self, angles: Any) -> Floats:
-        """Points of the circle at polar angles."""
+        """Return the points of the circle at polar angles in rad, (..., 2)."""
         return self.centre + self.radius * _directions(angles)
 
     @property
     def arc(self) -> Floats:
-        """Points along its arc, left to right."""
+        """Points along the arc from left to right, (ON_ARC, 2)."""
         start, end = self.ends
         return self.on_circle(np.linspace(start, end, ON_ARC))
 
     def outline(self, turn: float = 0.0) -> Floats:
-        """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
+        """Return the outline, (n, 2), turned counterclockwise: the arc from left to right, then back on the ground."""
         arc = self.arc
         first = arc[0]
         last = arc[-1]
@@ -49,7 +49,7 @@ class Mass(NamedTuple):
         return self.centre + points @ rotation
 
     def _wall(self, end: Floats) -> Floats:
-        """The ground straight above an end of the arc at the bottom of a tension crack; no point otherwise."""
+        """Return the ground above an end of the arc at the bottom of a tension crack, (1, 2), otherwise no point."""
         x, y = end
         height = np.interp(x, *self.ground.T)
         from_vertices = np.abs(self.ground[:, 0] - x)
@@ -61,12 +61,12 @@ class Mass(NamedTuple):
 
 
 def _directions(angles: Any) -> Floats:
-    """Unit vectors at polar angles."""
+    """Return unit vectors at polar angles in rad, (..., 2)."""
     return np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
 
 class View(NamedTuple):
-    """The part of a section in view, m."""
+    """Part of a section in view, in m."""
 
     left: float
     bottom: float
@@ -75,7 +75,7 @@ class View(NamedTuple):
 
     @classmethod
     def around(cls, *points: Any) -> "View":
-        """The smallest view that holds points, (..., 2)."""
+        """Return the smallest view that contains all points, arrays of shape (..., 2)."""
         every = np.concatenate([np.reshape(some, (-1, 2)) for some in points])
         left, bottom = every.min(axis=0)
         right, top = every.max(axis=0)
@@ -83,28 +83,28 @@ class View(NamedTuple):
 
     @property
     def size(self) -> float:
-        """The greater of width and height."""
+        """Width or height, whichever is larger."""
         return max(self.right - self.left, self.top - self.bottom)
 
     def grown(self, across: float, up: float) -> "View":
-        """With margins."""
+        """Return the view with margins, ``across`` at the left and right, and ``up`` at bottom and top."""
         return View(self.left - across, self.bottom - up, self.right + across, self.top + up)
 
     def holds(self, points: Any) -> Any:
-        """Which points, (..., 2), are in view."""
+        """Return whether points, (..., 2), are in view, as an array of bool."""
         x, y = np.moveaxis(points, -1, 0)
         is_between_sides = (self.left <= x) & (x <= self.right)
         is_between_levels = (self.bottom <= y) & (y <= self.top)
         return is_between_sides & is_between_levels
 
     def show(self, ax: Any) -> None:
-        """Set the limits of an axis to it, or wider if the shape of the axis differs."""
+        """Set the limits of an axis to the view, or wider if the shape of the axis differs."""
         ax.set_xlim(self.left, self.right, auto=None)
         ax.set_ylim(self.bottom, self.top, auto=None)
 
 
 def mass_of(circle: Any, soil: Any) -> Mass:
-    """The mass of an arc, a section, or a critical circle in its slope; the chord of an arc stands for the ground."""
+    """Return the mass of an arc, a section, or a critical circle in its slope; an arc has its chord as the ground."""
     radius = float(circle.radius)
     if isinstance(circle, Arc):
         ends = np.array([circle.theta_1, circle.theta_2])
@@ -113,7 +113,7 @@ def mass_of(circle: Any, soil: Any) -> Mass:
     centre = np.asarray(circle.centre, dtype=np.float64)
     from_centre = np.stack([circle.entry, circle.exit]) - centre
     across, up = from_centre.T
-    from_below = np.arctan2(across, -up)  # counted from straight below, angles do not jump
+    from_below = np.arctan2(across, -up)  # measured from straight below, angles do not jump
     ends = np.sort(1.5 * math.pi + from_below)
     ground = np.asarray(soil.ground, dtype=np.float64)
     return Mass(ground, centre, radius, ends)

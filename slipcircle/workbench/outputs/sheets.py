@@ -1,4 +1,4 @@
-"""Pictures as rows of panels below each other; under a title they are lettered."""
+"""Pictures as rows of panels below each other. Under a title the panels are lettered."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -13,14 +13,14 @@ Row = tuple[float, Sequence[Callable[..., Any]]]  # height in inches; one panel 
 
 
 class Drawing(NamedTuple):
-    """What draws a picture on an empty figure, which it returns, and the inches of the figure."""
+    """Function that draws a picture on an empty figure and returns the figure, and the size of the figure in inches."""
 
     draw: Callable[[Any], Any]
     size: tuple[float, float]
 
 
 def sheet(rows: Sequence[Row], title: str = "", apart: bool = False) -> Drawing:
-    """A picture of rows of panels; if ``apart``, what stands beside one row does not narrow the others."""
+    """Return a picture of rows of panels; if ``apart``, labels beside one row do not narrow the other rows."""
     heights = [height for height, _ in rows]
     return Drawing(partial(_draw, rows, title, apart), (WIDTH, sum(heights) + _TITLE * bool(title)))
 
@@ -43,6 +43,6 @@ def _draw(rows: Sequence[Row], title: str, apart: bool, figure: Any) -> Any:
 
 
 def heading(name: str, outcome: str) -> str:
-    """A scene's name, and what became of it."""
+    """Return a scene's name and its outcome as the title of a picture."""
     name = shorten(name, 80)
     return ": ".join(filter(None, (name[:1].upper() + name[1:], outcome)))

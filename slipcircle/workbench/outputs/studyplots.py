@@ -1,6 +1,6 @@
 """Pictures of studies: exceedance curves, sensitivity indices, grids, and back-analyses.
 
-Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of its own, and returns it.
+Every function of a single outcome draws on the given matplotlib axis, or on a new axis, and returns the axis.
 """
 
 from collections.abc import Iterable, Sequence
@@ -39,17 +39,17 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 DRAWN = ("run_out", "peak_velocity")
-_POINTS = 801  # of a curve, from 0 to the largest value
+_POINTS = 801  # number of points of a curve, from 0 to the largest value
 
 
 # --- samples ---------------------------------------------------------------------------------------------------------
 
 
 def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bool = False) -> Any:
-    """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
+    """Draw the probability that an output is at least so large, in its confidence band; return the axis.
 
-    The curve ends at the share of samples without a result, which count as exceeding every value. With ``rare`` the
-    axis is logarithmic; the linear panel beside it has the legend.
+    The median and the 95 % quantile are marked. The curve ends at the share of samples without a result, which exceed
+    every value. With ``rare`` the axis is logarithmic; the linear panel beside it has the legend.
     """
     _check(study, output, OUTCOMES)
     ax = axis(ax)
@@ -76,7 +76,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
 
 
 def _limits(at: Any, probability: Any) -> tuple[float, float]:
-    """Limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
+    """Return limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
     greatest, certain = float(at[-1]), 0.0
     if probability[0] == 1.0:
         certain = float(at[np.flatnonzero(probability == 1.0)[-1]])
@@ -86,7 +86,7 @@ def _limits(at: Any, probability: Any) -> tuple[float, float]:
 
 
 def _mark_quantiles(study: "Study", output: str, ax: Any, named: bool) -> list[str]:
-    """Mark the median and the 95 % quantile on the curve of the axis; return notes on those beyond it."""
+    """Mark the median and the 95 % quantile on the curve of the axis; return notes on quantiles beyond it."""
     at, probability = ax.lines[0].get_data()
     beyond = []
     for role, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
@@ -100,28 +100,28 @@ def _mark_quantiles(study: "Study", output: str, ax: Any, named: bool) -> list[s
 
 
 def _samples(study: "Study") -> str:
-    """Number of samples of a curve, and of those that it does not show."""
+    """Return the number of samples of a curve, and the numbers of samples that it does not show, as text."""
     words = [f"{study.n} samples"]
     if study.without_result:
         words.append(f"\n{study.without_result} of them beyond every value")
     if invalid := study.design.n - study.n:
-        words.append(f"\n{invalid} more are no scene")
+        words.append(f"\n{invalid} more are not valid scenes")
     return ", ".join(words)
 
 
 def _nothing_to_draw(study: "Study") -> str:
     if not study.n:
-        return "no sample is a scene"
+        return "all samples are invalid scenes"
     if study.without_result:
         return f"{study.without_result} of {study.n} samples move without a result,\nno other moves"
     return "nothing moves"
 
 
 def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool = True) -> Any:
-    """Sensitivity indices of an output: the share of its variance that each input explains, with intervals."""
+    """Draw sensitivity indices: the share of the variance of an output that each input explains; return the axis."""
     _check(study, output, (*OUTCOMES, "moves"))
     if output not in study.sensitivity:
-        raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
+        raise ValueError("indices: not computed for this ensemble; they need two uncertain numbers and base points")
     by_kind = study.sensitivity[output]
     keys = [quantity_words(u) for u in study.design.inputs.values()]
     totals = np.array([total.value for total in by_kind.total])
@@ -135,13 +135,13 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
     total = np.array(by_kind.total)[order].T
     if not np.all(np.isfinite([first[0], total[0]])):
         has_missing = output in OUTCOMES and study.without_result
-        return empty("not given: some samples have no result" if has_missing else "does not vary", ax, "x")
+        return empty("omitted: results are missing for some samples" if has_missing else "does not vary", ax, "x")
     _draw_indices(ax, first, total, named)
     return ax
 
 
 def _draw_indices(ax: Any, first: Any, total: Any, named: bool) -> None:
-    """Two bars for each input, from values, low and high ends, (3, inputs), labelled at the lowest ones."""
+    """Draw two bars for each input, from values, low and high ends, (3, inputs), with labels at the lowest bars."""
     kinds = ((first, -0.19, "rests", "on its own (first-order)"), (total, 0.19, "kinetic", "with others (total)"))
     for estimates, offset, style, words in kinds:
         _index_bars(ax, estimates, offset, style)
@@ -157,7 +157,7 @@ def _draw_indices(ax: Any, first: Any, total: Any, named: bool) -> None:
 
 
 def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
-    """A bar of each input with its interval, from values, low and high ends."""
+    """Draw a bar with its interval for each input, from values, low and high ends, (3, inputs)."""
     value, low, high = estimates
     at = np.arange(len(value)) + offset
     ax.barh(at, np.maximum(value, 0.0), height=0.36, **AREAS[style])
@@ -169,7 +169,10 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str) -> None:
 
 
 def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
-    """An output over the first number of a grid; for a second number a curve for each value, or a map for many."""
+    """Draw an output over the first number of a grid; return the axis.
+
+    For a second number there is a curve for each of its values, or a map for many values.
+    """
     known("response: output", output, OUTCOMES)
     levels = study.design.levels
     numbers = [*study.design.inputs.values()]
@@ -193,7 +196,7 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
 
 
 def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any) -> None:
-    """Values over the first number of a grid, a curve with its label for each value of the second."""
+    """Draw values over the first number of a grid, as a labelled curve for each value of the second."""
     across = levels[0]
     for k, (column, style) in enumerate(zip(values.T, SERIES, strict=False)):
         colour, dashes, marker = style
@@ -207,7 +210,7 @@ def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: A
 
 
 def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
-    """Map of an output over both numbers of a grid, darkest at its maximum, blank where there is no result."""
+    """Draw a map of an output over both numbers of a grid, darkest at its maximum, blank where results are missing."""
     from matplotlib.ticker import MaxNLocator
 
     first, second = map(np.asarray, levels)
@@ -232,7 +235,7 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
 
 
 def explained(analysis: "BackAnalysis") -> Drawing:
-    """Computed and observed outcomes over each fitted number, with the other numbers at the first solution."""
+    """Return a picture of computed and observed outcomes over each fitted number, near the first solution."""
     rows, columns = len(analysis.observed), len(analysis.units)
     return Drawing(partial(_draw_explained, analysis), (min(WIDTH, 2.0 + 4.5 * columns), 0.6 + 3.0 * rows))
 
@@ -250,7 +253,7 @@ def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
 
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
-    """Outcomes over one fitted number, an axis each."""
+    """Draw outcomes over one fitted number, on one axis per outcome."""
     scene = analysis.motion.plan.scene
     field = number_in(scene, key)
     solved = [s.values[key] for s in analysis.solutions]
@@ -276,7 +279,7 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
 
 
 def _draw_observed(ax: Any, observed: tuple[float, float | None], interval: Interval | None, places: Any) -> None:
-    """An observed value as a line with its standard error, or an interval, and its label."""
+    """Draw an observed value as a line with its standard error, or an interval, and its label."""
     seen, sigma = observed
     words = "observed"
     if interval is not None and interval.limit is not None:
@@ -293,7 +296,7 @@ def _draw_observed(ax: Any, observed: tuple[float, float | None], interval: Inte
 
 
 def _around(field: Number, solved: Sequence[float], error: float) -> Any:
-    """Values of a number around its solutions, within its open bounds."""
+    """Return values of a number around its solutions, within its open bounds."""
     largest = max(map(abs, solved))
     margin = max(4 * error, 0.3 * largest, np.ptp(solved))
     low = max(min(solved) - margin, field.low)
@@ -303,18 +306,18 @@ def _around(field: Number, solved: Sequence[float], error: float) -> Any:
 
 
 def check_grid(counts: Sequence[int]) -> None:
-    """Reject grids that cannot be drawn."""
+    """Raise ValueError unless a grid, given by the counts of values, has one or two numbers."""
     if not 1 <= len(counts) <= 2:
         raise ValueError(
-            f"a picture of a grid shows one number or two, not {' x '.join(map(str, counts)) or 'samples'}: give --csv "
-            "or --npz"
+            f"a picture of a grid shows one number or two, not {' x '.join(map(str, counts)) or 'samples'}; use --csv "
+            "or --npz instead"
         )
 
 
 def overview(study: "Study") -> Drawing:
-    """Exceedance of run-out and peak velocity, linear and logarithmic, and below the sensitivity indices.
+    """Return the picture of a study: exceedance of run-out and peak velocity above the sensitivity indices.
 
-    Of a grid, run-out and peak velocity over its numbers.
+    For a grid, run-out and peak velocity are drawn over its numbers.
     """
     if study.design.method == "grid":
         rows: list[Row] = [(3.8, [partial(response, study, output) for output in DRAWN])]
@@ -327,7 +330,7 @@ def overview(study: "Study") -> Drawing:
 
 
 def _title(study: "Study") -> str:
-    """Name of the scene, and share of samples that move."""
+    """Return the name of the scene, and the share of samples that move."""
     outcome = f"{100 * study.moving.value:.3g} % of {study.n} samples move" if study.n else ""
     if study.design.method == "grid":
         outcome = f"{study.design.n} scenes on a grid"
@@ -335,11 +338,11 @@ def _title(study: "Study") -> str:
 
 
 def outcome(study: "Study", output: str, ax: Any = None) -> Any:
-    """An outcome over the numbers of a grid, or the probability that samples exceed it."""
+    """Draw an outcome over the numbers of a grid, or the probability that samples exceed it; return the axis."""
     return (response if study.design.method == "grid" else exceedance)(study, output, ax)
 
 
-PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # of `Study.plot`, besides the overview
+PANELS = {output: partial(outcome, output=output) for output in OUTCOMES}  # panels of `Study.plot`
 
 
 def _label(output: str) -> str:
@@ -349,4 +352,4 @@ def _label(output: str) -> str:
 def _check(study: "Study", output: str, choice: Iterable[str]) -> None:
     known("Study: output", output, choice)
     if study.design.method == "grid":
-        raise ValueError("Study: values on a grid have no probability; draw samples of uncertain numbers")
+        raise ValueError("Study: probabilities need samples of uncertain numbers; this study is a grid")

@@ -27,16 +27,19 @@ from slipcircle.workbench.studies.statistics import distribution, exceedance
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
-_NAMED = 60  # records up to which each has its name
-_LEAST = 1e-3  # of the greatest displacement, which a logarithmic axis begins with
+_NAMED = 60  # greatest number of records with names
+_LEAST = 1e-3  # start of a logarithmic axis, relative to the greatest displacement
 _POLARITIES = ("as recorded", "reversed")
-_LONGEST = 44  # letters above a panel
-_SKEW = 10.0  # of the greatest displacement over the median, from which small ones are spread out
-_PANEL = 3.4  # inches, how high a row of curves is
+_LONGEST = 44  # greatest number of letters above a panel
+_SKEW = 10.0  # ratio of greatest to median displacement above which the axis spreads small displacements
+_PANEL = 3.4  # height of a row of curves, inches
 
 
 def displacements(study: "Study", ax: Any = None) -> Any:
-    """Displacements of the records in order, in each polarity, at the scale next to their own; medians of samples."""
+    """Draw the displacement of each record, in order and in each polarity; return the axis.
+
+    The records have the scale next to their own; for samples the displacement is the median.
+    """
     ax, scale = axis(ax), study.own_scale
     values = np.median(study.displacement[:, :, scale], axis=-1)
     order = np.argsort(values.mean(axis=1))
@@ -62,7 +65,7 @@ def displacements(study: "Study", ax: Any = None) -> Any:
 
 
 def incremental(study: "Study", ax: Any = None) -> Any:
-    """Displacement against the scale: each record (mean of polarities), the median of all, and 16 to 84 %."""
+    """Draw displacement against scale: each record (mean of polarities), median, 16 to 84 %; return the axis."""
     ax = axis(ax)
     title(ax, "displacement by scale")
     values = np.median(study.displacement, axis=-1).mean(axis=1)
@@ -72,7 +75,7 @@ def incremental(study: "Study", ax: Any = None) -> Any:
     if greatest == 0.0:
         return empty("does not move", ax, "x", "y")
     least = _LEAST * greatest
-    below = 0.1 * least  # of the view, in place of zeros
+    below = 0.1 * least  # below the view, in place of zeros
     ax.plot(study.scales, np.maximum(values, below).T, color="0.75", lw=0.6, zorder=1)
     ax.fill_between(study.scales, np.maximum(low, below), high, **AREAS["band"], alpha=0.6)
     ax.plot(study.scales, np.maximum(middle, below), **LINES["main"])
@@ -86,10 +89,11 @@ def incremental(study: "Study", ax: Any = None) -> Any:
 
 
 def fragility(study: "Study", ax: Any = None) -> Any:
-    """Probabilities that the displacement exceeds thresholds, with lognormal curves and their intervals of 95 %.
+    """Draw the probabilities that the displacement exceeds thresholds; return the axis.
 
-    Points are the shares at each scale, at the median peak acceleration of the records, joined where there is no curve;
-    they have intervals where some motions exceed the threshold and some do not.
+    Lognormal curves have their intervals of 95 %. Points are the shares at each scale, at the median peak acceleration
+    of the records, joined where a curve is missing; they have intervals where some motions exceed the threshold and
+    some do not.
     """
     ax = axis(ax)
     title(ax, "fragility", [interval_note(len(study.suite))])
@@ -117,7 +121,7 @@ def fragility(study: "Study", ax: Any = None) -> Any:
 
 
 def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -> None:
-    """Shares of the motions with their intervals, (levels, 3)."""
+    """Draw shares of the motions with their intervals, (levels, 3)."""
     colour, _, marker = style
     value, low, high = estimates.T
     some = (value > 0.0) & (value < 1.0)
@@ -126,7 +130,7 @@ def _shares(ax: Any, levels: Any, estimates: Any, style: tuple[str, Any, str]) -
 
 
 def _history(study: "Study", what: str, ax: Any = None) -> Any:
-    """A quantity over time, in each polarity, under the record of median displacement at the scale next to its own."""
+    """Draw a quantity over time, in each polarity, under the record of median displacement near its own scale."""
     ax, scale = axis(ax), study.own_scale
     record = study.median_record(scale)
     title(ax, what, [_shortened(f"median: {study.suite.entries[record].name}")])
@@ -150,7 +154,7 @@ def _history(study: "Study", what: str, ax: Any = None) -> Any:
 
 
 def _shortened(text: str) -> str:
-    """A text that fits above half a picture."""
+    """Return a text shortened to the width above half a picture."""
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 
@@ -164,7 +168,7 @@ PANELS = {
 
 
 def overview(study: "Study") -> Drawing:
-    """Displacements by record, curves against the scale and the peak acceleration, histories of the median record."""
+    """Return the picture of a suite: displacements by record, curves by scale, histories of the median record."""
     records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
     rows: list[Row] = [(records, [partial(displacements, study)])]
     if study.scales.size > 1:
@@ -176,5 +180,5 @@ def overview(study: "Study") -> Drawing:
 
 
 def _has_cloud(study: "Study") -> bool:
-    """Whether the records have peak accelerations of their own at the one scale, over which there is a curve."""
+    """Return whether the records have different peak accelerations at a single scale, for which a curve exists."""
     return any(not curve.reason for curve in study.fragility())

@@ -22,12 +22,15 @@ _CAPTION = (
 
 
 def suite_report(study: Study, tables: Iterable[Part], record: Any, file: bytes, command: str) -> str:
-    """Return a report on a suite of records as HTML."""
+    """Return a report on a suite of records as HTML.
+
+    ``record`` is the result for JSON, and ``file`` is the content of the scene file.
+    """
     return study_page("Shaken slope", study, _contents(study, [*tables], file), record, file, command)
 
 
 def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Part | Raw]:
-    """Picture, key numbers, tables, inputs and method."""
+    """Yield picture, key numbers, tables, inputs and method."""
     yield figure(f"Suite of {study.scene.name}", _CAPTION, pictures.picture("suite", study, "svg"))
     yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
     yield from slope_parts(study.scene)
@@ -46,7 +49,7 @@ def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Par
 
 
 def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:
-    """Displacements at the records' own scale, the share of motions that move, yield coefficient and Gamma."""
+    """Yield label and value of yield coefficient, displacements at own scale, moving share and block factor."""
     found = distribution(study.displacement, study.own_scale)
     yield "yield coefficient", shown(study.yield_coefficient)
     for words, value in (("16 % of", found.p16), ("median", found.median), ("84 % of", found.p84)):

@@ -38,9 +38,9 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 if TYPE_CHECKING:
     pass
 
-WIDTH = 100  # of a table in files and pipes
-WIDEST = 120  # of a table in a terminal
-_LEAST = 22  # width of a column of long cells
+WIDTH = 100  # columns of a table in files and pipes
+WIDEST = 120  # greatest number of columns of a table in a terminal
+_LEAST = 22  # least width of a column of long cells
 _GAP = 2  # between columns
 BOLD = "\x1b[1;36m"  # head of a table in a terminal
 PLAIN = "\x1b[0m"
@@ -48,7 +48,7 @@ Rows = Sequence[Sequence[Any]]  # not an iterator: a table may be shown more tha
 
 
 class Part(NamedTuple):
-    """A table with its title and its note."""
+    """Table with its title and its note."""
 
     head: Sequence[str]
     rows: Rows
@@ -56,7 +56,7 @@ class Part(NamedTuple):
     note: str = ""
 
 
-Files = Mapping[str, Callable[[str], bytes]]  # by option: what to write into a path
+Files = Mapping[str, Callable[[str], bytes]]  # by option: function of a path that returns its content
 
 
 class Answer(NamedTuple):
@@ -92,7 +92,7 @@ _TITLES = {name: title for title, names in _GROUPS.items() for name in names.spl
 
 
 def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
-    """Return all results of a motion by label, key results first, in titled groups of at most ten."""
+    """Return all results of a motion as texts by label, in titled groups of at most ten, key results first."""
     plan, first = motion.plan, summary(motion)
     groups: dict[str, dict[str, str]] = {title: {} for title in _GROUPS}
     groups["Factors of safety"] = _factors_at_start(motion)
@@ -107,7 +107,7 @@ def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
     if (critical := stability_of(plan.scene)) is not None:
         groups["Slip circle"] = _circle(critical)
         if critical.slope.surcharge and "shaking" in plan.scene.called:
-            loads = "those of the motion, also for k_y: surcharges are shaken with the mass"
+            loads = "as in the motion, also for k_y: surcharges are shaken with the mass"
             groups["Strength and stress"]["loads at the start"] = loads
     groups["Section"] |= pond_row(plan.scene.arc)
     groups["Method"] = _method_rows(motion)
@@ -144,7 +144,7 @@ def _factors_at_start(motion: Motion) -> dict[str, str]:
 
 
 def motion_parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
-    """Yield tables of motions side by side: key results, and if verbose all others and the soils of each arc."""
+    """Yield tables of motions side by side: key results; if verbose, all results and the soils of each arc."""
     scenes = [motion.plan.scene for motion in motions]
     tabulated = [motion_groups(motion) if verbose else {"": summary(motion)} for motion in motions]
     notes = [f"{scene.name}: {scene.note}" for scene in scenes if verbose and scene.note]
@@ -157,7 +157,10 @@ def motion_parts(motions: Sequence[Motion], verbose: bool) -> Iterator[Part]:
 
 
 def stretches_part(motion: Motion) -> Part | None:
-    """Soils along a layered arc from its upper end: length, weight above, mean stresses and strength at the start."""
+    """Return a table of the soils along a layered arc from its upper end, or None for other arcs.
+
+    The columns are length, share of the weight above, mean stresses and strength at the start.
+    """
     records = stretch_records(motion)
     if not records:
         return None
@@ -178,7 +181,7 @@ def stretches_part(motion: Motion) -> Part | None:
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
-    """Columns by label as rows of one table; cells of missing labels are empty."""
+    """Return columns by label as rows of one table; cells of missing labels are empty."""
     return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
 
 
@@ -198,14 +201,14 @@ def stability_columns(critical: Critical) -> tuple[dict[str, str], dict[str, str
 
 
 def pond_row(soil: Any) -> dict[str, str]:
-    """Free water on a slope or on the ground of a single section, by its label."""
+    """Return the free water on a slope or on the ground of a single section as text by label; empty without it."""
     ponds = soil.free_water.of_one if isinstance(soil, Slope | Section) else []
     texts = [f"x = {first:.8g} to {last:.8g} m, level {level:.8g} m" for first, last, level in ponds]
     return {"free water": "; ".join(texts)} if texts else {}
 
 
 def _circle(critical: Critical) -> dict[str, str]:
-    """A slip circle of a slope, and how it was found, by labels."""
+    """Return a slip circle of a slope, and how it was determined, as texts by label."""
     column = {
         "circle": least_of(critical.method) if critical.method else "as given",
         "centre": _point(critical.centre, critical.radius),
@@ -220,13 +223,13 @@ def _circle(critical: Critical) -> dict[str, str]:
 
 
 def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> dict[str, str]:
-    """Factors of safety by labels that name the method, and k_h where there is one."""
+    """Return factors of safety as texts by labels that name the method, and k_h unless it is 0."""
     condition = f", k_h = {shown(k_h)}" if k_h else ""
     return {f"{factor_label(method)}{condition}": factor_text(factor) for method, factor in by_method.items()}
 
 
 def _point(xy: Sequence[float], radius: float) -> str:
-    """Coordinates to the last place of the radius as it is printed."""
+    """Return coordinates in m as text, to the last place of the printed radius."""
     places = DIGITS - 1 - math.floor(math.log10(radius))
     return ", ".join(f"{round(value, places) + 0.0:.12g}" for value in xy) + " m"
 
@@ -235,7 +238,7 @@ def _point(xy: Sequence[float], radius: float) -> str:
 
 
 def plan_part(plan: Plan) -> Part:
-    """A plan as a table."""
+    """Return a plan as a table."""
     rows = {
         "effects": ", ".join(plan.effects) or "none",
         "not included": ", ".join(plan.left_out) or "none",
@@ -249,7 +252,7 @@ def plan_part(plan: Plan) -> Part:
 
 
 def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
-    """A ladder as a table, with the difference of each rung from the last."""
+    """Return a ladder as a table, with the difference of each rung from the last in per cent."""
     outcomes = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = []
     for rung in rungs:
@@ -272,10 +275,10 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
-    """Print a table on stdout, in a terminal with the width of the terminal, at most `WIDEST`, and a coloured head.
+    """Print a table on stdout.
 
-    Long cells are wrapped; columns that do not fit follow below the others. ``NO_COLOR`` and dumb terminals disable
-    colour.
+    In a terminal the table has the width of the terminal, at most `WIDEST`, and a coloured head. Long cells are
+    wrapped; columns that do not fit follow below the others. ``NO_COLOR`` and dumb terminals disable colour.
     """
     terminal = is_terminal(sys.stdout)
     width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
@@ -287,7 +290,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
-    """Lines of a table in blocks: the first column and as many others as fit, until all are printed."""
+    """Yield the lines of a table in blocks: the first column and as many others as fit, until all are printed."""
     every_row = [head, *rows] if head else rows
     first, *rest = ([*map(cell_text, column)] for column in zip(*every_row, strict=True))
     yield from wrap(clean(title), width)
@@ -308,19 +311,19 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 
 
 def cell_text(cell: Any) -> str:
-    """A cell as printable text: an estimate with its interval, a number in some digits."""
+    """Return a cell as printable text: an estimate with its interval, a number in some digits."""
     if isinstance(cell, Estimate):
         return interval(cell)
     return value_text(cell) if isinstance(cell, float) else clean(str(cell))
 
 
 def _total(columns: Sequence[Sequence[str]], most: int) -> int:
-    """Total width of columns wrapped at some width, with the gaps before them."""
+    """Return the total width of columns wrapped at some width, with the gaps before them."""
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
 def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of its width; one of them alone if the other is unknown."""
+    """Return a value and its interval as text, to two digits of the width; unknown parts are omitted."""
     if math.isnan(e.low) and math.isnan(e.high):
         return value_text(e.value)
     if e.low == math.inf:
@@ -338,7 +341,7 @@ def interval(e: Estimate) -> str:
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
-    """Widths of columns wrapped at some width, without breaking words."""
+    """Return the widths of columns wrapped at some width, without breaking words."""
     widths = []
     for column in columns:
         words = " ".join(column).split()
@@ -349,7 +352,7 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
-    """Lines of columns side by side, with wrapped cells; rows without any value are omitted."""
+    """Yield the lines of columns side by side, with wrapped cells; rows without any value are omitted."""
     gap = _GAP * " "
     for number, row in enumerate(zip(*columns, strict=True)):
         if row[0] and not any(row[1:]):

@@ -26,7 +26,7 @@ from slipcircle.workbench.outputs.sheets import Drawing, sheet
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity
 
-_MOST_BARS = 10  # further ones are summarised in text
+_MOST_BARS = 10  # greatest number; smaller changes are summarised in text
 Bar = tuple[float, str, str]  # a change, its step in words, and the name of the number
 _SHARE = 0.01  # relative change of each number if the scene has no uncertain numbers
 
@@ -38,12 +38,12 @@ def tornado(
     ax: Any = None,
     named: bool = True,
 ) -> Any:
-    """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
+    """Draw the change of an output, to first order, with each number of a scene, largest on top; return the axis.
 
     ``changes`` are the changes of numbers in the units of their keys, ``{"friction.angle_deg": 2.0}``; only these are
-    drawn. By default the uncertain numbers of the scene change by one standard deviation; without any, all numbers
-    but gravity change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. Of
-    the coordinates of a line of points the most influential one is drawn. ``named`` adds a legend.
+    drawn. By default the uncertain numbers of the scene change by one standard deviation; without any, all numbers but
+    gravity change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. Of the
+    coordinates of a line of points, only the most influential is drawn. ``named`` adds a legend.
     """
     known("tornado: output", output, table.outputs)
     steps, how = _steps(table, changes)
@@ -82,7 +82,7 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number
 
 
 def _largest_of_lines(bars: Iterable[Bar]) -> Iterator[Bar]:
-    """Yield the bars that change something, of the coordinates of each line of points the largest one alone."""
+    """Yield the bars with a change; for each line of points only the bar of the coordinate of largest change."""
     drawn = set()
     for bar in bars:
         line = re.sub(r"\.\d+\..*", "", bar[-1])
@@ -92,7 +92,7 @@ def _largest_of_lines(bars: Iterable[Bar]) -> Iterator[Bar]:
 
 
 def _two_sided_bars(ax: Any, bars: Sequence[Bar]) -> None:
-    """A bar to both sides for each change, with its label, the largest first."""
+    """Draw a bar to both sides for each change, with its label, the largest first."""
     changes = np.array([change for change, *_ in bars])
     lines(ax, [text for _, text, _ in bars])
     places = np.arange(len(bars))
@@ -104,7 +104,7 @@ def _two_sided_bars(ax: Any, bars: Sequence[Bar]) -> None:
 
 
 def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
-    """Step of each number in the unit of its key, and the rule for the steps in words."""
+    """Return the step of each number in the unit of its key, and the rule for the steps in words."""
     by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
@@ -124,9 +124,9 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
 
 
 def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
-    """The step of a number that is a share of its size, in the unit of its key.
+    """Return the step of a number as a share of its size, in the unit of its key.
 
-    Of places on a section the size is its depth, of the ends of an arc half of its angle.
+    The size of places on a section is its depth, and the size of ends of an arc is half its angle.
     """
     arc: Any = table.scene.arc
     value = table.at[name]
@@ -139,7 +139,7 @@ def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
 
 
 def panels(table: "Sensitivity") -> Drawing:
-    """Return a tornado of each output below that of the run-out."""
+    """Return a picture of a tornado for each output, the run-out on top."""
     height = 1.5 + 0.3 * min(_MOST_BARS, len(table.parameters))
     outputs = sorted(table.outputs, key=[*OUTCOMES].index)
     return sheet([(height, [partial(tornado, table, output, named=output == outputs[0])]) for output in outputs])

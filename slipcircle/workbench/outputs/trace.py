@@ -1,4 +1,4 @@
-"""A motion as a table over time, for plots and CSV files."""
+"""Motion as a table over time, for plots and CSV files."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
@@ -15,11 +15,11 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import HISTORY
 
 SAMPLES = 400
-_JUMP = 1e-3  # of the greatest value: a larger change at a breakpoint is a jump
+_JUMP = 1e-3  # least jump at a breakpoint, relative to the greatest value
 
 
 def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
-    """The motion at times in s: each quantity of `HISTORY` as an array in SI units."""
+    """Return the motion at times in s: each quantity of `HISTORY` as an array in SI units."""
     columns = {}
     for name, quantity in HISTORY.items():
         columns[name] = quantity.at(motion, times) + 0.0  # without negative zeros
@@ -28,21 +28,22 @@ def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
 
 @lru_cache(maxsize=8)
 def drawn(motion: Motion) -> dict[str, Floats]:
-    """The motion at the times that a picture needs, computed once."""
+    """Return the motion at the times of `telling_times`, by quantity in SI units; the result is cached."""
     return trace(motion, telling_times(motion))
 
 
 def even_times(motion: Motion) -> Floats:
-    """Equidistant times from the start to the end."""
+    """Return equidistant times in s from the start to the end of a motion."""
     if not motion.moves:
         return np.zeros(1)
     return np.linspace(0.0, motion.settling_time, SAMPLES + 1)
 
 
 def telling_times(motion: Motion) -> Floats:
-    """Equidistant times, the peak, times that cluster at both ends of each phase, and breakpoints and crests of input.
+    """Return the times in s for a picture of a motion.
 
-    At a jump of the input, the time just before it as well.
+    These are equidistant times, the peak, times that cluster at both ends of each phase, breakpoints and crests of the
+    input, and the time just before each jump of the input.
     """
     if not motion.moves:
         return np.zeros(1)
@@ -65,7 +66,7 @@ def telling_times(motion: Motion) -> Floats:
 
 
 def _kinks_and_crests(function: Any) -> list[Any]:
-    """Breakpoints and crests of a function of time, and the time just before each jump."""
+    """Return breakpoints and crests of a function of time, and the time just before each jump, in s."""
     kinks = np.asarray(function.kinks)
     before = np.nextafter(kinks, -np.inf)
     values = function(kinks)
@@ -76,9 +77,10 @@ def _kinks_and_crests(function: Any) -> list[Any]:
 
 
 def toe_height(motion: Motion) -> float:
-    """Height of the toe of a section above the ground at the run-out, m; NaN beyond the ends of the ground.
+    """Return the height of the toe of a section above the ground at the run-out in m.
 
-    Beyond the toe the mass is assumed to follow its circle, which rises above the ground or cuts into it.
+    Beyond the toe the mass is assumed to follow its circle, which rises above the ground or cuts into it. The height is
+    NaN beyond the ends of the ground, and for an arc.
     """
     section = motion.plan.scene.arc
     if not isinstance(section, Section):
@@ -90,7 +92,7 @@ def toe_height(motion: Motion) -> float:
 
 
 def toe_words(motion: Motion) -> str:
-    """Return the height of the toe above the ground at the run-out, in words; empty below a thousandth of it."""
+    """Return the height of the toe above or below the ground in words; empty below 0.1 % of the run-out."""
     height = toe_height(motion)
     distance = abs(height)
     if not motion.moves or not distance > 1e-3 * abs(motion.run_out):
@@ -100,9 +102,9 @@ def toe_words(motion: Motion) -> str:
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
-    """Motions over time as CSV, in full precision; with several, the first column is the name.
+    """Return motions over time as CSV in full precision; with several, the first column is the name.
 
-    By default at equidistant times, otherwise at the given times, s.
+    Times are in s, by default equidistant.
     """
     several = len(motions) > 1
     heads = [quantity.head for quantity in HISTORY.values()]

@@ -46,7 +46,7 @@ class Stresses(NamedTuple):
     cohesion: Floats
     buoyancy: Any  # minus the weight of water in the place of the soil below the level at the exit
     relieved: Any  # pressure of this water at the height of the arc
-    excess: Any  # what the pressure of free water exceeds that of this water by, on the ground
+    excess: Any  # pressure of free water minus the pressure of this water, on the ground
 
     def turned(self, way: Floats) -> Stresses:
         """Return the stresses for angles of the opposite sense where ``way`` is -1."""
@@ -98,14 +98,14 @@ class Bases:
         self.water = self.of_slope(self.slope.water_unit_weight) / self.unit_weight
 
     def of_layer(self, rows: Floats, layer: Any) -> Floats:
-        """Return a number of the layers, (layers, 1 or slopes), of the layer of each interval."""
+        """Return a property of the layer of each interval, from values of all layers (layers, 1 or slopes)."""
         if rows.shape[1] == 1:
             return rows[layer, 0]
         by_interval: Floats = rows[layer].T if self.is_shared else rows[layer, self.arc]
         return by_interval
 
     def of_slope(self, value: Any) -> Floats:
-        """Return a number of the slope, or of each slope, by interval."""
+        """Return a property of the slope, or of each slope, by interval."""
         values = np.asarray(value, float)
         if values.size == 1:
             return np.broadcast_to(values, len(self.arc))

@@ -138,7 +138,7 @@ class SlopeArrays:
         return np.unique(x, axis=1) if slopes == 1 else np.sort(x, axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
-        """Return heights and gradients of surfaces from those of lines, each (2, n, columns)."""
+        """Return heights and gradients of surfaces, each (2, n, columns), from the lines above the ground."""
         layers = len(self.tops) + 1
         tops = lines[:1]
         for line in lines[1:layers]:

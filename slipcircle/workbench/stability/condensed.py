@@ -1,7 +1,8 @@
-"""The search for the best circles, on lines of few vertices and with few soils where the slope has many.
+"""Search for the best circles on simplified lines and with merged soils, for slopes with many of them.
 
-Surveyed profiles have a thousand vertices, which take time in proportion. A condensed line has few of them, whose
-heights are fitted by least squares, so that areas and moments are preserved. Results are those of the whole lines.
+The cost of a search is proportional to the number of vertices, up to a thousand in surveyed profiles. A condensed line
+has few vertices, whose heights are fitted by least squares, so that areas and moments are preserved. The results refer
+to the complete lines.
 """
 
 from collections.abc import Callable
@@ -15,21 +16,21 @@ from slipcircle.workbench.stability.columns import SoilArrays
 from slipcircle.workbench.stability.descent import FINEST, in_order
 from slipcircle.workbench.stability.family import COARSE_NODES, FINE_NODES, NONE, Search
 
-MANY_VERTICES = 48  # of a line; one with more is condensed
+MANY_VERTICES = 48  # lines with more vertices are condensed
 MANY_SOILS = 20  # with more, the coarse family is screened with merged soils
-_ROUGH, _DEVIATION = 14, 1e-3  # vertices of a line in the coarse family, and others' distance over its size
-_ROUGHLY = 0.02  # step at which a valley of the rough lines is done, over its first
-_FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, besides those on either side of their ends
-_STEPS = (0.5, 3), (0.1, 2)  # of these refinements, over those of the coarse family, and how many circles
-_FOLLOWED = 24  # valleys of rough lines, at most
+_ROUGH, _DEVIATION = 14, 1e-3  # vertices of a line, and relative distance of the others from it
+_ROUGHLY = 0.02  # final step in a valley of the rough lines, relative to its first step
+_FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, and on either side of their ends
+_STEPS = (0.5, 3), (0.1, 2)  # of the refinements, relative to the coarse family; number of circles
+_FOLLOWED = 24  # greatest number of valleys on rough lines
 _ROUGH_NODES = 2  # of Gauss' rule, between the kinks of many layers
-_MERGED = 16  # soils in their place
-_SCREENED, _TOUCHING = 500, 20  # best circles of the coarse family, and those of which all boundaries are tried
+_MERGED = 16  # number of soils after merging
+_SCREENED, _TOUCHING = 500, 20  # number of best circles kept, and tried with all boundaries
 _NEGLIGIBLE = 1e-9  # distance of vertices without effect, as a share of the size of their line
 
 
 def least(search: Search, tell: Callable[[str], None]) -> Floats:
-    """Return the best circles, the best first, after descents from the valleys of a coarse family."""
+    """Return the best circles as rows, the best first, after descents from the valleys of a coarse family."""
     arrays = search.arrays
     many_soils = len(arrays.tops) >= MANY_SOILS
     lines = [*arrays.lines, *arrays.datums.values()]
@@ -37,7 +38,7 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     few_vertices = max(vertices) <= MANY_VERTICES + 2  # with both ends of continued lines
     if few_vertices and not many_soils:
         best, step = search.valleys(*search.coarse_family(), tell)
-        for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
+        for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
             best, step = search.refined(best, share * step)
         return best
     rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
@@ -50,7 +51,7 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
 
 
 def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Floats:
-    """Return the best of some circles, the best first, after descents on lines with all vertices near their ends."""
+    """Return the best circles, the best first, after descents on lines with all vertices near their ends."""
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
     along = search.along[kept]
     ends = best[:, :2]
@@ -71,7 +72,7 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Fl
 
 
 def _screened(search: Search) -> ArrayPair:
-    """Return the best of the coarse family with merged soils, some touching each boundary, and the steps."""
+    """Return the best circles of the coarse family with merged soils, and their steps."""
     arrays = search.arrays
     soils, firsts = merged(arrays.soils, _MERGED)
     tops = tuple(arrays.tops[k - 1] for k in firsts[1:])
@@ -96,9 +97,9 @@ def _screened(search: Search) -> ArrayPair:
 
 
 def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:
-    """Return a search on condensed lines, and the numbers of the vertices of the ground.
+    """Return a search on condensed lines, and the indices of the vertices kept on the ground.
 
-    Vertices near some lengths along the ground, and those of upright parts, stay where they are.
+    Vertices near the lengths ``ends`` along the ground, and vertices of upright parts, keep their heights.
     """
     ground = search.ground
     arrays = search.arrays
@@ -127,7 +128,7 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
 
 
 def _few(line: Floats, most: int) -> Floats:
-    """Return a line (1, V, 2) by few of its vertices."""
+    """Return a line (1, V, 2) reduced to at most ``most`` of its vertices."""
     if line.shape[1] <= MANY_VERTICES:
         return line
     (points,) = line
@@ -136,9 +137,9 @@ def _few(line: Floats, most: int) -> Floats:
 
 
 def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats) -> Floats:
-    """Return circles of a search on condensed lines as circles on the whole lines."""
+    """Return circles of a search on condensed lines as circles on the complete lines."""
     found = q.copy()
-    if len(condensed.boundary_edges) != len(search.boundary_edges):  # which have other numbers
+    if len(condensed.boundary_edges) != len(search.boundary_edges):  # then boundaries have other numbers
         left = condensed.points(q[:, 0])
         right = condensed.points(q[:, 1])
         greatest = condensed.greatest_half_angle(left, right)
@@ -151,7 +152,7 @@ def _on_whole_lines(search: Search, condensed: Search, kept: Integers, q: Floats
 
 
 def salient(line: Floats, most: int, deviation: float) -> Integers:
-    """Return the numbers of vertices that represent a line (V, 2), at most so many.
+    """Return the sorted indices of at most ``most`` vertices that represent a line (V, 2).
 
     Vertices farthest from the line through those chosen before are chosen first (Ramer 1972, Douglas and Peucker 1973),
     until none is farther than ``deviation`` times the size of the line.
@@ -179,16 +180,16 @@ def salient(line: Floats, most: int, deviation: float) -> Integers:
 
 
 def _edges(kept: Integers, count: int) -> Any:
-    """Return the number of the edge between kept vertices at each of so many vertices."""
+    """Return for each of ``count`` vertices the index of the edge between kept vertices that contains it."""
     every = np.arange(count)
     edge = np.searchsorted(kept, every, side="right") - 1
     return np.minimum(edge, len(kept) - 2)
 
 
 def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
-    """Return the line through some vertices, whose heights are fitted to all by least squares unless they are exact.
+    """Return the line through the kept vertices, with heights fitted to the complete line unless they are exact.
 
-    The fit preserves areas and moments, so that forces on a mass below it are nearly the same.
+    The least-squares fit preserves areas and moments, so that forces on a mass below are nearly the same.
     """
     x, y = line.T
     edge = _edges(kept, len(line))
@@ -215,7 +216,7 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
 
 
 def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
-    """Return so many soils, means of neighbours that differ least, and the number of the first layer of each."""
+    """Return at most ``most`` soils, means of similar neighbours, and the index of the first layer of each."""
     rows = np.stack(soils)
     size = rows.max(axis=1, keepdims=True)
     divisor = np.where(size > 0.0, size, 1.0)

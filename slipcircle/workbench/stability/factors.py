@@ -23,7 +23,7 @@ _CLOSE = 1e-9  # relative change of a converged factor
 
 
 class Driven(NamedTuple):
-    """Slices with angles positive down-slope, and their driving moments about the centre, over gamma R^3."""
+    """Slices with angles positive down-slope, and driving moments about the centre over gamma R^3."""
 
     slices: Slices
     facing: Floats  # 1 where the mass slides to the right, -1 to the left, 0 where nothing drives it
@@ -75,7 +75,7 @@ def circle_factors(
 def factors_by(
     slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
 ) -> ArrayPair:
-    """Return factors by one method, or yield coefficients, and the direction in which each mass slides."""
+    """Return factors of safety (or yield coefficients) by one method, and the direction in which each mass slides."""
     driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
     with np.errstate(divide="ignore", invalid="ignore"):
         return factor_by(method, driven), driven.facing
@@ -194,11 +194,12 @@ def _yield_coefficient(driven: Driven) -> Floats:
 
 
 def _bishop(driven: Driven) -> Floats:
-    """Return F = 1/y, where y times the integral of strength/m_alpha(y) equals the driving moment and grows with y.
+    """Return Bishop's factor F = 1/y, from the balance of moments in y.
 
-    The strength is that of Bishop (1955), [c + mu (W/b - u)] cos a/m_alpha. By Newton's steps for all arcs at once,
-    within the range of y in which m_alpha = cos a - y mu sin a is at least ``LEAST_LEVER`` at all ends of intervals,
-    between which it has no minimum.
+    y times the integral of strength/m_alpha(y), which grows with y, equals the driving moment. The strength is Bishop's
+    (1955), [c + mu (W/b - u)] cos a/m_alpha. Newton steps are taken for all arcs at once, within the range of y in
+    which m_alpha = cos a - y mu sin a is at least ``LEAST_LEVER`` at all ends of intervals (m_alpha has no minimum
+    between them).
     """
     slices = driven.slices
     friction, cosine = slices.friction, slices.cosine

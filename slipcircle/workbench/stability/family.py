@@ -103,7 +103,7 @@ class Search:
         self._set_lines(self.arrays)
 
     def on_lines(self, arrays: SlopeArrays) -> Search:
-        """Return a search of the same slope on other lines, of which its map has the circles too."""
+        """Return a search of the same slope on other lines, which adds its circles to the same map."""
         other = copy(self)
         other._set_lines(arrays)
         return other

@@ -1,4 +1,4 @@
-"""Search of the critical circle of a slope: a coarse family of circles, then refinement in the best valleys."""
+"""Search for the critical circle of a slope: a coarse family of circles, then refinement in the best valleys."""
 
 from __future__ import annotations
 
@@ -27,13 +27,14 @@ def critical(
     depth: float = 0.0,
     tell: Callable[[str], None] = lambda _: None,
 ) -> Critical:
-    """Return the circle of least factor of safety, or of least yield coefficient.
+    """Return the circle with the least factor of safety, or with the least yield coefficient.
 
     Parameters
     ----------
     slope : Slope
     method : str
-        paper, ordinary or bishop; k_y for the circle of least yield coefficient, whatever the k_h of the slope.
+        paper, ordinary or bishop; k_y for the circle of least yield coefficient, which does not depend on the k_h of
+        the slope.
     entry, exit : pair of float, optional
         Least and greatest x of the upper and of the lower end, m; they may be equal.
     depth : float
@@ -104,7 +105,7 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
 
 def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> list[str]:
     if not isinstance(slope, Slope):
-        return [f"{{slope}} = {slope!r}: must be a Slope; search finds that of a file"]
+        return [f"{{slope}} = {slope!r}: must be a Slope; the command search reads a file"]
     ground = np.asarray(slope.ground)
     allowed = [*METHODS, YIELD]
     mistakes = [] if method in allowed else [f"{{method}} = {method!r}: must be one of {', '.join(allowed)}"]
@@ -155,7 +156,7 @@ def _skin(slope: Slope) -> str:
 
 
 def _refuse_skin(slope: Slope, circle: Critical) -> None:
-    """Raise a ValueError where the search went to ever thinner masses, in a layer without cohesion at the ground."""
+    """Raise a ValueError if the search leads to ever thinner masses, in a layer without cohesion at the ground."""
     chord = math.dist(circle.entry, circle.exit)
     if chord < 1e-4 * slope.size:
         words = f"the factor decreases towards ever thinner masses near x = {circle.entry[0]:.4g}"
@@ -163,7 +164,7 @@ def _refuse_skin(slope: Slope, circle: Critical) -> None:
 
 
 def _refuse_bottomless(slope: Slope, least: float, shaken: bool) -> None:
-    """Raise a ValueError where, without friction and base, ever deeper circles are worse than the best one.
+    """Raise a ValueError if, without friction and base, deeper circles are always more critical.
 
     Beside their size all is small but the step H between level grounds: F = 4 a c/(gamma H sin(a)^2) of circles about
     it with half the opening a, least where tan(a) = 2 a.

@@ -214,7 +214,7 @@ _OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio", "cohesion_g
 
 
 def require_drive(section: Section) -> None:
-    """Raise a ValueError where gravity does not turn a single section's mass, as that over level ground."""
+    """Raise a ValueError if gravity does not turn the mass of a single section, as on level ground."""
     moment = float(section.moments["weight_moment"])
     area = float(section.area / np.square(section.radius))
     if abs(moment) <= 1e-9 * area:
@@ -250,7 +250,7 @@ def factors_of_safety(scene: Any) -> ArrayDict:
 
 
 def circles_of(scene: Any, slipped: bool = False, most: int = _BLOCK) -> Iterator[tuple[SlopeArrays, Circles, int]]:
-    """Yield slopes, arcs and number of lanes of a scene, at most so many at a time; what all lanes share is one.
+    """Yield slopes, arcs and number of lanes of a scene in blocks of at most ``most`` lanes; shared values occur once.
 
     Strength is that before any slip, or after much.
     """
@@ -311,7 +311,7 @@ def _slope_arrays(
     numbers: Values,
     slipped: bool = False,
 ) -> SlopeArrays:
-    """Return slopes with their lines, soils and surcharges, and further numbers."""
+    """Return slopes with their lines, soils, surcharges and further properties as arrays."""
     lines = by_lane(slope.ground, 2)
     level = None if slope.level is None else by_lane(slope.level, 2)
     water = free_water(lines, level, slope.confined, slope.ponds)
@@ -346,7 +346,7 @@ def one_layer(numbers: Values) -> _Layers:
 
 
 def _soil_arrays(layers: _Layers, by_lane: _ByLane, slipped: bool) -> SoilArrays:
-    """Return the soils of layers at the start of a motion, before any slip or after much."""
+    """Return the soils of layers as arrays, at the start of a motion or after a large slip."""
     rows = []
     for soil, _ in layers:
         saturated = soil.unit_weight if soil.saturated_unit_weight is None else soil.saturated_unit_weight
@@ -371,7 +371,7 @@ def _top_line(top: Any, ground: Floats, by_lane: _ByLane) -> Floats:
 
 
 def soil(friction: Any, effects: Any, slipped: bool = False) -> ValueDict:
-    """Return strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
+    """Return strength and pore pressure of a slope by name, from a scene's friction and effects at the start.
 
     Strength is that before any slip, or after much.
 

@@ -1,4 +1,4 @@
-"""Strength factors, which make a motion start from the result of another method.
+"""Strength factors that make a motion start from the result of another method.
 
 The balance of a motion has the closure of the paper's method. With strength multiplied by F_method/F_paper it starts
 from the factor of safety of the method. Under shaking the yield coefficients are to be equal, so that strength is
@@ -47,7 +47,7 @@ def strength_factor(scene: Any, method: str) -> Any:
 
 
 def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = False) -> Any:
-    """Return a result of the arcs of a scene in its shape; None where the strength is unknown, or nothing has any."""
+    """Return a result of the arcs of a scene in its shape; None if the strength is unknown or zero."""
     if 0 in scene.shape or not soil(scene.friction, scene.effects, slipped):
         return None
     blocks = []
@@ -60,7 +60,7 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
 
 
 def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tuple[Driven, int]]:
-    """Yield the slices of the arcs of a scene and the number of lanes, block by block as of `circles_of`."""
+    """Yield the slices of the arcs of a scene and the number of lanes, in the blocks of `circles_of`."""
     blocks = circles_of(scene, slipped, **most)
     for slope, circles, lanes in blocks:
         is_shared = _is_shared(slope, circles)
@@ -71,22 +71,23 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
 
 
 def yield_by(scene: Any, method: str) -> Any:
-    """Return the yield coefficient at the start by a method; None as of `factor_of`."""
+    """Return the yield coefficient at the start by a method; None if no strength is known, as in `factor_of`."""
     return _of_scene(scene, lambda driven: yield_coefficient(driven, method))
 
 
 def factor_of(scene: Any, method: str, slipped: bool = False) -> Any:
     """Return the factor of safety of the original geometry by a method, at the start or with residual strength.
 
-    None where the strength is unknown; NaN where the method refuses the circle.
+    The result is None if the strength is unknown, and NaN if the method refuses the circle.
     """
     return _of_scene(scene, lambda driven: factor_by(method, driven), slipped)
 
 
 def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: float) -> float | None:
-    """Return the factor of safety by a method after a rotation, with the friction and share of cohesion that are left.
+    """Return the factor of safety by a method after a rotation in rad, with the remaining friction and cohesion.
 
-    Of single masses of one soil whose water does not change with time or cover the turned ground; otherwise None.
+    ``kept`` is the remaining share of cohesion. The result is None except for single masses of one soil whose water
+    does not change with time or cover the turned ground.
     """
     section = scene.arc
     water = scene.called.get("pore_pressure", {})
@@ -151,7 +152,7 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
 
 
 def _under(k_h: Floats, driven: Driven) -> Driven:
-    """Return arcs under a horizontal acceleration of k_h g each, which acts on surcharges as well."""
+    """Return arcs under a horizontal acceleration of k_h g, which acts on surcharges as well."""
     slices = driven.slices
     shaken = slices._replace(k_h=slices.of_arcs(k_h), shaken_load=1.0)
     driving = driven.gravity + k_h * shaken.shaking_moment()
@@ -159,7 +160,7 @@ def _under(k_h: Floats, driven: Driven) -> Driven:
 
 
 def yield_coefficient(driven: Driven, method: str) -> Floats:
-    """Return the k_h at which the factor of safety by a method is 1, NaN where it has none."""
+    """Return the k_h for which the factor of safety by a method is 1, NaN if there is none."""
     if method == OF_CLOSURE:
         return factor_by(YIELD, driven)
     none = np.zeros_like(driven.gravity)

@@ -1,15 +1,15 @@
 'use strict';
-// The integrator in a browser: `generated/flow.wasm.txt`, and the inputs of a scene as functions of its sliders.
-// Nothing here knows mechanics: programs, tables and inputs come with the page, motions from the integrator.
+// Integrator in a browser: `generated/flow.wasm.txt`, and the inputs of a scene as functions of its sliders.
+// The mechanics is elsewhere: the page supplies programs, tables and inputs, the integrator solves the motions.
 
-// Bytes of what the page holds compressed.
+// Decompress base64 data of the page into bytes.
 async function unpacked(text) {
   const packed = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
   const stream = new ReadableStream({ start(to) { to.enqueue(packed); to.close(); } });
   return new Response(stream.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
-// The exports of the engine that the page holds; null where this browser cannot run it.
+// Return the exports of the integrator in the page; null if this browser cannot run it.
 async function engine() {
   const held = document.getElementById('slide-engine');
   if (!held || typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function') return null;
@@ -19,9 +19,9 @@ async function engine() {
   return instance.exports;
 }
 
-// What solves a scene for places of its sliders, each from -1 to 1.
+// Return a solver of the scene for places of its sliders, each from -1 to 1.
 function solverOf(model, x) {
-  const BUDGET = 1e6, CALLS = 20; // steps of a call, and calls before a motion is given up
+  const BUDGET = 1e6, CALLS = 20; // steps of a call, and greatest number of calls for a motion
   const held = [];
   const numbers = (at, count) => new Float64Array(x.memory.buffer, at, count);
   const room = (bytes) => { const at = x.room(Math.max(bytes, 8)); held.push(at); return at; };
@@ -31,10 +31,10 @@ function solverOf(model, x) {
   const base = Float64Array.from(model.base, Number);
   const fits = model.fits.map(([of, degrees, rows, c]) => ({ of, degrees, rows, c: Float64Array.from(c, Number) }));
   const jumps = model.tables.map((t) => Float64Array.from(t.jumps, Number));
-  const first = model.names.length; // rows of the tables follow, then those of other numbers
+  const first = model.names.length; // rows of the tables follow, then rows of other numbers
   const beyond = model.tables.reduce((at, t) => at + t.pieces * (1 + t.terms), first);
 
-  // All inputs: sums of Chebyshev's polynomials in the places of the sliders.
+  // Return all inputs: sums of Chebyshev polynomials in the places of the sliders.
   function inputs(places) {
     const rows = base.slice();
     for (const { of, degrees, rows: some, c } of fits) {
@@ -56,7 +56,7 @@ function solverOf(model, x) {
     return rows;
   }
 
-  // The root F of F times a number = a sum of series in numbers over F; by its ratio to another root, rows are scaled.
+  // Solve F times driving moment = sum of series in friction over F; scale rows by F relative to the closure's factor.
   function begin(rows, { at, low, high, degree, scaled, factor }) {
     const [whole, other] = rows.subarray(at, at + 2), first = at + 2 + low.length;
     let root = 1;
@@ -83,7 +83,7 @@ function solverOf(model, x) {
     return integers(given, room(4 * given.length));
   }
 
-  // Cells of lanes with the inputs of a scene, of which each lane may change some by a factor.
+  // Return cells of lanes with the inputs of a scene; each lane may change some inputs by a factor.
   function cellsOf(program, rows, factors, lanes) {
     const cells = new Float64Array(program.cells * lanes);
     program.places.forEach((place, row) => {
@@ -94,7 +94,7 @@ function solverOf(model, x) {
     return cells;
   }
 
-  // Registers that are read, by name, where phases begin in states of a motion.
+  // Return output registers by name in states of a motion where phases begin.
   function registers(rows, states, times) {
     const program = model.programs[1], lanes = times.length, cells = cellsOf(program, rows, {}, lanes);
     const fill = (place, values) => { values.forEach((value, k) => { cells[place * lanes + k] = value; }); };
@@ -115,7 +115,7 @@ function solverOf(model, x) {
     return found;
   }
 
-  // Final cells of some lanes, and states at times. Lanes that turn back too often end at their first standstill.
+  // Return final cells of lanes and states at times. Lanes that turn back too often end at their first standstill.
   function integrate(which, rows, factors, lanes, times) {
     const found = solved(which, rows, factors, lanes, times, []);
     const of = (name, k) => entry(found.final, name, k, lanes), { TOO_LONG, MOST_TURNS } = model.codes;
@@ -124,7 +124,7 @@ function solverOf(model, x) {
     return swings.includes(true) ? solved(which, rows, factors, lanes, times, swings) : found;
   }
 
-  // Final cells of some lanes, (cells, lanes), and states at times where any are given, (rows, times).
+  // Return final cells of lanes, (cells, lanes), and states at the given times, if any, (rows, times).
   function solved(which, rows, factors, lanes, times, ending) {
     const program = model.programs[which], cells = cellsOf(program, rows, factors, lanes);
     ending.forEach((one, k) => { if (one) cells[model.entries.FIRST_ONLY * lanes + k] = 1; });
@@ -145,7 +145,7 @@ function solverOf(model, x) {
 
   const entry = (final, name, lane = 0, lanes = 1) => final[model.entries[name] * lanes + lane];
 
-  // Duration, run-out and greatest speed of a lane, dimensionless.
+  // Return duration, run-out and greatest speed of a lane, dimensionless.
   function outcomes(final, lane = 0, lanes = 1) {
     const of = (name) => entry(final, name, lane, lanes), ended = of('STATUS') === model.codes.ENDED;
     const timed = ended && of('TIME') < Infinity;
@@ -169,7 +169,7 @@ function solverOf(model, x) {
     return units;
   }
 
-  // Run-out, peak velocity and duration alone; nothing where there is no result.
+  // Return run-out, peak velocity and duration only; an empty object without a result.
   function outline(places) {
     const rows = inputs(places), { final } = integrate(0, rows, {}, 1, []), units = unitsOf(rows);
     if (!status(final).answered) return {};
@@ -177,7 +177,7 @@ function solverOf(model, x) {
     return { run_out: units.m * rotation, peak_velocity: units['m/s'] * omega, duration: units.s * duration };
   }
 
-  // A motion with its states at even times, and its estimated error.
+  // Return a motion with its states at equidistant times, and its estimated error.
   function motion(places, samples) {
     const rows = inputs(places), units = unitsOf(rows), { final } = integrate(0, rows, {}, 1, []);
     const [duration, rotation, omega] = outcomes(final), end = status(final);
@@ -218,7 +218,7 @@ function solverOf(model, x) {
     };
   }
 
-  // Mean normal stress and what of it presses on the soil, kPa.
+  // Return total and effective mean normal stress in kPa.
   function stresses({ pressing, normal }, unit) {
     const of = (force) => Array.from(force, (value) => unit * value / 1000);
     return model.stresses ? { total: of(pressing), effective: of(normal) } : {};

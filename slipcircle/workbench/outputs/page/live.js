@@ -1,12 +1,12 @@
-// The slide of a page: the time and the places of the sliders are its whole state; every view is drawn from them, and
-// the address holds them. On every move of a slider the engine solves the scene anew.
+// Slide of a page. Its state is the time and the places of the sliders: every view is drawn from them, and the address
+// stores them. When a slider moves, the engine solves the scene again.
 
 const SVG = 'http://www.w3.org/2000/svg';
-const SAMPLES = 401; // of a motion
-const STEPS = 100; // of a key, from the start to the end
-const SHORTEST = 4, LONGEST = 10; // seconds in which a slide is played
-const ACROSS = 200; // motions of the curve over a number
-const FRAME = 6; // milliseconds of a frame for that curve
+const SAMPLES = 401; // samples of a motion
+const STEPS = 100; // key presses from the start to the end
+const SHORTEST = 4, LONGEST = 10; // seconds of the animation
+const ACROSS = 200; // number of motions of the curve over a number
+const FRAME = 6; // milliseconds of each frame for this curve
 const CHARTS = {
   v: { title: 'velocity (m/s)', across: 't' },
   s: { title: 'displacement (m)', across: 't' },
@@ -31,7 +31,7 @@ for (const figure of slides) {
 function start(figure, addressed) {
   const find = (selector) => figure.querySelector(selector);
   const data = JSON.parse(find('script').textContent);
-  const given = { ...data.stored, ...data.first }; // the scene as it is, solved when the page was made
+  const given = { ...data.stored, ...data.first }; // the solved motion, computed when the page was written
   given.cut = given.left ? given.t.findIndex((t) => t >= given.left) : null;
   const sliders = data.sliders.map((slider) => ({ ...slider, now: slider.value }));
   const slider = find('.at input'), button = find('.play'), shape = find('.shape');
@@ -61,7 +61,7 @@ function start(figure, addressed) {
 
   // --- the motion ---
 
-  // A slider's place in its range, from -1 to 1; its angle is that of a coefficient where it is a tangent.
+  // Place of a slider in its range, from -1 to 1; a coefficient of friction is shown as an angle.
   function place({ si: [low, high], tangent, per_unit: per }, value) {
     const inside = tangent ? Math.tan(value * Math.PI / 180) : value * per;
     return Math.min(Math.max((2 * inside - low - high) / (high - low), -1), 1);
@@ -112,7 +112,7 @@ function start(figure, addressed) {
     };
   }
 
-  // The first sample outside the range of the method, and in words when and where the mass leaves it.
+  // Return the first sample outside the range of the method, and when and where the mass leaves the range, in words.
   function departure({ rotation, t, s }) {
     const [upslope, downslope] = data.range, cut = rotation.findIndex((phi) => phi > downslope || phi < upslope);
     if (cut < 1) return { cut: null };
@@ -132,7 +132,7 @@ function start(figure, addressed) {
     return Math.max(motion.duration, given.duration, 0);
   }
 
-  // The curve over the dragged number, a few motions in each frame.
+  // Compute the curve over the dragged number, a few motions in each frame.
   function curve() {
     cancelAnimationFrame(queued);
     if (!solver || !dragged) return;
@@ -154,7 +154,7 @@ function start(figure, addressed) {
     queued = requestAnimationFrame(more);
   }
 
-  // --- what is shown ---
+  // --- views ---
 
   function show() {
     const now = at(motion, time), before = at(given, time);
@@ -176,7 +176,7 @@ function start(figure, addressed) {
     charts.forEach(move);
   }
 
-  // An arc of another radius or dip is the same picture, larger or turned.
+  // An arc with a different radius or dip gives the same picture, scaled or turned.
   function shaped(x, y) {
     const change = (name) => sliders.find((one) => one.name === name) || { now: 0, value: 0 };
     const size = change('radius'), dip = change('dip');
@@ -257,7 +257,7 @@ function start(figure, addressed) {
     }
   }
 
-  // The columns of a chart: what is drawn over what, of the motion and of the scene as given.
+  // Return the columns of a chart, for the motion and for the scene as given.
   function columns({ of, across: over }) {
     const most = Math.max(...(motion.work || [0]).map(Math.abs), 1e-300);
     const shares = (values) => (values || []).map((value) => value / most);
@@ -343,7 +343,7 @@ function start(figure, addressed) {
     if (hovers) chart.words.textContent = value();
   }
 
-  // --- what changes it ---
+  // --- controls ---
 
   function go(to, save = true) {
     time = Math.min(Math.max(to, 0), longest());
@@ -422,7 +422,7 @@ function start(figure, addressed) {
   addEventListener('resize', layout);
   addEventListener('hashchange', () => { read(); solve(); layout(); curve(); });
 
-  // --- the address, and what one takes away ---
+  // --- address and downloads ---
 
   function read() {
     if (!addressed) return;
@@ -440,7 +440,7 @@ function start(figure, addressed) {
     for (const one of sliders) if (one.now !== one.value) asked.set(one.key, String(one.now));
     try {
       history.replaceState(null, '', `#${asked}`);
-    } catch { /* a page within another has no address of its own */ }
+    } catch { /* a page inside a frame cannot change the address */ }
   }
 
   function picture() {
