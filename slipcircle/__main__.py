@@ -1,6 +1,6 @@
 """Command line: `slipcircle run SCENE...`, `plan`, `sweep`, ..., also as `python -m slipcircle`.
 
-The commands are modules of `slipcircle.workbench.commands`. This module runs them and prints their answers. Results are
+The commands are modules of `slipcircle.workbench.commands`; this module runs them and prints their answers. Results are
 printed to stdout, messages to stderr. `ABOUT` lists the exit statuses.
 """
 
@@ -24,9 +24,9 @@ if TYPE_CHECKING:
     from slipcircle.workbench.outputs.tables import Answer
 
 TO_TRY = """\
-Three things to try:
-  slipcircle run vaiont                        solve a slide that ships
-  slipcircle new slope.toml                    write a commented scene, to put in your own numbers
+Try:
+  slipcircle run vaiont                        solve a shipped slide
+  slipcircle new slope.toml                    write a commented scene to edit
   slipcircle run slope.toml --live slope.html  solve it; the page shows the slide in a browser
 `slipcircle --help` lists all commands and scenes.
 """
@@ -35,16 +35,16 @@ ABOUT = """\
 Speed, run-out and time to rest of a mass that failed along a slip circle.
 
 {}
-scenes that ship:
+shipped scenes:
   {}
-  or a TOML file of your own: `slipcircle schema --text` explains its keys
+  or your own TOML file: `slipcircle schema --text` explains its keys
 
-exit status: 0 done, 1 the input was refused, 2 a wrong call, 130 interrupted
+exit status: 0 success, 1 invalid input, 2 invalid call, 130 interrupted
 """
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run a command and return its exit status."""
+    """Run a command from its arguments, by default ``sys.argv[1:]``, and return its exit status."""
     argv = sys.argv[1:] if argv is None else argv
     if not argv:
         print(TO_TRY, end="")
@@ -78,9 +78,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """Run the shell command.
+    """Run the command line and exit with its status.
 
-    It announces long computations and, if interrupted, does not wait for computing threads.
+    Long computations are announced. An interrupted process does not wait for threads that still compute.
     """
     computing = say_later(SILENT)
     finish()
@@ -92,7 +92,7 @@ def command() -> None:
 
 
 def _parser(called: str) -> argparse.ArgumentParser:
-    """Return the parser of all commands; only the module of the called command is imported, for its options."""
+    """Return the parser of all commands; only the called command's module is imported, for its options."""
     groups = ""
     for title, commands in GROUPS.items():
         groups += "\n".join([f"{title}:", *(f"  {name:<13}{words}" for name, words in commands.items()), ""])
@@ -118,7 +118,7 @@ def _parser(called: str) -> argparse.ArgumentParser:
 
 
 def _write(answer: "Answer", options: argparse.Namespace) -> None:
-    """Write the files that options name; all are complete before the first is written."""
+    """Write the files that the options name; the content of all files is complete before the first is written."""
     from slipcircle.workbench.common import files
 
     contents = {}
@@ -133,7 +133,7 @@ def _write(answer: "Answer", options: argparse.Namespace) -> None:
 
 
 def _print(answer: "Answer", as_json: bool) -> None:
-    """Print an answer as JSON, or its tables and warnings."""
+    """Print an answer as JSON, or as tables; its warnings are printed to stderr."""
     from slipcircle.workbench.common.quantities import json_text
     from slipcircle.workbench.outputs import tables
 
@@ -147,9 +147,10 @@ def _print(answer: "Answer", as_json: bool) -> None:
 
 
 def _report_output_error(error: OSError) -> None:
-    """Report which output failed. A closed pipe, as after `| head`, is not reported."""
+    """Report which output failed. A closed pipe, as after ``| head``, is not reported."""
     if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
+        # Otherwise the interpreter flushes it again at exit, and fails.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     if not isinstance(error, BrokenPipeError):
         say(f"{error.filename or 'the output'}: {error.strerror or error}")
 

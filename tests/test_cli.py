@@ -272,8 +272,8 @@ def test_no_command_is_silent(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> N
             "give one of --run-out-m, --end-displacement-m, --peak-velocity-m-s, --duration-s",
         ),
         ("backanalyse vaiont --duration-s -5", 1, "duration = -5.0: must be a positive number"),
-        ("backanalyse vaiont --run-out-m abc", 2, "abc: must be a number, or one with its error"),
-        ("backanalyse vaiont --run-out-m 0.3:0.45km", 2, "--run-out-m: 0.3:0.45km: must be a number, or"),
+        ("backanalyse vaiont --run-out-m abc", 2, "abc: must be a number (400), a number with its error"),
+        ("backanalyse vaiont --run-out-m 0.3:0.45km", 2, "--run-out-m: 0.3:0.45km: must be a number (400), a number"),
         ("backanalyse vaiont --reach-m 450", 2, "--reach-m: was removed; use --run-out-m"),
         ("backanalyse vaiont --run-out-m 450:300", 1, "run_out = Interval(low=450.0, high=300.0): must be a"),
         ("cost polar", 1, "scene 'polar' is unknown; known are layered-slope"),
@@ -363,7 +363,7 @@ def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
         assert max(map(len, text.splitlines())) <= 100
         assert re.search(r"\n\n[A-Z][^\n]*(\n[^\n]+)*\.\n", text), name
     text = said("--help")
-    assert "0 done, 1 the input was refused, 2 a wrong call, 130 interrupted" in text
+    assert "0 success, 1 invalid input, 2 invalid call, 130 interrupted" in text
     assert all(name in text for name in (*shipped(), *commands))
     assert said("--version") == f"slipcircle {slipcircle.__version__}\n"
 

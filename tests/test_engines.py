@@ -71,7 +71,9 @@ def test_every_executor_gives_the_same_bits() -> None:
 
 
 def test_what_is_no_executor_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"executor = 'threads': must be one of concurrent.futures, or a Dask client"):
+    with pytest.raises(
+        ValueError, match=r"executor = 'threads': must be an executor of concurrent.futures or a Dask client"
+    ):
         ensemble(SCENE, 10, executor="threads")
     with pytest.raises(ValueError, match="leave out --workers"), engine("threads", 2, "tcp://127.0.0.1:1"):
         pass
@@ -205,7 +207,7 @@ def test_a_run_continues(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     again = ensemble(SCENE, folder=folder, **(MANY | {"rng": None}))
     same(whole, again)
     assert (whole.damaged, again.damaged) == (0, 3)
-    assert "3 blocks of the folder were damaged, and are computed again" in again.warnings
+    assert "3 blocks of the folder were damaged and computed again" in again.warnings
     with open(folder / "run_out.npy", "r+b") as file:  # the header is lost, and all but 1,000 samples
         file.write(b"nothing")
         file.truncate(128 + 8 * 1000)
@@ -400,7 +402,7 @@ def test_a_folder_of_searches_is_that_of_their_limits(changed: str, tmp_path: Pa
     ("content", "fault"),
     [
         ("not json", "is damaged"),
-        ("[1, 2]", "is no study"),
+        ("[1, 2]", "is not a study"),
         ('{"seed": 1, "outcomes": [], "keep": true}', "holds blocks in the format of another version"),
     ],
 )
@@ -408,7 +410,7 @@ def test_a_folder_that_is_none(tmp_path: Path, content: str, fault: str) -> None
     (tmp_path / "study.json").write_text(content, "utf-8")
     with pytest.raises(ValueError, match=f"^[^\n]*{fault}[^\n]*; give an empty folder$"):
         ensemble(SCENE, 10, 1, folder=tmp_path)
-    with pytest.raises(ValueError, match=r"study\.json: can be no folder"):
+    with pytest.raises(ValueError, match=r"study\.json: cannot be used as a folder"):
         ensemble(SCENE, 10, 1, folder=tmp_path / "study.json")
 
 
@@ -434,7 +436,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
 
     monkeypatch.setattr("slipcircle.workbench.commands.sweep._compute", lost)
     told = refused("sweep vaiont --grid friction.angle_deg=8,10")
-    assert "died; with --resume FOLDER it could continue" in told
+    assert "died; give --resume FOLDER to keep finished blocks" in told
     monkeypatch.setattr(Design, "run_block", lost)
     with ThreadPoolExecutor(2) as pool, pytest.raises(gone):
         ensemble(SCENE, 100, 1, pool)

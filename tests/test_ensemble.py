@@ -84,7 +84,7 @@ def test_a_file_declares_them(file: Path) -> None:
         ({"friction.angle_deg": 3.0}, "must be a distribution"),
         ({"friction.angle_deg": ANGLE, "friction": stats.norm(0.2, 0.01)}, "says the same"),
         ({"arc.radius_m": {"distribution": "uniform", "low": -1, "high": 5}}, "reaches down to -1"),
-        ({}, "no number is uncertain"),
+        ({}, "the scene has no uncertain parameter"),
         ({"arc.radius_m": {"distribution": "normal", "mean": 1000, "std": 800}}, "arc.radius_m: 11 % of its distribu"),
     ],
 )
@@ -263,7 +263,7 @@ def test_where_nothing_is_propagated() -> None:
     """What has no moments says so; a unit weight moves nothing here, and rounding is no disagreement."""
     found = ensemble(replace(VAIONT, uncertain={"friction": stats.pareto(2, scale=0.05)}), 20, 1)
     assert dict(found.linear) == {}
-    assert "no finite mean" in found.no_linear
+    assert "not have a finite mean" in found.no_linear
     assert json.dumps(export.record(found), allow_nan=False)
     assert ensemble(replace(VAIONT, uncertain={"arc.unit_weight_kN_m3": stats.norm(20, 1)}), 500, 1).warnings == []
 
@@ -448,7 +448,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
 @pytest.mark.parametrize(
     ("more", "told"),
     [
-        ("--samples 10", "no number is uncertain"),
+        ("--samples 10", "the scene has no uncertain parameter"),
         ("--uncertain friction.angle_deg=normal:10:1 --samples 1e300", "a whole number of samples, from 1 to 1e+12"),
         ("--grid friction.angle_deg=1:2", "must be KEY=FROM:TO:COUNT"),
         ("--grid friction.angel_deg=1:2:3", "did you mean friction.angle_deg"),
@@ -456,7 +456,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
         ("--grid friction.angle_deg=1,2 --grid friction.angle_deg=3", "each key once"),
         ("--grid friction.angle_deg=8:12:9999 --grid arc.radius_m=1:9:9999", "at most 67108864"),
         ("--grid friction.angle_deg=1:2:1000000000000", "not enough memory"),
-        ("--grid friction.angle_deg=1 --engine threads --workers 0", "--workers 0: must be 1"),
+        ("--grid friction.angle_deg=1 --engine threads --workers 0", "--workers 0: must be at least 1"),
         ("--grid friction.angle_deg=1 --csv /no/such/place.csv", "there is no folder /no/such"),
         ("--samples 9 --uncertain friction.angle_deg=normal:1", "normal:mean:std, lognormal:mean"),
         ("--samples 9 --uncertain friction.angel_deg=normal:1:1", "did you mean friction.angle_deg"),

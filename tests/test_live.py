@@ -327,7 +327,7 @@ def test_a_slider_of_the_geometry_states_its_error_and_keeps_it(tmp_path: Path) 
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ("vaiont --vary friction.angle_deg=8:12", "--vary: is a slider of a page; give --live FILE as well"),
+        ("vaiont --vary friction.angle_deg=8:12", "--vary: adds a slider to a page; give --live FILE as well"),
         ("vaiont vaiont-frozen --live {}", "--live: shows one scene"),
         ("vaiont --live {} --vary friction.angle=8:12", "friction.angle: is not a parameter of this scene"),
         ("vaiont --live {} --vary friction.angle_deg=8:x", "must be KEY=FROM:TO"),

@@ -221,7 +221,7 @@ def test_every_study_has_a_report(name: str) -> None:
 
 @pytest.mark.parametrize(
     ("more", "told"),
-    [("--grid friction.angle_deg=8:12:3 --report {}/a.html", "--report: of samples, not of a grid"),
+    [("--grid friction.angle_deg=8:12:3 --report {}/a.html", "--report: is available for samples, not for a grid"),
      ("--grid friction.angle_deg=8:12:3 --grid arc.radius_m=1e3:2e3:7 --grid end_time_s=1:2:2 --plot {}/a.png",
       "not 3 x 7 x 2")],
 )  # fmt: skip

@@ -291,7 +291,7 @@ ZEROS = Series(np.arange(3.0), np.zeros(3), held=False)
         (RECORD, {"scales": [1.0], "scale_to_pga": 0.3}, "exclude each other"),
         (RECORD, {"scales": [0.0, 1.0]}, r"scales = \[0.0, 1.0\]: must be one or more positive numbers"),
         (RECORD, {"scales": 20.0}, "1: would reach 7 g, and no ground has shaken with more than 5 g"),
-        (RECORD, {"search_each": True}, "search_each and sensitivity do not go with records"),
+        (RECORD, {"search_each": True}, "search_each and sensitivity cannot be combined with records"),
         (ZEROS, {"scale_to_pga": 0.3}, "1: is zero at all times"),
     ],
 )
@@ -349,15 +349,15 @@ def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("records --synthetic 3:1.5:4 --out .", "exists, and is not an empty folder"),
+        ("records --synthetic 3:1.5:4 --out .", "exists and is not an empty folder"),
         ("records --synthetic 3:1.5:4 --out no/suite", "there is no folder"),
         ("records more --out other", "writes synthetic records"),
-        ("records more --synthetic 3:1.5:4", "give either files and folders of records, or --synthetic"),
+        ("records more --synthetic 3:1.5:4", "give either files or folders of records, or --synthetic"),
         ("records --synthetic 2:4", "2:4: must be COUNT:ARIAS:DURATION, such as 20:1.5:12"),
         ("sweep newmark-pulse --records . --strict --step 1", "slammer: units are missing"),
-        ("sweep newmark-pulse --samples 3 --magnitude 7 --period 0.2", "--magnitude, --period: of records"),
+        ("sweep newmark-pulse --samples 3 --magnitude 7 --period 0.2", "--magnitude, --period: for earthquake records"),
         ("sweep newmark-pulse --records site.txt --period -1", "--period -1: must be a time in s, at least 0"),
-        ("sweep newmark-pulse --records site.txt --samples 3", "--samples: no number is uncertain"),
+        ("sweep newmark-pulse --records site.txt --samples 3", "--samples: the scene has no uncertain parameter"),
         ("sweep newmark-pulse --polarities", "or --records FOLDER"),
     ],
 )

@@ -66,7 +66,7 @@ def _x_of_ends(section: Any) -> Any:
 
 
 def outside_between(section: Any) -> Fault:
-    """Return the error of masses that exceed the range of x by which they were selected."""
+    """Return the error of masses that exceed the range of x that selects them."""
     left, right = _x_of_ends(section)
     low, high = section.between or (-np.inf, np.inf)
     rounding = AS_PRINTED * (right - left)

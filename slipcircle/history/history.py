@@ -159,7 +159,7 @@ class History:
         return flat_times[:, None] >= np.ravel(self._duration)
 
     def _over_time(self, time: Floats, values: Floats) -> Any:
-        """Return values of shape (times, lanes) in the shape of the scene followed by that of the times."""
+        """Return values of shape (times, lanes) in the shape of the scene followed by the shape of the times."""
         return values.T.reshape(self.shape + time.shape)[()]
 
     # --- forces and energy -------------------------------------------------------------------------------------------
@@ -172,7 +172,7 @@ class History:
         return States(self._dimensionless(np.ravel(time)).ravel(), rotation, omega, further, lane)
 
     def _by_state(self, time: Floats, values: Floats) -> Any:
-        """Return one value per element of `_states` in the shape of the scene followed by that of the times."""
+        """Return one value per element of `_states` in the shape of the scene followed by the shape of the times."""
         return self._over_time(time, values.reshape(time.size, self.problem.lanes))
 
     def _stresses(self, time: Floats) -> Stresses:

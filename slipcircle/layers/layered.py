@@ -101,18 +101,12 @@ class RotationTables(NamedTuple):
             breaks = breaks[:, 0]
             at_first = strength.parts(first[None], names)
             remaining = iter(rows)
-            parts = {}
-            for name in names:
-                of_part = islice(remaining, len(at_first[name]))
-                parts[name] = np.stack([*of_part])
+            parts = {name: np.stack([*islice(remaining, len(at_first[name]))]) for name in names}
             rows = [function.combined(parts) for function in functions.values()]
             if all(row.shape[-1] == 1 for row in rows):  # a single lane
                 rows = [row[..., 0] for row in rows]
-        tables = {}
-        for name, row in zip(functions, rows, strict=True):
-            in_order = np.ascontiguousarray(row)
-            tables[name] = continuous(breaks, in_order)
-        return tables
+        in_order = map(np.ascontiguousarray, rows)
+        return {name: continuous(breaks, row) for name, row in zip(functions, in_order, strict=True)}
 
     def likely_reach(self, friction: Parameters) -> float:
         """Return the estimated rotation of lanes from rest, at which the least strength dissipates the work of gravity.

@@ -73,26 +73,22 @@ class LayeredNumbers:
     def fields_with(self, values: Values) -> ValueDict:
         """Return the fields that contain these numbers, with other values."""
         known = self.other_numbers()
-        names = [name for name in values if values[name] is not known[name]]
-        changed = {name: values[name] for name in names}
+        changed = {name: value for name, value in values.items() if value is not known[name]}
         if not changed:
             return {}
         for strength in ("friction", "cohesion"):
             if share_one_law(self.soils, strength):
                 _share_length(f".{strength}.length", changed, known)
         soils = {id(soil): _soil_with(soil, changed) for soil in self.soils}
+        other = {name: value for name, value in changed.items() if not np.array_equal(value, known[name])}
         layers = []
         for k, (soil, top) in enumerate(self.layers, 1):
             name = f"layers.{k}.top"
-            if name in changed and not np.array_equal(changed[name], known[name]):
-                top = _moved(top, changed[name])
-            layers.append((soils[id(soil)], top))
+            layers.append((soils[id(soil)], _moved(top, other[name]) if name in other else top))
         loads = []
         for k, load in enumerate(self.surcharge, 1):
             name = f"surcharge.{k}.pressure"
-            if name in changed and not np.array_equal(changed[name], known[name]):
-                load = _scaled(load, changed[name])
-            loads.append(load)
+            loads.append(_scaled(load, other[name]) if name in other else load)
         rate = _within("rate.", changed)
         return {
             "layers": tuple(layers),
@@ -127,11 +123,7 @@ def _numbers_of_soil(soil: Soil) -> ValueDict:
 
 def _numbers_of_law(start: str, law: Values, laws: Mapping[str, declared.Law] = LAWS) -> ValueDict:
     """Return the numbers of a law by name. A table has none."""
-    numbers = {}
-    for parameter in laws[law["law"]].parameters:
-        if parameter.kind != "list":
-            numbers[f"{start}.{parameter.name}"] = law[parameter.name]
-    return numbers
+    return {f"{start}.{p.name}": law[p.name] for p in laws[law["law"]].parameters if p.kind != "list"}
 
 
 def _height(top: Any) -> Any:
@@ -153,11 +145,7 @@ def _share_length(end: str, changed: ValueDict, known: Values) -> None:
 
 def _within(start: str, values: Values) -> ValueDict:
     """Return the values whose names have a prefix, by the rest of their names."""
-    within = {}
-    for name, value in values.items():
-        if name.startswith(start):
-            within[name.removeprefix(start)] = value
-    return within
+    return {name.removeprefix(start): value for name, value in values.items() if name.startswith(start)}
 
 
 def _soil_with(soil: Soil, values: Values) -> Soil:
@@ -165,9 +153,9 @@ def _soil_with(soil: Soil, values: Values) -> Soil:
     changed = _within(f"soils.{soil.name}.", values)
     for strength in ("friction", "cohesion"):
         law = _within(f"{strength}.", changed)
+        for name in law:
+            del changed[f"{strength}.{name}"]
         if law:
-            for name in law:
-                del changed[f"{strength}.{name}"]
             changed[strength] = {**getattr(soil, strength), **law}
     return replace_unchecked(soil, changed)
 

@@ -159,11 +159,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         tops = [None, *self.tops]
         if self.foreland is not None:
             tops.append(top_of(self.foreland, self.layers))
-        datums = []
-        for soil, top in zip(self.soils, tops, strict=True):
-            own = soil.datum
-            datums.append(top if own is None else own)
-        return datums
+        return [top if soil.datum is None else soil.datum for soil, top in zip(self.soils, tops, strict=True)]
 
     @cached_property
     def depths(self) -> list[Depths | None]:
@@ -376,11 +372,7 @@ def _same_cut(one: LayeredSection, other: LayeredSection) -> bool:
 
 def _growing_below(section: LayeredSection) -> list[tuple[Any, bool]]:
     """Return for each soil its own datum and whether its cohesion grows."""
-    rows = []
-    for soil in section.soils:
-        grows = bool(np.any(soil.cohesion_gradient))
-        rows.append((soil.datum, grows))
-    return rows
+    return [(soil.datum, bool(np.any(soil.cohesion_gradient))) for soil in section.soils]
 
 
 def _cut_of(section: LayeredSection) -> tuple[Any, ...]:

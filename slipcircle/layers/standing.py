@@ -167,10 +167,7 @@ class _Integrals:
 def vertex_kinks(section: Any) -> Floats:
     """Return rotations at which a vertex of the ground or an end of the mass passes the level, (circles, kinks)."""
     heights = section.standing_level[:, None]
-    surfaces = []
-    for circle in range(len(heights)):
-        surfaces.append(_surface(section, circle))
-    every = np.stack(surfaces)
+    every = np.stack([_surface(section, circle) for circle in range(len(heights))])
     x = every[..., 0]
     y = every[..., 1]
     distance = np.hypot(x, y)

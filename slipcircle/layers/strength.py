@@ -319,10 +319,10 @@ class ArcStrength(StretchIntegrals):
 
     def cohesion_terms(self, needs: Needs) -> dict[str, ValueDict]:
         """Return the moments that the laws of cohesion multiply, over Theta*, by the names of their effects."""
-        terms = {}
-        for number, (_, cohesion, growth) in self._soil_cohesion.softening.items():
-            terms[f"softening_cohesion{number}"] = {"moment": self._cohesion(needs, cohesion, growth)}
-        return terms
+        return {
+            f"softening_cohesion{number}": {"moment": self._cohesion(needs, cohesion, growth)}
+            for number, (_, cohesion, growth) in self._soil_cohesion.softening.items()
+        }
 
     def _cohesion(self, needs: Needs, cohesion: Floats, growth: Floats) -> Any:
         """Return the moment of a cohesion and its growth with depth, of each soil, over Theta*."""

@@ -142,11 +142,7 @@ class StretchIntegrals:
 
     def parts(self, rotation: Floats, names: Collection[str]) -> ArrayDict:
         """Return parts by name. All weights are computed together."""
-        every = {}
-        for name in _DIRECT:
-            if name in names:
-                part = getattr(self, name)
-                every[name] = part(rotation)
+        every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
             every |= self._of_weight(rotation)
         return every

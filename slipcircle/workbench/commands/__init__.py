@@ -1,4 +1,7 @@
-"""Commands of `slipcircle`: one module each, named as it is typed, with `options(parser)` and `run(options)`."""
+"""Subcommands of `slipcircle`, one module each.
+
+`options(parser)` adds the options to a parser; `run(options)` returns the answer.
+"""
 
 GROUPS = {
     "slope": {
@@ -8,8 +11,8 @@ GROUPS = {
     },
     "motion": {
         "run": "solve scenes and print their motion side by side",
-        "backanalyse": "find the friction, or another number, that explains an observation",
-        "sensitivity": "differentiate the motion with respect to every number of a scene",
+        "backanalyse": "find the friction, or another parameter, that explains an observation",
+        "sensitivity": "differentiate the motion with respect to every parameter of a scene",
     },
     "study": {
         "sweep": "solve a scene on a grid, for samples or under earthquake records",
@@ -17,8 +20,8 @@ GROUPS = {
     },
     "developers": {
         "plan": "print the equation of motion of a scene and how it is solved",
-        "cost": "measure what accuracy costs in time, for a scene or a kernel",
-        "info": "print versions and digests of what is installed",
+        "cost": "measure computing time against accuracy, for a scene or a kernel",
+        "info": "print versions and digests of the installed packages",
     },
 }
 COMMANDS = {name: words for group in GROUPS.values() for name, words in group.items()}

@@ -1,4 +1,4 @@
-"""`slipcircle backanalyse`: numbers of a scene that explain an observed motion, with standard errors."""
+"""`slipcircle backanalyse`: parameters of a scene that explain an observed motion, with standard errors."""
 
 import argparse
 from dataclasses import replace
@@ -19,13 +19,13 @@ from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solution, backanalyse
 
-# The options by outcome; each ends in its unit.
+# Option names by outcome; each name ends with the unit.
 OPTIONS = {name: f"--{q.head}".replace("_", "-") for name, q in OBSERVABLE.items()}
 _OTHER = "; or in another unit, such as -ft"
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     forms = "and its standard error: 400+-20; an interval: 300:450; or a limit: '<60'"
     for name, option in OPTIONS.items():
         units = UNITS_OF_KEYS.get(OBSERVABLE[name].unit, {"": 1.0})
@@ -46,18 +46,17 @@ def options(parser: argparse.ArgumentParser) -> None:
         "--field",
         action="append",
         metavar="KEY[=LOW:HIGH]",
-        help="parameter to fit, a scene "
-        "file's key, by default friction.angle_deg, and between which values; several for several "
-        "observations; a point's coordinate by its number from 0: ground.points_m.3.y",
+        help="key of a parameter to fit (default friction.angle_deg) and optional bounds; repeatable, with one "
+        "observation for each parameter; coordinates of a point: ground.points_m.3.y, counted from 0",
     )
-    method = "method of the factor of safety, from which the motion starts, too; by default that of the scene"
+    method = "method of the factor of safety, which also starts the motion; default: the scene's method"
     parser.add_argument("--method", choices=METHODS, help=method)
-    add_files(parser, "what was observed over the fields")
+    add_files(parser, "the observed quantities against the fitted parameters")
     add_scene(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
     fields = values.by_key("field", options.field or [], form, values.bounds)
     observed = {name: getattr(options, name) for name in OBSERVABLE}
@@ -70,7 +69,7 @@ def run(options: argparse.Namespace) -> Answer:
         scene = replace(scene, start=options.method)
     if not scene.observed and all(value is None for value in observed.values()):
         known = ", ".join(OPTIONS.values())
-        raise ValueError(f"backanalyse: nothing observed: give one of {known}, or [observed] in the scene file")
+        raise ValueError(f"backanalyse: no observation: give one of {known}, or [observed] in the scene file")
     bounds = {key: ends for key, ends in fields.items() if ends}
     fit = backanalyse(scene, field=list(fields) or None, bounds=bounds, **observed)
     name = fit.motion.plan.scene.name
@@ -82,7 +81,7 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _record(fit: BackAnalysis) -> dict[str, Any]:
-    """For JSON: null for unknown values; matrices by fields in their order."""
+    """Return a back-analysis as a mapping for JSON, with null for unknown values."""
     solutions = []
     for solution in fit.solutions:
         derived = {"standard_errors": solution.standard_errors, "correlation": solution.correlation}
@@ -91,7 +90,7 @@ def _record(fit: BackAnalysis) -> dict[str, Any]:
 
 
 def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
-    """A solution by label: fields with their errors, outcomes next to the observations, and the misfit."""
+    """Return the cells of a solution by label: fitted values, outcomes with observations, and the misfit."""
     cells, errors = {}, solution.standard_errors or {}
     for name, value in solution.values.items():
         error = errors.get(name, 0.0)
@@ -115,7 +114,7 @@ def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
 
 
 def _observation(fit: BackAnalysis, name: str, computed: float) -> str:
-    """An observation in brackets, with its standard error if it has one; whether a value is inside an interval."""
+    """Return an observation in brackets: its interval, or its value with its standard error; empty if not observed."""
     if name not in fit.observed:
         return ""
     if name in fit.intervals:

@@ -1,4 +1,4 @@
-"""Common parts of commands: options, checks before the computation, errors that name the scene."""
+"""Options shared by commands, checks before the computation, and error messages that name the scene."""
 
 import argparse
 from collections.abc import Callable
@@ -17,19 +17,28 @@ REPORT = "a report for a reviewer, one HTML file"
 
 
 def add_scene(parser: argparse.ArgumentParser) -> None:
-    """The scene of a command that takes one."""
+    """Add the positional argument SCENE, one scene, to a parser."""
     parser.add_argument("scene", metavar="SCENE", help=SCENE)
 
 
 def add_files(parser: argparse.ArgumentParser, picture: str, **tables: str) -> None:
-    """Options that name files to write: a picture of something, and tables by the option's name."""
+    """Add options that name output files: ``--plot`` for a picture, and an option for each table by its name.
+
+    Parameters
+    ----------
+    parser : argparse.ArgumentParser
+    picture : str
+        Subject of the picture, for the help text.
+    **tables : str
+        Content of each further file by the name of its option, for the help text.
+    """
     parser.add_argument("--plot", metavar="FILE", action="append", default=[], help=f"draw {picture}{PICTURE_TYPES}")
     for name, content in tables.items():
         parser.add_argument(f"--{name}", metavar="FILE", help=f"write {content}")
 
 
 def check_files(options: argparse.Namespace) -> None:
-    """Check before the computation that all files can be written and pictures drawn."""
+    """Raise ValueError before the computation if an output file cannot be written or a picture cannot be drawn."""
     values = vars(options)
     written = ("plot", "report", "csv", "npz", "live", "fragility", "write")
     outputs = {f"--{name}": values[name] for name in written if values.get(name)}
@@ -41,7 +50,7 @@ def check_files(options: argparse.Namespace) -> None:
 
 
 def with_scene_context(scene: Scene, work: Callable[[Scene], T]) -> T:
-    """Apply a function to a scene; errors name the scene and the key of its file."""
+    """Return ``work(scene)``; a ValueError is raised again with the name of the scene and the key in its file."""
     try:
         return work(scene)
     except InputError as error:

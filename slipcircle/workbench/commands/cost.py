@@ -1,4 +1,4 @@
-"""`slipcircle cost`: what accuracy costs in time, for a scene or a kernel, measured on this machine."""
+"""`slipcircle cost`: computing time against accuracy of a scene or a kernel, measured on this machine."""
 
 import argparse
 import math
@@ -28,13 +28,13 @@ BUDGETS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
 def budget(text: str) -> float:
-    """Read a time with its unit, such as 1us."""
+    """Return a time in s, parsed from a number and a unit (ns, us, ms or s) such as ``1us``."""
     number, unit = re.fullmatch(r"([\d.e+-]+?) ?(ns|us|ms|s)", text).groups()  # type: ignore[union-attr]
     return float(number) * BUDGETS[unit]
 
 
 def accuracy(text: str) -> float:
-    """Read a relative error above 0."""
+    """Return a relative error between 0 and 1, parsed from text such as ``1e-6``; otherwise raise ValueError."""
     value = float(text)
     if not 0.0 < value < 1.0:
         raise ValueError
@@ -42,7 +42,7 @@ def accuracy(text: str) -> float:
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     names = f"{SCENE}; or a kernel, such as polar_moment. Default: %(default)s"
     parser.add_argument("name", nargs="?", metavar="NAME", default="vaiont", help=names)
     choice = parser.add_mutually_exclusive_group()
@@ -57,7 +57,7 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 
 def _wanted(options: argparse.Namespace) -> dict[str, float]:
-    """Return the accuracy or the budget of the options."""
+    """Return the requested accuracy (relative error) or budget (s) by the option's name; empty if neither is given."""
     for name, read, allowed in (
         ("accuracy", accuracy, "a relative error between 0 and 1, such as 1e-6"),
         ("budget", budget, "a time in ns, us, ms or s, such as 1us"),
@@ -71,7 +71,7 @@ def _wanted(options: argparse.Namespace) -> dict[str, float]:
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     from slipcircle.workbench.cost import kernels, scenes
     from slipcircle.workbench.cost.rows import judged, recommended
     from slipcircle.workbench.outputs.info import machine
@@ -81,7 +81,9 @@ def run(options: argparse.Namespace) -> Answer:
     vary = values.by_key("vary", options.vary, form, values.bounds)
     if options.name in kernels.KERNELS:
         if vary:
-            raise ValueError(f"cost: --vary: {options.name} is a kernel, whose errors are those of its whole domain")
+            raise ValueError(
+                f"cost: --vary: {options.name} is a kernel, measured on its whole domain; leave --vary out"
+            )
         rows = kernels.of_kernel(options.name)
         title = options.name
     else:
@@ -102,7 +104,7 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _parts(title: str, rows: Sequence["Row"], machine: str, wanted: Mapping[str, float]) -> Iterator[Part]:
-    """Return the table, and below it what follows from it."""
+    """Yield the table of measured rows, with notes below it."""
     fastest = {row.group: min(x.seconds for x in rows if x.group == row.group) for row in rows}
     cells = []
     for row in rows:
@@ -146,7 +148,7 @@ def _notes(rows: Sequence["Row"], machine: str, wanted: Mapping[str, float]) -> 
 
 
 def _measured(row: "Row") -> str:
-    """Return a row in words."""
+    """Return the name, time, error and bound of a row as text."""
     bound = "" if row.bound is None else f", bound {_error(row.bound)}"
     return f"{row.way} ({time_text(1e9 * row.seconds)}, error {_error(row.error)}{bound})"
 

@@ -1,4 +1,4 @@
-"""`slipcircle new`: a commented scene file to start from."""
+"""`slipcircle new`: write a commented scene file to start from."""
 
 import argparse
 import re
@@ -11,19 +11,21 @@ from slipcircle.workbench.outputs.tables import Answer
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    parser.add_argument("file", metavar="FILE", help="to write, such as slope.toml; is never overwritten")
-    like = "the scene that ships to start from, by default real-slope; `slipcircle --help` lists them"
+    """Add the options of the command to a parser."""
+    parser.add_argument(
+        "file", metavar="FILE", help="new scene file, such as slope.toml; an existing file is not overwritten"
+    )
+    like = "shipped scene to copy (default real-slope); `slipcircle --help` lists them"
     parser.add_argument("--like", metavar="SCENE", default="real-slope", choices=shipped(), help=like)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     path = Path(options.file)
     files.check("new", {"FILE": options.file})
     text = find(options.like).read_text("utf-8")
-    # It is named as its file from now on.
+    # Without a name of its own, the scene is named after its file.
     scene = re.sub("^name = .*", f'format = "{SCENE_FORMAT}"', text, flags=re.MULTILINE)
     steps = f"wrote {path}: change its numbers, then `slipcircle run {path} --live {path.with_suffix('.html')}`"
-    explained = "`slipcircle schema --text` explains every key and what else may be added"
+    explained = "`slipcircle schema --text` explains all keys, including those that the file does not use"
     return Answer(lambda: {"file": options.file}, [steps, explained], (), {"file": lambda _: scene.encode()})

@@ -1,4 +1,4 @@
-"""`slipcircle plan`: the equation of motion of a scene and how it will be solved, without solving it."""
+"""`slipcircle plan`: the equation of motion of a scene and the method that would solve it."""
 
 import argparse
 from dataclasses import asdict
@@ -14,14 +14,14 @@ FIELDS = ("effects", "left_out", "law", "method", "why", "accuracy")  # in JSON
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     add_scene(parser)
-    parser.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
+    parser.add_argument("--ladder", action="store_true", help="solve repeatedly, with one more effect each time")
     add_files(parser, "the ladder")
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
     chosen = plan(load(options.scene))

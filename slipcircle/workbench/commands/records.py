@@ -1,4 +1,4 @@
-"""`slipcircle records`: records of files and folders with their intensity measures, or synthetic ones to be written."""
+"""`slipcircle records`: intensity measures of earthquake records, read from files or generated."""
 
 import argparse
 from pathlib import Path
@@ -19,23 +19,23 @@ _READING = ("strict", "holds", "columns", "vertical", "units", "step")
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     parser.add_argument("records", nargs="*", metavar="PATH", help=FORMATS)
     add_reading(parser)
     add_synthetic(parser)
-    parser.add_argument("--seed", type=int, default=0, help="of synthetic records; default %(default)s")
-    out = "write synthetic records into a new folder, which sweep --records reads, as accelerations of the ground"
+    parser.add_argument("--seed", type=int, default=0, help="seed of synthetic records; default %(default)s")
+    out = "write synthetic records, as ground accelerations, into a new folder for sweep --records"
     parser.add_argument("--out", metavar="FOLDER", help=out)
     parser.add_argument("--csv", metavar="FILE", help="write a table of the records")
 
 
 def add_reading(parser: Any) -> None:
-    """Options of what files do not say."""
-    ground = "what the records hold, positive down-slope; default %(default)s, whose opposite drives the mass"
+    """Add the options for reading records whose files leave something open, such as units or the time step."""
+    ground = "recorded quantity: ground acceleration, positive down-slope, or its opposite; default %(default)s"
     strict = "fail if any file or column is not used"
-    roles = "roles of all columns of tables, in place of their headers: time,acceleration,vertical,skip, or wrapped if "
-    roles += "each line holds values of one series"
-    vertical = "vertical components by their names, such as '*_Z', in place of what headers and names say"
+    roles = "role of each column of tables, overriding headers: time,acceleration,vertical,skip; or wrapped, if "
+    roles += "each line continues one series"
+    vertical = "names of vertical components, such as '*_Z'; overrides headers and file names"
     units = f"unit of files that do not state theirs: {ACCELERATION.choice}".replace("%", "%%")
     parser.add_argument("--strict", action="store_true", help=strict)
     parser.add_argument("--holds", choices=("ground", "driving"), default="ground", help=ground)
@@ -46,8 +46,8 @@ def add_reading(parser: Any) -> None:
 
 
 def add_synthetic(parser: Any) -> None:
-    """The option of synthetic records."""
-    made = "synthetic ones in their place, of an Arias intensity in m/s and a duration (5 to 95 %%) in s: 20:1.5:12"
+    """Add the option ``--synthetic`` to a parser."""
+    made = "synthetic records instead, with this Arias intensity in m/s and duration (5 to 95 %%) in s: 20:1.5:12"
     parser.add_argument("--synthetic", type=_synthetic, metavar="COUNT:ARIAS:DURATION", help=made)
 
 
@@ -60,9 +60,9 @@ def _synthetic(text: str) -> tuple[int, float, float]:
 
 
 def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
-    """The suite that the options ask for."""
+    """Return the suite of records that the options select or define; ``gravity`` in m/s^2."""
     if bool(options.records) == bool(options.synthetic):
-        raise ValueError(f"{options.command}: give either files and folders of records, or --synthetic")
+        raise ValueError(f"{options.command}: give either files or folders of records, or --synthetic")
     if not options.synthetic:
         reading = {name: getattr(options, name) for name in _READING}
         return read_suite(options.records, gravity=gravity, **reading)
@@ -71,7 +71,7 @@ def suite_of(options: argparse.Namespace, gravity: float) -> Suite:
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Read or make the records, and write what is to be written."""
+    """Read or generate the records, write the requested files and return the answer."""
     if options.out:
         _check_folder(options)
     suite = suite_of(options, 9.81)
@@ -84,18 +84,18 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _check_folder(options: argparse.Namespace) -> None:
-    """Reject a folder that cannot be written, or whose other files would become part of the suite."""
+    """Raise ValueError if ``--out`` is not a new or empty folder that can be written."""
     folder = Path(options.out)
     if not options.synthetic:
         raise ValueError("records: --out: writes synthetic records; give --synthetic COUNT:ARIAS:DURATION as well")
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise ValueError(f"records: --out {folder}: exists, and is not an empty folder; give a new one")
+        raise ValueError(f"records: --out {folder}: exists and is not an empty folder; give a new folder")
     if not folder.absolute().parent.is_dir():
         raise ValueError(f"records: --out {folder}: there is no folder {folder.parent}")
 
 
 def records_part(suite: Suite) -> Part:
-    """The records with their intensity measures."""
+    """Return a table of the records and their intensity measures."""
     with_components = any(entry.component for entry in suite)
     head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)"]
     head += ["I_A (m/s)", "D5-95 (s)", "T_m (s)"]

@@ -1,4 +1,4 @@
-"""`slipcircle run`: solve scenes, print their motions side by side, write their files."""
+"""`slipcircle run`: solve scenes, print their motions side by side and write files."""
 
 import argparse
 from collections.abc import Iterator, Sequence
@@ -20,21 +20,21 @@ from slipcircle.workbench.outputs.trace import csv
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     parser.add_argument("scenes", nargs="+", metavar="SCENE", help=SCENE)
     parser.add_argument("--verbose", action="store_true", help="all results, other methods and errors")
     picture = "section, motion and energy, and the slide itself as .gif; may be given more than once"
     table = "the motion over time, in SI units and full precision"
-    slide = "a page on which one can drag the slide, which needs nothing else"
+    slide = "a self-contained HTML page on which the slide can be dragged"
     add_files(parser, picture, report=REPORT, csv=table, live=slide)
-    varied = "the first slider of --live, and its range: friction.residual_deg=8:18"
+    varied = "parameter and range of the first slider of --live: friction.residual_deg=8:18"
     parser.add_argument("--vary", metavar="KEY=FROM:TO", help=varied)
-    times = "times of --csv in s, by default 401 even ones from start to end: 0:60:1"
+    times = "times of --csv in s: 0:60:1; default: 401 evenly spaced times"
     parser.add_argument("--times", type=values.times, metavar="FROM:TO:STEP", help=times)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     _check_options(options)
     scenes = [load(name) for name in options.scenes]
     sources = [find(name).read_bytes() for name in options.scenes] if options.report else []
@@ -50,13 +50,13 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _check_options(options: argparse.Namespace) -> None:
-    """Reject combinations of options that are not possible."""
+    """Raise ValueError for options that cannot be combined."""
     if options.times is not None and not options.csv:
-        raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
+        raise ValueError("run: --times: sets the rows of a CSV file; give --csv FILE as well")
     if options.vary and not options.live:
-        raise ValueError("run: --vary: is a slider of a page; give --live FILE as well")
+        raise ValueError("run: --vary: adds a slider to a page; give --live FILE as well")
     if options.live and len(options.scenes) > 1:
-        raise ValueError("run: --live: shows one scene; --report has room for all")
+        raise ValueError("run: --live: shows one scene; use --report for several")
 
 
 def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> str:
@@ -66,7 +66,7 @@ def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> s
 
 
 def _live(motion: Motion, varied: str | None) -> str:
-    """The page of a motion, with the slider of `--vary` in front."""
+    """Return the HTML page of a motion; the parameter of ``--vary``, if given, has the first slider."""
     from slipcircle.workbench.outputs import live
 
     if not varied:

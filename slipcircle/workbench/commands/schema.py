@@ -1,4 +1,4 @@
-"""`slipcircle schema`: the reference of scene files, as a JSON Schema for editors or as text for people."""
+"""`slipcircle schema`: reference of scene files, as a JSON Schema for editors or as text."""
 
 import argparse
 
@@ -6,14 +6,14 @@ from slipcircle.workbench.outputs.tables import Answer
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     parser.set_defaults(json=True)
-    text = "for people; by default a JSON Schema, for editors"
+    text = "print readable text; default: a JSON Schema, for editors"
     parser.add_argument("--text", dest="json", action="store_false", help=text)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     from slipcircle.workbench.files.schema import schema
     from slipcircle.workbench.outputs.guide import guide
 

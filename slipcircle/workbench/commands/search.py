@@ -1,4 +1,4 @@
-"""`slipcircle search`: the circle along which a slope fails first, and its factors of safety."""
+"""`slipcircle search`: the critical circle of a slope and its factors of safety."""
 
 import argparse
 from functools import partial
@@ -11,26 +11,28 @@ from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
-SLOPE = "a scene that ships, by name, or the path of a TOML file with [ground] and soil"
+SLOPE = "the name of a shipped scene, or the path of a TOML file with [ground] and soil"
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     parser.add_argument("scenes", nargs="+", metavar="SLOPE", help=SLOPE)
     parser.add_argument("--method", choices=METHODS, help="method to minimise; default bishop")
-    least = "what is least on the circle: the factor of safety, or the yield coefficient, the k_h that makes it slide"
+    least = "quantity to minimise: the factor of safety, or the yield coefficient, the k_h at which the mass slides"
     parser.add_argument("--least", choices=("factor", YIELD), default="factor", help=least)
-    written = "a scene file of the motion along the circle, which must not exist yet"
+    written = "a new scene file of the motion along the circle"
     add_files(parser, "the section, the circle and the factors over centres", write=written)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     for option, path in {"plot": next(iter(options.plot), ""), "write": options.write}.items():
         if path and len(options.scenes) > 1:
-            raise ValueError(f"search: --{option} {path}: is for one slope; search them one by one")
+            raise ValueError(f"search: --{option} {path}: takes one slope; search the slopes in separate calls")
     if options.least == YIELD and options.method:
-        raise ValueError(f"search: --method {options.method}: k_y is by the paper's method; leave it out")
+        raise ValueError(
+            f"search: --method {options.method}: k_y is computed by the paper's method; leave --method out"
+        )
     method = YIELD if options.least == YIELD else options.method
     searched = [critical_of_file(name, method, say) for name in track(options.scenes, "slopes searched")]
     names, notes, circles, warnings = zip(*searched, strict=True)

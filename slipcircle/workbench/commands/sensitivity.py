@@ -14,13 +14,13 @@ from slipcircle.workbench.studies.standstill import standstills
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    add_files(parser, "what a change of each number changes")
+    """Add the options of the command to a parser."""
+    add_files(parser, "the effect of a change in each parameter")
     add_scene(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Run the command and return its answer."""
     motion = solve(load(options.scene))
     derivatives, name = motion.sensitivity(), motion.plan.scene.name
     known = by_name(motion.plan.scene)

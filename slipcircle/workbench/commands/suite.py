@@ -1,4 +1,4 @@
-"""`slipcircle sweep --records`: a scene under each record of a suite, its options and tables."""
+"""`slipcircle sweep --records`: options and tables of a scene shaken by each record of a suite."""
 
 import argparse
 import math
@@ -32,29 +32,31 @@ _HEADS = {
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
-    group = parser.add_argument_group("earthquake records", "shake the scene in place of its own shaking")
+    """Add the options of a study over records to a parser."""
+    group = parser.add_argument_group("earthquake records", "the records replace the scene's own shaking")
     group.add_argument("--records", nargs="+", metavar="PATH", help=FORMATS)
     add_synthetic(group)
-    group.add_argument("--polarities", action="store_true", help="each record also reversed")
+    group.add_argument("--polarities", action="store_true", help="use each record with both signs")
     scale = group.add_mutually_exclusive_group()
     scale.add_argument(
-        "--scale", type=values.levels, metavar="FROM:TO:COUNT", help="factors on the records: 0.5:2:7, or 1,2"
+        "--scale", type=values.levels, metavar="FROM:TO:COUNT", help="scale factors of the records: 0.5:2:7, or 1,2"
     )
-    pga = "peak accelerations in g to which each record is scaled: 0.1:0.5:5, or 0.35"
+    pga = "scale each record to these peak accelerations in g: 0.1:0.5:5, or 0.35"
     scale.add_argument("--scale-to-pga", type=values.levels, metavar="FROM:TO:COUNT", help=pga)
     thresholds = "displacements in m for exceedance and fragility; default 0.01,0.05,0.15,1"
     group.add_argument("--thresholds", type=values.levels, metavar="A,B,C", help=thresholds)
     points = "write exceedance and fragility curves at every threshold and scale as a table, CSV"
     group.add_argument("--fragility", metavar="FILE", help=points)
-    group.add_argument("--magnitude", type=float, metavar="M", help="of the earthquakes, for regressions that need it")
+    group.add_argument(
+        "--magnitude", type=float, metavar="M", help="magnitude of the earthquakes, for regressions that need it"
+    )
     period = "fundamental period of the sliding mass, s, for Bray and Travasarou (2007); default 0, a rigid mass"
     group.add_argument("--period", type=float, metavar="S", help=period)
     add_reading(group)
 
 
 def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> Study:
-    """Compute what the options ask for."""
+    """Return the study of a scene under the records that the options select; ``sampling`` is passed to `ensemble`."""
     gravity = float(np.ravel(scene.arc.gravity)[0])
     suite = suite_of(options, gravity)
     scales = {"scales": options.scale, "scale_to_pga": options.scale_to_pga, "thresholds": options.thresholds}
@@ -62,12 +64,14 @@ def study(scene: Scene, options: argparse.Namespace, **sampling: Any) -> Study:
     if not options.samples:
         scene = replace(scene, uncertain={})
     elif not scene.uncertain:
-        raise ValueError("sweep: --samples: no number is uncertain; give --uncertain, or leave it out")
+        raise ValueError(
+            "sweep: --samples: the scene has no uncertain parameter; give --uncertain, or leave --samples out"
+        )
     return ensemble(scene, options.samples or 1, **sampling, **of_records)
 
 
 def parts(study: Study, compared: Sequence[Comparison]) -> Iterator[Part]:
-    """The records, their displacements at the scale next to their own beside regressions, and statistics."""
+    """Yield the tables of a study over records: records, displacements, statistics, fragility and regressions."""
     yield records_part(study.suite)
     scale = study.own_scale
     yield _by_record_part(study, scale)
@@ -83,7 +87,7 @@ def parts(study: Study, compared: Sequence[Comparison]) -> Iterator[Part]:
 
 
 def _by_record_part(study: Study, scale: int) -> Part:
-    """Displacements and the like of each record at a scale."""
+    """Return a table of the displacement, peak velocity, slips and rotation for each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
     rows = [*zip(*columns.values(), strict=True)]
@@ -97,7 +101,7 @@ def _by_record_part(study: Study, scale: int) -> Part:
 
 
 def _statistics_part(study: Study) -> Part:
-    """The distribution of displacements at each scale."""
+    """Return a table of the distribution of displacements at each scale."""
     head = ["", "moving", "mean (m)", "16 % (m)", "median (m)", "84 % (m)", "geometric (m)", "std of ln D"]
     rows = []
     for k in range(study.scales.size):
@@ -113,16 +117,16 @@ def _statistics_part(study: Study) -> Part:
 
 
 def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> Part:
-    """Published regressions beside the displacements at a scale, and why a regression says nothing."""
+    """Return a table of published regressions and the displacements at a scale, with notes on their ranges."""
     head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
-    divided = f"displacements are divided by {factor}, by which the arc moves farther than a block"
+    divided = f"displacements are divided by {factor}, the ratio of the displacement on the arc to that of a block"
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
         rows.append([c.name, f"{c.records} of {c.of}", c.predicted, c.mean, c.std, c.std_ln])
         if not c.records:
-            notes.append(f"{c.name} holds for {c.valid}")
+            notes.append(f"{c.name} applies to {c.valid}")
         if not math.isnan(c.negligible):
             shares = f"{100 * c.negligible:.1f} % of the records, computed {100 * c.negligible_computed:.1f} %"
             notes.append(f"{c.name} counts displacements above 1 cm only; at most 1 cm for {shares}")
@@ -132,7 +136,7 @@ def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) 
 
 
 def _exceedance_part(study: Study) -> Part:
-    """Exceedance probabilities at each scale."""
+    """Return a table of exceedance probabilities at each scale."""
     thresholds = study.records.thresholds
     levels = exceedance(study.displacement, thresholds)
     pga = [] if study.records.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
@@ -144,7 +148,7 @@ def _exceedance_part(study: Study) -> Part:
 
 
 def _fragility_part(study: Study) -> Part:
-    """Lognormal fragility curves, and why there is none."""
+    """Return a table of lognormal fragility curves, with the reason where a curve is missing."""
     head = ["", "median PGA (g)", "dispersion", "no curve"]
     rows = [[f"D > {shown(c.threshold)} m", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
     if not any(curve.reason for curve in study.fragility()):

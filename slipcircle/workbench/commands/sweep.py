@@ -1,4 +1,4 @@
-"""`slipcircle sweep`: an ensemble or a grid of one scene, its table and files."""
+"""`slipcircle sweep`: solve a scene on a grid, for samples or under earthquake records."""
 
 import argparse
 import math
@@ -33,40 +33,39 @@ from slipcircle.workbench.studies.engines import ENGINES, engine
 from slipcircle.workbench.studies.ensemble import ensemble, grid
 from slipcircle.workbench.studies.study import Study
 
-_MOST_ROWS, _MOST_COLUMNS = 60, 25  # of a grid, on the screen
+_MOST_ROWS, _MOST_COLUMNS = 60, 25  # of a printed grid
 _GRID_QUANTILES = (0.05, 0.5, 0.95)
 
 
 def options(parser: argparse.ArgumentParser) -> None:
-    """Declare the options."""
+    """Add the options of the command to a parser."""
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--samples", type=read.count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
     what.add_argument(
         "--grid",
         action="append",
         metavar="KEY=FROM:TO:COUNT",
-        help="solve at these values, or at "
-        "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41; a point's "
-        "coordinate by its number from 0: ground.points_m.3.y=20:30:5",
+        help="solve at these values: friction.angle_deg=8:12:41; or KEY=A,B,C; if repeated, solve all combinations; "
+        "coordinates of a point, counted from 0: ground.points_m.3.y=20:30:5",
     )
     parser.add_argument(
         "--uncertain",
         action="append",
         default=[],
         metavar="KEY=NAME:A:B",
-        help="a distribution in place of the file's number: friction.angle_deg=normal:10:1",
+        help="distribution that replaces the value in the file: friction.angle_deg=normal:10:1",
     )
     parser.add_argument(
         "--correlation",
         action="append",
         default=[],
         metavar="KEY,KEY=R",
-        help="of two uncertain numbers: friction.angle_deg,cohesion.cohesion_kPa=-0.5",
+        help="correlation of two uncertain parameters: friction.angle_deg,cohesion.cohesion_kPa=-0.5",
     )
-    everything = "also other methods, linear propagation and convergence; of earthquake records their intensities"
+    everything = "print also other methods, linear propagation, convergence and the intensities of earthquake records"
     parser.add_argument("--verbose", action="store_true", help=everything)
-    parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default random; printed")
-    parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
+    parser.add_argument("--seed", type=int, help="reproduces a run exactly; default: random, and printed")
+    parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="sampling method; default %(default)s")
     each = "also search the critical circle of every sample, for its factors of safety; 10 to 40 samples a second"
     parser.add_argument("--search-each", action="store_true", help=each)
     parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
@@ -74,26 +73,32 @@ def options(parser: argparse.ArgumentParser) -> None:
         "--block",
         type=int,
         metavar="N",
-        help="samples of a block, a power of two; larger ones, such "
-        "as 262144, keep more workers busy than a scheduler can otherwise serve",
+        help="samples in a block, a power of two; large blocks, such as "
+        "262144, reduce the load of the scheduler when many workers are used",
     )
-    parser.add_argument("--engine", choices=ENGINES, default=ENGINES[0], help="where to compute; default %(default)s")
-    parser.add_argument("--workers", type=int, metavar="N", help="how many at once; by default one a processor")
+    parser.add_argument(
+        "--engine", choices=ENGINES, default=ENGINES[0], help="engine of the computation; default %(default)s"
+    )
+    parser.add_argument("--workers", type=int, metavar="N", help="number of workers; default: one for each processor")
     parser.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help="compute on a running Dask cluster, tcp://10.0.0.1:8786, in place of an engine on this machine",
+        help="compute on a running Dask cluster instead of this machine, such as tcp://10.0.0.1:8786",
     )
-    parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    picture = "exceedance curves and sensitivity indices, a grid of one or two numbers, or displacements by record"
-    arrays = "all results as NumPy arrays, the samples where kept"
+    parser.add_argument(
+        "--resume",
+        metavar="FOLDER",
+        help="store finished blocks in this folder, and continue from blocks already stored",
+    )
+    picture = "exceedance curves and sensitivity indices, a grid of one or two parameters, or displacements by record"
+    arrays = "all results as NumPy arrays, including samples if they are kept"
     suite.options(parser)
     add_files(parser, picture, report=REPORT, csv="one table of all results", npz=arrays)
     add_scene(parser)
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Compute what the options ask for, and write the files."""
+    """Run the study that the options select and return its answer."""
     _check_options(options)
     scene = _with_distributions(load(options.scene), options.uncertain)
     form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
@@ -104,7 +109,9 @@ def run(options: argparse.Namespace) -> Answer:
     try:
         study = _compute(scene, levels, options)
     except (BrokenExecutor, CancelledError) as error:
-        remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
+        remedy = (
+            "run the command again to continue" if options.resume else "give --resume FOLDER to keep finished blocks"
+        )
         raise ValueError(f"sweep: a worker or the scheduler died; {remedy}") from error
     if study.design.records is not None:
         return _answer_of_records(study, options, content)
@@ -120,28 +127,28 @@ def run(options: argparse.Namespace) -> Answer:
 
 
 def _check_options(options: argparse.Namespace) -> None:
-    """Reject combinations of options that are not possible."""
+    """Raise ValueError for missing options and for options that cannot be combined."""
     under_records = options.records or options.synthetic
     if not (options.samples or options.grid or under_records):
         raise ValueError("sweep: give --samples N, --grid KEY=FROM:TO:COUNT, or --records FOLDER")
     if options.report and options.grid:
-        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
+        raise ValueError("sweep: --report: is available for samples, not for a grid; give --plot, --csv or --npz")
     if options.search_each and options.grid:
-        raise ValueError("sweep: --search-each: of samples, not of a grid")
+        raise ValueError("sweep: --search-each: is available for samples, not for a grid; leave it out")
     if under_records and options.grid:
-        raise ValueError("sweep: --records and --grid exclude each other; give uncertain numbers and --samples")
+        raise ValueError("sweep: --records and --grid exclude each other; give --uncertain and --samples")
     of_records = ("polarities", "scale", "scale_to_pga", "thresholds", "fragility", "magnitude", "period")
     absent = (None, False)
     given = [name for name in of_records if not any(getattr(options, name) is value for value in absent)]
     if given and not under_records:
         names = ", ".join(f"--{name.replace('_', '-')}" for name in given)
-        raise ValueError(f"sweep: {names}: of records; give --records FOLDER as well")
+        raise ValueError(f"sweep: {names}: for earthquake records only; give --records FOLDER as well")
     if options.period is not None and not 0.0 <= options.period < math.inf:
         raise ValueError(f"sweep: --period {options.period:g}: must be a time in s, at least 0")
 
 
 def _answer_of_records(study: Study, options: argparse.Namespace, scene_file: bytes) -> Answer:
-    """The tables of a study over records, and its files."""
+    """Return the tables and file contents of a study over records."""
     magnitude = math.nan if options.magnitude is None else options.magnitude
     compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
     tables = list(suite.parts(study, compared))
@@ -162,7 +169,7 @@ def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
 
 
 def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
-    """The scene with distributions of the command line in place of its file's."""
+    """Return the scene with the distributions of ``--uncertain``, which precede the file's for the same key."""
     if not given:
         return scene
     forms = (":".join((name, *d.parameters)) for name, d in DISTRIBUTIONS.items())
@@ -195,7 +202,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
 
 
 class _Tables(NamedTuple):
-    """A study as a CSV file has it, as JSON, and on the screen."""
+    """Results of a study: head and rows of the CSV file, JSON record, and printed parts."""
 
     head: Sequence[str]
     rows: Sequence[Sequence[Any]]
@@ -204,7 +211,7 @@ class _Tables(NamedTuple):
 
 
 def _of_grid(study: Study) -> _Tables:
-    """Return a row a scene: inputs in their keys' units, outputs, status, and why there is no result."""
+    """Return one row for each scene of a grid: inputs in their keys' units, outputs, status and reason of a failure."""
     keys = [u.key for u in study.design.inputs.values()]
     factors = [name for name in study.samples if name.startswith(FACTOR)]
     head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), *factors, "status", "reason"]
@@ -220,17 +227,17 @@ def _of_grid(study: Study) -> _Tables:
 
 
 def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Part | str:
-    """Return a table of the outcomes of a grid, of two inputs a table of run-outs; counts of a large grid."""
+    """Return a table of the outcomes on a grid, run-outs for two inputs; for a large grid, the counts by status."""
     words = [Status(s).reason or Status(s).words for s in statuses]
     counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
     part = _run_outs(study, keys, words, counts) if len(keys) == 2 else _outcomes(study, keys, words)
     if len(part.rows) <= _MOST_ROWS and len(part.head) <= _MOST_COLUMNS:
         return part
-    return f"{len(statuses)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
+    return f"{len(statuses)} scenes; {counts}; give --csv FILE, --npz FILE or --json for the results"
 
 
 def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str) -> Part:
-    """Return the run-outs on a grid of two inputs, and words where there is none."""
+    """Return a table of the run-outs on a grid of two inputs; cells without a run-out show the status."""
     down, along = (level.tolist() for level in study.design.levels)
     run_outs = study.samples["run_out"].tolist()
     known = [w if math.isnan(r) else r for r, w in zip(run_outs, words, strict=True)]
@@ -240,7 +247,7 @@ def _run_outs(study: Study, keys: Sequence[str], words: Sequence[str], note: str
 
 
 def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
-    """Return a row for each scene of a grid: inputs, outcomes, the factor of safety of the start, status."""
+    """Return a table with one row for each scene of a grid: inputs, outcomes, starting factor of safety, status."""
     heads = dict.fromkeys(keys, "") | {name: q.heading for name, q in OUTCOMES.items()}
     heads |= {f"{FACTOR}{method}": f"F, {method}" for method in [method_of(study.scene)]}
     columns = {heads[name] or name: study.samples[name].tolist() for name in heads if name in study.samples}
@@ -249,9 +256,9 @@ def _outcomes(study: Study, keys: Sequence[str], words: Sequence[str]) -> Part:
 
 
 def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
-    """Share of a grid's combinations with a factor below 1, and quantiles over them, by method.
+    """Return the share of combinations with a factor of safety below 1, and quantiles of the factor, by method.
 
-    Of the combinations that have such a factor.
+    Combinations without a factor of safety are left out.
     """
     shares = {}
     for name, values in study.samples.items():
@@ -264,7 +271,7 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
 
 
 def _of_samples(study: Study, verbose: bool) -> _Tables:
-    """Return every estimate of a study with its interval."""
+    """Return all estimates of a study with their intervals."""
     design = study.design
     drawn = [f"{design.n} samples", design.method, f"seed {study.seed}", *filter(None, [design.correlations_text])]
     title = f"{study.scene.name}: {', '.join(drawn)}\n"

@@ -1,4 +1,4 @@
-"""Values of command-line options: times, counts, observations, and values of keys."""
+"""Parsers of command-line values: times, counts, observations, bounds, distributions and levels."""
 
 import argparse
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ MOST_TIMES = 1_000_000
 
 
 def times(text: str) -> NDArray[np.float64]:
-    """0:60:1 as times from 0 to 60 s."""
+    """Return evenly spaced times in s, parsed from ``FROM:TO:STEP`` such as ``0:60:1``."""
     try:
         first, last, step = map(float, text.split(":"))
         count = np.floor((last - first) / step * (1 + 1e-12)) + 1
@@ -27,7 +27,7 @@ def times(text: str) -> NDArray[np.float64]:
 
 
 def count(text: str) -> int:
-    """1000000, or 1e6."""
+    """Return a whole number, parsed from text such as ``1000000`` or ``1e6``; otherwise raise ValueError."""
     value = float(text)
     if value != int(value):
         raise ValueError
@@ -35,7 +35,21 @@ def count(text: str) -> int:
 
 
 def observed(text: str, size: float = 1.0) -> Observed:
-    """Return 400, 400+-20, an interval, 300:450, or a limit, <60, in a unit of some size as what is observed, in SI."""
+    """Return an observation in SI units, parsed from the text of a command-line option.
+
+    Parameters
+    ----------
+    text : str
+        A number (``400``), a number and its standard error (``400+-20``), an interval (``300:450``) or a
+        limit (``<60``).
+    size : float, optional
+        Unit of the text in SI units.
+
+    Returns
+    -------
+    float, (float, float) or Interval
+        The value; the value and its standard error; or the interval.
+    """
     if (limit := Interval.of_limit(text)).limit is not None:
         return Interval(*(size * end for end in limit))
     value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
@@ -44,17 +58,29 @@ def observed(text: str, size: float = 1.0) -> Observed:
             return Interval(*(size * float(end) for end in text.split(":")))
         return (size * float(value), size * float(error[0])) if len(error) == 1 else size * float(text)
     except (TypeError, ValueError):
-        forms = "a number, or one with its error: 400+-20, an interval: 300:450, or a limit: '<60'"
+        forms = "a number (400), a number with its error (400+-20), an interval (300:450) or a limit ('<60')"
         raise argparse.ArgumentTypeError(f"{text}: must be {forms}") from None
 
 
 def removed(text: str) -> None:
-    """Reject ``--reach-m``."""
+    """Raise the error for the removed option ``--reach-m``."""
     raise argparse.ArgumentTypeError("was removed; use --run-out-m, which is the greatest displacement")
 
 
 def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
-    """Values of KEY=VALUE by key; each key once."""
+    """Return values by key, parsed from texts ``KEY=VALUE``; a repeated key is an error.
+
+    Parameters
+    ----------
+    option : str
+        Name of the option, for messages.
+    texts : sequence of str
+        Texts as typed.
+    form : str
+        Allowed form, for messages.
+    read : callable
+        Parser of a value's text; it raises ValueError for invalid text.
+    """
     values: dict[str, Any] = {}
     errors = []
     for text in texts:
@@ -71,7 +97,7 @@ def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], A
 
 
 def bounds(text: str) -> tuple[float, float] | None:
-    """LOW:HIGH, or nothing."""
+    """Return two numbers, parsed from ``LOW:HIGH``; None for empty text."""
     if not text:
         return None
     low, high = map(float, text.split(":"))
@@ -79,14 +105,14 @@ def bounds(text: str) -> tuple[float, float] | None:
 
 
 def distribution(text: str) -> dict[str, Any]:
-    """NAME:A:B, as a scene file has it."""
+    """Return a distribution as in a scene file, a mapping of parameters, parsed from ``NAME:A:B``."""
     name, *numbers = text.split(":")
     parameters = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
     return {"distribution": name} | dict(zip(parameters, map(float, numbers), strict=True))
 
 
 def levels(text: str) -> NDArray[np.float64]:
-    """FROM:TO:COUNT, or A,B,C."""
+    """Return the levels of a grid, parsed from ``FROM:TO:COUNT`` or from ``A,B,C``."""
     if text.count(":") == 2:
         first, last, number = text.split(":")
         return np.linspace(float(first), float(last), int(number))

@@ -3,7 +3,7 @@
 Inputs are uniform in value, and uniform in decades towards both ends of [0, pi/2].
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cache, partial
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from generated import _compiled, kernels, printed, tiers
 from generated.definitions import CLOSED, QUOTIENTS
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Function, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.workbench.cost.rows import Row, judged, medians
 
@@ -28,7 +28,7 @@ class Way(NamedTuple):
     """Way to compute a kernel."""
 
     name: str
-    function: Callable[[Any], Any]
+    function: Function
     kind: str = "float64"  # format of its input and result
     bound: float | None = None  # proved bound of the relative error
 
@@ -124,7 +124,7 @@ def reference(name: str, kind: str = "float64") -> Exact:
 
 
 @cache
-def _balls(kind: str) -> dict[float, dict[str, Any]]:
+def _balls(kind: str) -> dict[float, ValueDict]:
     """Return every base quantity at every input as balls, by input and name."""
     from flint import arb, ctx
 

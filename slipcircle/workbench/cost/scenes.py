@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Pair
 from slipcircle.base.progress import track
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays
@@ -30,7 +31,7 @@ MOST = 10_000  # greatest number of cases of an ensemble
 PASS = 0.15  # s, greatest time of an ensemble
 
 
-def of_scene(scene: Scene, vary: Mapping[str, tuple[float, float]] | None = None) -> list[Row]:
+def of_scene(scene: Scene, vary: Mapping[str, Pair] | None = None) -> list[Row]:
     """Return rows with error and time of a scene, alone and in an ensemble; arrays are an ensemble themselves.
 
     Errors are the largest relative errors of run-out, peak velocity and duration over the ensemble, compared with a
@@ -58,7 +59,7 @@ def _pass(scene: Scene, ranges: Ranges, cases: int) -> float:
     return time.process_time() - start
 
 
-def _ranges(scene: Scene, vary: Mapping[str, tuple[float, float]]) -> Ranges:
+def _ranges(scene: Scene, vary: Mapping[str, Pair]) -> Ranges:
     """Return the ranges of an ensemble in SI units by name, and whether all its numbers rise together."""
     ranges: dict[str, tuple[float, ...]] = {}
     if vary:

@@ -12,6 +12,7 @@ from difflib import get_close_matches
 from itertools import chain
 from typing import Any
 
+from slipcircle.base.kinds import TextDict, ValueDict, Values
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
@@ -38,15 +39,15 @@ class Document:
         Names of the top-level tables that contain a mistake.
     """
 
-    def __init__(self, content: Mapping[str, Any], tables: Mapping[str, Table]) -> None:
-        self.arguments: dict[str, dict[str, Any]] = {}
-        self.typed: dict[str, str] = {}
-        self.uncertain: dict[str, Any] = {}
+    def __init__(self, content: Values, tables: Mapping[str, Table]) -> None:
+        self.arguments: dict[str, ValueDict] = {}
+        self.typed: TextDict = {}
+        self.uncertain: ValueDict = {}
         self.mistakes: list[str] = []
         self.wrong: set[str] = set()
         self._tables = tables
         self._odd_distributions: dict[str, list[str]] = {}
-        self._missing: dict[str, str] = {}
+        self._missing: TextDict = {}
         self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
         self._report_missing()
@@ -76,13 +77,13 @@ class Document:
         odd = chain.from_iterable(self._odd_distributions[key] for key in sorted(self._odd_distributions, key=place))
         self.mistakes = [*odd, *self.mistakes]
 
-    def _read_table(self, path: str, content: Mapping[str, Any]) -> None:
+    def _read_table(self, path: str, content: Values) -> None:
         """Read a table and the tables inside it into `arguments`, and report its mistakes."""
         arguments = self.arguments.setdefault(path, {})
         table = self._tables[path]
         if table.is_of_unknown_law:
             content = {"law": content["law"]}
-        spelt: dict[str, str] = {}  # keys as typed, by their published spelling
+        spelt: TextDict = {}  # keys as typed, by their published spelling
         for name, value in content.items():
             full = joined(path, name)
             known, *_ = published(name)
@@ -110,7 +111,7 @@ class Document:
 
     def _report_mixed_units(self, path: str, table: Table, spelt: Mapping[str, str]) -> None:
         """Report quantities of one table that are given in different units."""
-        units: dict[str, dict[str, str]] = {}
+        units: dict[str, TextDict] = {}
         for known, name in spelt.items():
             if known in table.keys:
                 quantity = units.setdefault(table.keys[known].number.si, {})
@@ -130,7 +131,7 @@ class Document:
             return f"tables [[{path}]]"
         return f"a table [{path}]"
 
-    def _argument(self, full: str, key: Key, value: Any, content: Mapping[str, Any], table: Table) -> Any:
+    def _argument(self, full: str, key: Key, value: Any, content: Values, table: Table) -> Any:
         """Return a value in SI units, or the median of a distribution; report a wrong value and return None."""
         if isinstance(value, dict) and key.kind in VARYING:
             limits = key.number.low, key.number.high
@@ -155,7 +156,7 @@ class Document:
             return None
         return key.convert(value)
 
-    def _note_missing(self, path: str, content: Mapping[str, Any]) -> None:
+    def _note_missing(self, path: str, content: Values) -> None:
         """Collect the missing required keys and tables; they are reported when all misspelt keys are known."""
         for name, key in self._tables[path].keys.items():
             if key.required and name not in content:
@@ -165,7 +166,7 @@ class Document:
             if table.required and name not in content:
                 self._missing[full] = f"{table.title}, {self._heading(full)}"
 
-    def _check_sets(self, path: str, content: Mapping[str, Any]) -> None:
+    def _check_sets(self, path: str, content: Values) -> None:
         """Report a table whose keys do not match exactly one of its sets."""
         sets = self._tables[path].sets
         present = {key for keys in sets for key in keys if key in content}
@@ -178,7 +179,7 @@ class Document:
         allowed = [" with ".join(keys) for keys in sets]
         self._report(path, f"{path}: {fault}; give {', or '.join(allowed)}")
 
-    def _check_choices(self, path: str, content: Mapping[str, Any]) -> None:
+    def _check_choices(self, path: str, content: Values) -> None:
         """Report a table without exactly one key of a choice, or without any key of ``any_of``."""
         table = self._tables[path]
         for choice in table.one_of:

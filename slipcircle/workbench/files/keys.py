@@ -14,6 +14,7 @@ import numpy as np
 
 from generated.effects import COHESION_LAWS, EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
+from slipcircle.base.kinds import Names, ValueDict
 from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.given import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
@@ -157,10 +158,10 @@ class Table(NamedTuple):
 
     title: str
     keys: Mapping[str, Key] = {}
-    one_of: tuple[tuple[str, ...], ...] = ()
-    any_of: tuple[str, ...] = ()
+    one_of: tuple[Names, ...] = ()
+    any_of: Names = ()
     required: bool = False
-    sets: tuple[tuple[str, ...], ...] = ()
+    sets: tuple[Names, ...] = ()
     repeats: str = ""
     tables: Mapping[str, Any] = {}
     laws: Mapping[str, Any] = {}
@@ -186,7 +187,7 @@ def joined(path: str, name: str) -> str:
     return f"{path}.{name}" if path else name
 
 
-def tables_in(content: Any, name: str) -> dict[str, Any]:
+def tables_in(content: Any, name: str) -> ValueDict:
     """Return the tables (by name) inside a named table of a file's content; empty if it is absent or not a table."""
     table = content.get(name)
     return {k: one for k, one in table.items() if isinstance(one, Mapping)} if isinstance(table, Mapping) else {}
@@ -312,13 +313,11 @@ def _keys(p: Parameter) -> dict[str, Key]:
     return {p.key: _number(p, p.help, unit, not p.optional)}
 
 
-def table_of(
-    title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: tuple[str, ...] = ()
-) -> Table:
+def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: Names = ()) -> Table:
     """Return a table with the keys of parameters and ``more`` keys; at least one key of ``any_of`` is required."""
     keys = {p: _keys(p) for p in parameters}
     by_name = dict(more)
-    alternatives: list[tuple[str, ...]] = []
+    alternatives: list[Names] = []
     needed: list[str] = []
     for p, of_parameter in keys.items():
         by_name |= of_parameter

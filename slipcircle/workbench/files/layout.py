@@ -4,10 +4,10 @@ Tables in lists, [[layers]], [[surcharge]] and [[pond]], are read as tables name
 ``layers.2.top_m``.
 """
 
-from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
+from slipcircle.base.kinds import TextDict, ValueDict, Values
 from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
 from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, WITH_ONE_SOIL
@@ -32,13 +32,13 @@ class Layout(NamedTuple):
     """
 
     tables: dict[str, Table]
-    content: dict[str, Any]
+    content: ValueDict
     mistakes: list[str]
     on_slope: bool
     layered: bool
 
 
-def layout_of(content: Mapping[str, Any]) -> Layout:
+def layout_of(content: Values) -> Layout:
     """Return the tables that a file may have, and its content arranged for them."""
     layered = any(get_close_matches(name, ("soils", "layers"), 1, 0.8) for name in content)
     on_slope = layered or "ground" in content
@@ -64,7 +64,7 @@ def layout_of(content: Mapping[str, Any]) -> Layout:
     return Layout(fitted(whole, known), known, mistakes, on_slope, layered)
 
 
-def _excluded(on_slope: bool, layered: bool) -> dict[str, str]:
+def _excluded(on_slope: bool, layered: bool) -> TextDict:
     """Return the names of the tables that other tables exclude, each with the reason as the end of a message."""
     of_arc = {"arc": "and ground exclude each other; remove one"} if on_slope else {}
     of_soils = {name: f"{_BY_SOILS}: {_IN_SOILS[name]}; leave it out" for name in NOT_WITH_LAYERS}

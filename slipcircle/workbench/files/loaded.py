@@ -1,5 +1,6 @@
 """Stability and warnings of scenes and motions loaded from files."""
 
+from slipcircle.base.kinds import Names
 from slipcircle.core import Motion, Scene, lazy_import
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.stability.critical import Critical, SlopeScene
@@ -10,7 +11,7 @@ def stability_of(scene: Scene) -> Critical | None:
     return scene.stability if isinstance(scene, SlopeScene) else None
 
 
-def warnings_of(motion: Motion) -> tuple[str, ...]:
+def warnings_of(motion: Motion) -> Names:
     """Return warnings about a single motion and its circle, with the keys and units of scene files."""
     scene = motion.plan.scene
 

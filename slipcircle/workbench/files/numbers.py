@@ -15,6 +15,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
+from slipcircle.base.kinds import Pair, ValueDict
 from slipcircle.core import Scene, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
@@ -68,16 +69,16 @@ def _tables(scene: Any) -> dict[str, Table]:
     if not isinstance(arc, LayeredSection):
         law, *rate = law_names(scene.friction)
         named = {} if law == "callable" else {"law": law}
-        given: dict[str, Any] = {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})}
+        given: ValueDict = {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})}
         return fitted(WITH_ARC, given | {"cohesion": scene.effects.get("cohesion", {})})
-    soils = dict[str, Any]()
+    soils = ValueDict()
     for soil in arc.soils:
         soils[soil.name] = {"friction": {"law": law_names(soil.friction)[0]}, "cohesion": soil.cohesion}
     given = {"soils": soils, "slip": {"rate": arc.rate or {}}, "layers": _some(arc.layers)}
     return {"arc": ARC_TABLE} | fitted(WITH_LAYERS, given | {"surcharge": _some(arc.surcharge)})
 
 
-def _some(these: Collection[Any]) -> dict[str, Any]:
+def _some(these: Collection[Any]) -> ValueDict:
     """Return empty tables named by the numbers 1 to n of n items."""
     return {f"{k}": {} for k in range(1, len(these) + 1)}
 
@@ -161,7 +162,7 @@ class Uncertain:
         return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
 
     @property
-    def moments(self) -> tuple[float, float]:
+    def moments(self) -> Pair:
         """Mean and standard deviation in the number's unit."""
         found = self.distribution
         if isinstance(found, Gaussian | Triangle):
@@ -169,7 +170,7 @@ class Uncertain:
         return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
 
     @property
-    def record(self) -> dict[str, Any]:
+    def record(self) -> ValueDict:
         """Key and distribution as values of JSON."""
         given = dict(self.given) if isinstance(self.given, Mapping) else described(self.given)
         return {"key": self.key} | given

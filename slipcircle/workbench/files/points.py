@@ -1,15 +1,15 @@
 """Points of a profile read from spreadsheets (CSV) and drawings (DXF) that a scene file refers to."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from csv import reader
 from io import StringIO
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from slipcircle.base.checks import raise_all
+from slipcircle.base.kinds import Pair, ValueDict, Values
 from slipcircle.base.optional import optional
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.textfiles import decoded
@@ -22,10 +22,10 @@ _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?", re.IGNORECASE)
 _TYPES = "LINE LWPOLYLINE POLYLINE"
 _DRAWING_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 21: "us_ft"}  # $INSUNITS
 _TOGETHER = 1e-6  # relative to the size of a drawing: ends of lines at most this far apart are joined
-Points = list[tuple[float, float]]
+Points = list[Pair]
 
 
-def with_points(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+def with_points(content: Values, folder: Path) -> ValueDict:
     """Return the content of a scene file with references to point files replaced by the points.
 
     Raises
@@ -45,7 +45,7 @@ def with_points(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
     return tables
 
 
-def _with_points(table: Mapping[str, Any], path: str, key: str, folder: Path, mistakes: list[str]) -> dict[str, Any]:
+def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: list[str]) -> ValueDict:
     """Return a table with its reference to a file replaced by points; append mistakes to the list."""
     found = dict(table)
     file = found.pop(f"{key}_file", None)
@@ -124,7 +124,7 @@ def _sheet(text: str) -> tuple[Points, str]:
     return [_point(line, row, columns, decimal) for line, row in rows[head + 1 :]], unit
 
 
-def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> tuple[float, float]:
+def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> Pair:
     """Return the x and y of a row of a spreadsheet."""
     cells = [row[k] if k < len(row) else "" for k in columns]
     for cell in cells:

@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import InputError
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown
 from slipcircle.workbench.stability.critical import Critical
 
-Arguments = Mapping[str, dict[str, Any]]
+Arguments = Mapping[str, ValueDict]
 
 
 class Profile(NamedTuple):
@@ -21,12 +22,12 @@ class Profile(NamedTuple):
     layers: list[tuple[Soil, Any]]
     foreland: Soil | None
     strength: str
-    rate: Mapping[str, Any] | None  # law of speed of all soils
+    rate: Values | None  # law of speed of all soils
     mistakes: list[str]
     remarks: list[str]
 
 
-def numbered(given: Arguments, name: str) -> list[dict[str, Any]]:
+def numbered(given: Arguments, name: str) -> list[ValueDict]:
     """Return the arguments of the tables of a list such as [[layers]], in order."""
     tables = {}
     for path, table in given.items():
@@ -54,7 +55,7 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
     return loads, mistakes
 
 
-def profile(given: Arguments, keys: Callable[[str], str], rate: Mapping[str, Any] | None, readable: bool) -> Profile:
+def profile(given: Arguments, keys: Callable[[str], str], rate: Values | None, readable: bool) -> Profile:
     """Return the layers of a file; if its tables are not ``readable``, only mistakes across them."""
     layers = numbered(given, "layers")
     slip = given.get("slip", {})
@@ -120,7 +121,7 @@ def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical)
                 yield f"surcharge.{k}: its part beside the {what} (x = {first:.4g} to {last:.4g} m) has no effect"
 
 
-def _top_mistakes(layers: list[dict[str, Any]]) -> Iterator[str]:
+def _top_mistakes(layers: list[ValueDict]) -> Iterator[str]:
     """Yield a message if the first layer has a top, and for each other layer without one."""
     if layers and "top" in layers[0]:
         yield "layers.1.top_m: must be left out, as the top of the first layer is the ground"

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
@@ -13,7 +14,7 @@ _OTHER_UNIT = {"type": ["number", "array", "object"], "title": "the number or nu
 _FILED = ("points", "line")  # kinds of keys whose points may be in a file
 
 
-def _present(name: str, key: Key) -> dict[str, Any]:
+def _present(name: str, key: Key) -> ValueDict:
     """Return the schema condition that a key is present, in any unit or as a file."""
     units = [*map(suffix, UNITS_OF_KEYS.get(key.number.si, ()))]
     stem = name.removesuffix(units[0]) if units else name
@@ -22,7 +23,7 @@ def _present(name: str, key: Key) -> dict[str, Any]:
     return {"anyOf": conditions} if others else conditions[0]
 
 
-def _other_units(keys: Mapping[str, Key]) -> dict[str, Any]:
+def _other_units(keys: Mapping[str, Key]) -> ValueDict:
     """Return the schema of keys in units other than the published ones, and of points in files."""
     patterns = {}
     for name, key in keys.items():
@@ -36,11 +37,11 @@ def _other_units(keys: Mapping[str, Key]) -> dict[str, Any]:
 
 
 _WEIGHT = _present("unit_weight_kN_m3", WITH_ONE_SOIL.tables["ground"].keys["unit_weight_kN_m3"])
-_OF_GROUND: tuple[dict[str, Any], ...] = ({}, {"ground": _WEIGHT}, {"ground": {"not": _WEIGHT}})
+_OF_GROUND: tuple[ValueDict, ...] = ({}, {"ground": _WEIGHT}, {"ground": {"not": _WEIGHT}})
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
 
 
-def schema() -> dict[str, Any]:
+def schema() -> ValueDict:
     """Return the JSON Schema (draft 2020-12) of a scene file with an arc, or with a ground and a circle instead."""
     defs = {
         name: _object(
@@ -69,7 +70,7 @@ def schema() -> dict[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
 
 
-def _schema_of_table(table: Table, name: str, defs: dict[str, Any]) -> dict[str, Any]:
+def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
     """Return the schema of a table and the tables inside it; add the schemas of its laws to ``defs``."""
     if table.laws:
         for law, of_law in table.laws.items():
@@ -92,7 +93,7 @@ def _schema_of_table(table: Table, name: str, defs: dict[str, Any]) -> dict[str,
     return schema
 
 
-def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> dict[str, Any]:
+def _object(properties: Values, title: str, required: list[str]) -> ValueDict:
     return {
         "type": "object",
         "title": title,
@@ -102,14 +103,14 @@ def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> d
     }
 
 
-def _schema_of_key(key: Key) -> dict[str, Any]:
+def _schema_of_key(key: Key) -> ValueDict:
     """Return the schema of a key; a number may be uncertain unless it is fixed."""
-    number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
+    number: ValueDict = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}
     points = {"type": "array", "items": pair, "minItems": 2}
     either = [number, *_DISTRIBUTIONS]
-    kinds: dict[str, dict[str, Any]] = {
+    kinds: dict[str, ValueDict] = {
         "text": {"type": "string"},
         "name": {"type": ["string", "integer"]},
         "flag": {"type": "boolean"},

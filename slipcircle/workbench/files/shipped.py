@@ -7,15 +7,17 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from slipcircle.base.kinds import Names, PathName
+
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
-def shipped() -> tuple[str, ...]:
+def shipped() -> Names:
     """Return the names of the scenes that ship with the package, sorted."""
     return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
-def find(name: str | PathLike[str]) -> Any:
+def find(name: PathName) -> Any:
     """Return the file of a scene that ships, by its name, or of another scene, by its path."""
     if not isinstance(name, str | PathLike):
         raise ValueError(f"scene {name!r}: must be the name of a scene that ships, or the path of a scene file")

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 from slipcircle.base.checks import InputError, complaint, raise_all
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.ground import Section, circle_through, circle_touching, outside_between, simple_slope
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.files.profile import Profile, numbered
@@ -12,7 +12,7 @@ from slipcircle.workbench.stability.critical import Critical, at_circle
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import METHODS, Slope, require_drive
 
-Arguments = Mapping[str, dict[str, Any]]
+Arguments = Mapping[str, ValueDict]
 _FLATTEST = 1e5  # radius over the size of the ground, beyond which a mass is a thin skin
 _OF_MOTION = ("gravity", "width")  # in [ground], not used by statics
 
@@ -34,12 +34,12 @@ class SlopeInput:
     """
 
     given: Arguments
-    strength: Mapping[str, Any]
+    strength: Values
     profile: Profile | None
     surcharge: list[tuple[float, float, float, float]]
 
     @property
-    def ground(self) -> dict[str, Any]:
+    def ground(self) -> ValueDict:
         """Arguments of [ground], with a simple slope replaced by its points."""
         ground = dict(self.given["ground"])
         if simple := {n: ground.pop(n) for n in ("height", "angle", "run") if n in ground}:
@@ -47,7 +47,7 @@ class SlopeInput:
         return ground
 
     @property
-    def water(self) -> dict[str, Any]:
+    def water(self) -> ValueDict:
         """Arguments of [water] and [[pond]]: level, confinement, unit weight of water, and ponds."""
         water = dict(self.given.get("water", {}))
         if "unit_weight" in water:
@@ -57,7 +57,7 @@ class SlopeInput:
         }
 
     @property
-    def limits(self) -> dict[str, Any]:
+    def limits(self) -> ValueDict:
         """Limits of the search, and the seismic coefficient."""
         return self.given.get("search", {})
 
@@ -73,10 +73,10 @@ class SlopeInput:
         fields = {name: value for name, value in self.ground.items() if name not in _OF_MOTION}
         fields |= self.water | self.given.get("tension_crack", {})
         fields |= {name: self.limits[name] for name in ("k_h", "k_h_on_surcharge") if name in self.limits}
-        soils: Mapping[str, Any] = {"layers": self.profile.layers} if self.profile else self.strength
+        soils: Values = {"layers": self.profile.layers} if self.profile else self.strength
         return Slope(**fields, **soils, surcharge=self.surcharge)
 
-    def stability(self, tell: Callable[[str], None]) -> tuple[dict[str, Any], Critical | None]:
+    def stability(self, tell: Callable[[str], None]) -> tuple[ValueDict, Critical | None]:
         """Return the given or the critical circle, and its factors of safety; None without strength."""
         circle = {name: value for name, value in self.given.get("circle", {}).items() if name != "start"}
         known = self.profile is not None or bool(self.strength)
@@ -101,7 +101,7 @@ class SlopeInput:
             require_drive(geometry)
         return circle, given and replace(_deep_enough(given, geometry), start=self.start)
 
-    def section(self, circle: Mapping[str, Any]) -> Section:
+    def section(self, circle: Values) -> Section:
         """Return the section that moves along a circle."""
         common = self.ground | self.water | dict(circle)
         if self.profile is None:
@@ -148,7 +148,7 @@ def _deep_enough(found: Critical, section: Section) -> Critical:
     return found
 
 
-def _circle(circle: dict[str, Any]) -> dict[str, Any]:
+def _circle(circle: ValueDict) -> ValueDict:
     """Return centre, radius and range of a circle from any of the ways to define it."""
     if "through" not in circle:
         return circle

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import ValueDict
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.ground import Section
@@ -36,7 +37,7 @@ def slope_of(scene: Scene, like: Slope) -> Slope:
     arc = scene.arc
     assert isinstance(arc, Section)
     if isinstance(arc, LayeredSection):
-        soils: dict[str, Any] = {"layers": arc.layers, "surcharge": arc.surcharge, "crack": float(arc.crack)}
+        soils: ValueDict = {"layers": arc.layers, "surcharge": arc.surcharge, "crack": float(arc.crack)}
     else:
         soils = soil(scene.friction, scene.effects) | {"unit_weight": float(np.asarray(arc.unit_weight))}
     return replace(like, ground=arc.ground, level=arc.level, **soils)

@@ -1,9 +1,10 @@
 """Pictures and HTML of results. The methods of `Motion` and `Study` call these functions by name."""
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
+from slipcircle.base.kinds import Function, PathName, Values
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.forms import html as table_of
@@ -19,7 +20,7 @@ __all__ = ["animate", "factors_of_safety", "html", "plot", "to_dict", "to_pandas
 
 
 # By type of the result, or of the records of a study: kind of the overview, function that gives its data, and panels.
-_DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
+_DRAWN: Mapping[type, tuple[str, Function, Values]] = {
     Critical: ("search", lambda found: ("", found), {}),
     Motion: ("motions", lambda motion: [motion], plots.PANELS),
     Study: ("study", lambda study: study, studyplots.PANELS),
@@ -27,7 +28,7 @@ _DRAWN: Mapping[type, tuple[str, Callable[[Any], Any], Mapping[str, Any]]] = {
 }
 
 
-def plot(result: Any, what: str | os.PathLike[str], ax: Any) -> Any:
+def plot(result: Any, what: PathName, ax: Any) -> Any:
     """Draw one panel of a result on an axis, or all panels on a new figure or into a file; return the axis or None.
 
     ``what`` is "overview", the name of a panel, or a path that ends in the name of an image format.

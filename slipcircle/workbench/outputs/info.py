@@ -10,11 +10,12 @@ from pathlib import Path
 import generated
 from generated._compiled import FREE_THREADED, LEVEL, is_free_threaded
 from slipcircle.base import VERSION
+from slipcircle.base.kinds import TextDict
 from slipcircle.base.optional import EXTRAS, install
 from slipcircle.words import integrator
 
 
-def facts() -> dict[str, str]:
+def facts() -> TextDict:
     """Return versions, the processor, the kernels in use, and digests of the generated files, as texts by name."""
     remedy = FREE_THREADED if is_free_threaded() else "`python -m derive.build` compiles them"
     kernels = f"NumPy, not compiled: {remedy}" if LEVEL == "numpy" else f"compiled, {LEVEL}"

@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Annotation, Text
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats, ValueDict
 
 _DISTANCES = (6.0, 14.0, 26.0, 42.0, 62.0, 86.0, 115.0)  # distances of a label from an anchor, in points
 _NEAR = 15.0  # points, greatest distance of a label without a leader
@@ -35,13 +35,7 @@ class Label(Annotation):
         self.anchors = np.reshape(np.asarray(anchors, dtype=np.float64), (-1, 2))
         self.inside, self._placed_for = inside, b""
         line = {"arrowstyle": "-", "lw": 0.8, "color": colour, "shrinkA": 0.0, "shrinkB": 1.0}
-        style: dict[str, Any] = {
-            "color": colour,
-            "fontsize": "small",
-            "ha": "center",
-            "va": "center",
-            "zorder": 6,
-        } | more
+        style: ValueDict = {"color": colour, "fontsize": "small", "ha": "center", "va": "center", "zorder": 6} | more
         self.parent: Any = ax
         super().__init__(words, tuple(self.anchors[0]), (0, 0), textcoords="offset pixels", arrowprops=line, **style)
         self.set_path_effects([withStroke(linewidth=_HALO, foreground="white")])
@@ -76,7 +70,7 @@ class Label(Annotation):
         self.set_position(tuple(offsets[place]))
         self.leader.set_visible(distances[place] > _NEAR * pixels)
 
-    def _offsets(self, half: Floats, pixels: float) -> tuple[Floats, Floats]:
+    def _offsets(self, half: Floats, pixels: float) -> ArrayPair:
         """Return distances from an anchor, (places,), and offsets of the centre of a label, (places, 2), in pixels."""
         if self.inside:
             return np.zeros(1), np.zeros((1, 2))

@@ -7,13 +7,13 @@ numbers, drawings, and the solved motion, which a browser without WebAssembly pl
 import base64
 import gzip
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from importlib import resources
 from string import Template
-from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
@@ -124,11 +124,11 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
     return Raw(Template(text("live.html")).substitute(texts))
 
 
-def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> dict[str, Any]:
+def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> ValueDict:
     """Return the data of the script: the solved motion, the observations, and the inputs of the engine."""
     scene = motion.plan.scene
     duration = _duration(motion)
-    data: dict[str, Any] = {
+    data: ValueDict = {
         "shape": {"centre": drawn.centre, "turn": drawn.turn},
         "stored": _stored(motion),
         "pace": pace(duration, min(max(duration, _SHORTEST), _LONGEST)),
@@ -186,7 +186,7 @@ def _duration(motion: Motion) -> float:
     return float(np.fmin(motion.duration, motion.settling_time)) if _is_motion(motion) else 0.0
 
 
-def _stored(motion: Motion) -> dict[str, Any]:
+def _stored(motion: Motion) -> ValueDict:
     """Return time, displacement and velocity of the solved motion at equidistant times, rounded for the screen."""
     times = np.linspace(0.0, _duration(motion), _SAMPLES if _is_motion(motion) else 1)
     columns = {"t": times, "s": np.zeros(times.size), "v": np.zeros(times.size)}
@@ -198,7 +198,7 @@ def _stored(motion: Motion) -> dict[str, Any]:
     return rounded | {"duration": _duration(motion), "left": left and float(left.time)}
 
 
-def _first(motion: Motion) -> dict[str, Any]:
+def _first(motion: Motion) -> ValueDict:
     """Return headline, end, key results and warnings of the solved motion."""
     answered = motion.status in ANSWERED
     end = ending(motion) if _is_motion(motion) else end_words(motion).get("comes to rest", "no result")
@@ -228,13 +228,13 @@ def _caption(motion: Motion, magnification: float, why_not: str) -> Iterator[str
         yield "Grey, dashed: the scene as given. This page itself solves the scene with the values of the sliders."
 
 
-def _packed(data: Mapping[str, Any]) -> str:
+def _packed(data: Values) -> str:
     """Return data as compressed JSON in base64, which the script unpacks."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
 
 
-def _as_script_data(data: Mapping[str, Any]) -> str:
+def _as_script_data(data: Values) -> str:
     """Return data as JSON with escaped ``&``, ``<`` and ``>``, which is safe inside HTML and XML."""
     text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from generated import layout as ix
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.kinds import Floats, Names, Shape, ValueDict
 from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
 from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with_outputs
@@ -53,7 +53,7 @@ class Slider(NamedTuple):
         """Ends of the range in SI units, an array of shape (2,)."""
         return np.asarray(self.number.to_si(np.array([self.low, self.high])), dtype=np.float64)
 
-    def described(self, scene: Scene) -> dict[str, Any]:
+    def described(self, scene: Scene) -> ValueDict:
         """Return key, label, unit, range and present value of the slider as JSON data for the page."""
         number = self.number
         return {
@@ -218,7 +218,7 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
     return Motion(chosen, np.zeros((len(ix.CELLS), *scene.shape)), False, problem)
 
 
-def _others(motion: Motion) -> dict[str, Any]:
+def _others(motion: Motion) -> ValueDict:
     """Return units of the dimensionless numbers in SI units, and the factor of safety at the start, by name."""
     arc = motion.plan.scene.arc
     radius = np.asarray(arc.radius)
@@ -231,8 +231,8 @@ def _others(motion: Motion) -> dict[str, Any]:
 class Fit(NamedTuple):
     """Interpolants of some rows in some of the sliders; the coefficients have shape (rows, *(degrees + 1))."""
 
-    of: tuple[int, ...]
-    degrees: tuple[int, ...]
+    of: Shape
+    degrees: Shape
     rows: list[int]
     coefficients: Floats
 
@@ -317,7 +317,7 @@ def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
     return float(np.max(np.concatenate(errors)))
 
 
-def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
+def model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
     """Return JSON data for the page to solve the scene with any values of its sliders."""
     inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     fits = _fits(inputs)
@@ -343,7 +343,7 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> dict[str, Any]:
     }
 
 
-def _start(inputs: _Inputs, start: Start) -> dict[str, Any]:
+def _start(inputs: _Inputs, start: Start) -> ValueDict:
     """Return bounds and degree of the series of a start, and the rows that follow from them, as JSON data."""
     at = inputs.base.size - len(start.rows(inputs.scene))
     return {
@@ -360,14 +360,14 @@ def _table_names(problem: Problem) -> list[str]:
     return [table.name for table in problem.program.tables]
 
 
-def _table(name: str, problem: Problem) -> dict[str, Any]:
+def _table(name: str, problem: Problem) -> ValueDict:
     """Return a table as JSON data without its breaks and coefficients, which are rows."""
     data = problem.data[name]
     pieces, terms = data.coefficients.shape[:2]
     return {"pieces": pieces, "terms": terms, "jumps": _plain(data.jumps), "sine": data.sine, "open": data.open}
 
 
-def _program(problem: Problem, names: Names) -> dict[str, Any]:
+def _program(problem: Problem, names: Names) -> ValueDict:
     """Return a program as integers, and the places of its inputs, outputs and additional states."""
     program = problem.program
     return {
@@ -380,7 +380,7 @@ def _program(problem: Problem, names: Names) -> dict[str, Any]:
     }
 
 
-def _runs(inputs: _Inputs) -> dict[str, Any]:
+def _runs(inputs: _Inputs) -> ValueDict:
     """Return number and input factors, by row, of the perturbed runs that estimate the error."""
     rounding = inputs.scene.arc.rounding
     cells = inputs.problem.cells()

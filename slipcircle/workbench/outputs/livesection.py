@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Pair
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.plotstyle import SOILS
@@ -33,7 +33,7 @@ class Section(NamedTuple):
     """Section as SVG, the centre in the drawing about which its mass turns, and its turn in deg per metre."""
 
     drawing: str
-    centre: tuple[float, float]
+    centre: Pair
     turn: float
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from generated import slopes
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.core import Scene
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.factors import Driven, factor_by
@@ -84,7 +84,7 @@ class Start(NamedTuple):
             shear = strength / slopes.bishop_lever(slices.sine, slices.cosine, mobilised, 1.0)
         return _by_lane(slices, (slices.weight * shear).sum(axis=0))
 
-    def factors(self, rows: Floats) -> tuple[Floats, Floats]:
+    def factors(self, rows: Floats) -> ArrayPair:
         """Return the factors of safety and the strength factors of lanes from their rows, as the page does."""
         driving, closure = rows[:2]
         count = len(self.low)

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from slipcircle.base.kinds import Function, Pair
 from slipcircle.base.optional import optional
 from slipcircle.base.progress import track
 from slipcircle.core import Motion
@@ -35,7 +36,7 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
         raise ValueError(f"{command}: --plot {path}: a .gif animates a single scene; use .png for all {scenes}")
 
 
-def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
+def render(draw: Function, size: Pair, path: str) -> bytes:
     """Return a picture as the content of a file, in the format of the suffix of ``path``.
 
     ``draw`` draws on an empty figure, whose size is in inches; for .gif it returns a `Film`.

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.tables import in_time
@@ -122,9 +122,7 @@ def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
     return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
 
 
-def _mark_times(
-    ax: Any, motion: Motion, curve: tuple[Floats, Floats], unit: str, with_run_out: bool, brief: bool
-) -> None:
+def _mark_times(ax: Any, motion: Motion, curve: ArrayPair, unit: str, with_run_out: bool, brief: bool) -> None:
     """Mark times on a curve with their values, and unless ``brief`` with their names and times."""
     for role, time, name in _marks(motion, with_run_out):
         value = _read(time, *curve)

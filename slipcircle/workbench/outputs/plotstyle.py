@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Pair, Values
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
@@ -18,19 +19,19 @@ WIDTH = 8.6  # inches of a picture of several panels, about the width of a page,
 
 # The palette by role: colours of Okabe and Ito, which the colour-blind distinguish, with dashes, markers or hatches,
 # which remain distinct in grey.
-LINES: Mapping[str, Mapping[str, Any]] = {
+LINES: Mapping[str, Values] = {
     "main": {"color": "#0072B2", "ls": "-", "lw": 2.0},
     "other": {"color": "#D55E00", "ls": (0, (5, 2)), "lw": 1.6},
     "total": {"color": "black", "ls": (0, (1, 1.2)), "lw": 1.8},
     "help": {"color": "0.45", "ls": (0, (1, 2)), "lw": 1.0, "zorder": 1},
 }
-MARKS: Mapping[str, Mapping[str, Any]] = {
+MARKS: Mapping[str, Values] = {
     "start": {"marker": "o", "color": "black", "mfc": "white", "ms": 6},
     "peak": {"marker": "^", "color": "#D55E00", "mec": "black", "ms": 8},
     "farthest": {"marker": "D", "color": "#E69F00", "mec": "black", "ms": 6},
     "end": {"marker": "s", "color": "#0072B2", "mec": "black", "ms": 7},
 }
-AREAS: Mapping[str, Mapping[str, Any]] = {
+AREAS: Mapping[str, Values] = {
     "start": {"facecolor": "0.88", "edgecolor": "0.4", "lw": 1.0},
     "peak": {"facecolor": "none", "edgecolor": "#D55E00", "lw": 1.8, "ls": (0, (5, 2))},
     "end": {"facecolor": "none", "edgecolor": "#0072B2", "lw": 1.8, "hatch": "///"},
@@ -63,7 +64,7 @@ SOILS: Sequence[tuple[str, str]] = (
     ("#F1DDE9", "#A8487F"),
     ("#E2E2E2", "#4D4D4D"),
 )
-SCENERY: Mapping[str, Mapping[str, Any]] = {
+SCENERY: Mapping[str, Values] = {
     "ground": {"color": "black", "lw": 1.4, "zorder": 3},
     "soil": {"color": "#EFE6D2", "lw": 0, "zorder": 1},
     "water": {"color": "#56B4E9", "lw": 1.6, "zorder": 3},
@@ -76,12 +77,12 @@ SCENERY: Mapping[str, Mapping[str, Any]] = {
 }
 
 
-def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
+def axis(ax: Any = None, size: Pair = (7.0, 4.5)) -> Any:
     """Return the given axis, or the axis of a new figure of a size in inches."""
     return new_figure(size).add_subplot() if ax is None else ax
 
 
-def new_figure(size: tuple[float, float]) -> Any:
+def new_figure(size: Pair) -> Any:
     """Return an empty pyplot figure of a size in inches."""
     return optional("matplotlib.pyplot", "pictures").figure(figsize=size, layout="constrained")
 

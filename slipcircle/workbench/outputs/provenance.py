@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import TextDict, Values
 from slipcircle.core import Scene
 from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import Key
@@ -46,9 +47,7 @@ def _of_file(file: str) -> Iterator[Input]:
     yield from _of_table(layout.tables, comments(file), "", layout.content)
 
 
-def _of_table(
-    tables: Mapping[str, Any], sources: Mapping[str, str], path: str, given: Mapping[str, Any]
-) -> Iterator[Input]:
+def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Values) -> Iterator[Input]:
     """Yield the inputs of a table of a file and of its subtables; ``sources`` are the comments by path."""
     keys, prefix = tables[path].keys, f"{path}." if path else ""
     for name, value in given.items():
@@ -80,7 +79,7 @@ def _unit(key: Key) -> str:
     return found[1] if found else ""
 
 
-def comments(file: str) -> dict[str, str]:
+def comments(file: str) -> TextDict:
     """Return the comments at the ends of lines of a TOML text, by the path of the key or table in the line.
 
     Tables of a list are numbered from 1; quotes of names are dropped.

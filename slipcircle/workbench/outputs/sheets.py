@@ -5,6 +5,7 @@ from functools import partial
 from textwrap import shorten
 from typing import Any, NamedTuple
 
+from slipcircle.base.kinds import Function, Pair
 from slipcircle.workbench.outputs.plotstyle import WIDTH, letter
 
 _TITLE = 0.4  # inches
@@ -15,8 +16,8 @@ Row = tuple[float, Sequence[Callable[..., Any]]]  # height in inches; one panel 
 class Drawing(NamedTuple):
     """Function that draws a picture on an empty figure and returns the figure, and the size of the figure in inches."""
 
-    draw: Callable[[Any], Any]
-    size: tuple[float, float]
+    draw: Function
+    size: Pair
 
 
 def sheet(rows: Sequence[Row], title: str = "", apart: bool = False) -> Drawing:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Pair
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, observable
 from slipcircle.workbench.files.numbers import Number, number_in
 from slipcircle.workbench.outputs.plotstyle import (
@@ -75,7 +76,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     return ax
 
 
-def _limits(at: Any, probability: Any) -> tuple[float, float]:
+def _limits(at: Any, probability: Any) -> Pair:
     """Return limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
     greatest, certain = float(at[-1]), 0.0
     if probability[0] == 1.0:

@@ -10,6 +10,7 @@ from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from slipcircle.base.kinds import TextDict
 from slipcircle.base.progress import is_terminal
 from slipcircle.base.text import DIGITS, clean, shown
 from slipcircle.core import Motion, Plan
@@ -91,10 +92,10 @@ _GROUPS = {
 _TITLES = {name: title for title, names in _GROUPS.items() for name in names.split()}
 
 
-def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
+def motion_groups(motion: Motion) -> dict[str, TextDict]:
     """Return all results of a motion as texts by label, in titled groups of at most ten, key results first."""
     plan, first = motion.plan, summary(motion)
-    groups: dict[str, dict[str, str]] = {title: {} for title in _GROUPS}
+    groups: dict[str, TextDict] = {title: {} for title in _GROUPS}
     groups["Factors of safety"] = _factors_at_start(motion)
     for quantity in results(motion):
         title = _TITLES.get(quantity.name, "Toe and centroid")
@@ -118,7 +119,7 @@ def motion_groups(motion: Motion) -> dict[str, dict[str, str]]:
     return {"": first} | others
 
 
-def _method_rows(motion: Motion) -> dict[str, str]:
+def _method_rows(motion: Motion) -> TextDict:
     """Return effects, method of solution, numerical error and coefficients of the arc by label."""
     plan = motion.plan
     coefficients = plan.scene.arc.dimensionless
@@ -131,7 +132,7 @@ def _method_rows(motion: Motion) -> dict[str, str]:
     }
 
 
-def _factors_at_start(motion: Motion) -> dict[str, str]:
+def _factors_at_start(motion: Motion) -> TextDict:
     """Return the factors of safety by every method, also under the k_h of a search, and the strength factor."""
     scene = motion.plan.scene
     critical = stability_of(scene)
@@ -188,7 +189,7 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 # --- slopes ----------------------------------------------------------------------------------------------------------
 
 
-def stability_columns(critical: Critical) -> tuple[dict[str, str], dict[str, str]]:
+def stability_columns(critical: Critical) -> tuple[TextDict, TextDict]:
     """Return the factors of safety of a slip circle, and its geometry with free water, by labels."""
     factors = _factors(critical.factors_of_safety, critical.slope.k_h)
     without = critical.factors_of_safety_without_k_h or {}
@@ -200,14 +201,14 @@ def stability_columns(critical: Critical) -> tuple[dict[str, str], dict[str, str
     return factors, pond_row(critical.slope) | entry_and_exit | _circle(critical)
 
 
-def pond_row(soil: Any) -> dict[str, str]:
+def pond_row(soil: Any) -> TextDict:
     """Return the free water on a slope or on the ground of a single section as text by label; empty without it."""
     ponds = soil.free_water.of_one if isinstance(soil, Slope | Section) else []
     texts = [f"x = {first:.8g} to {last:.8g} m, level {level:.8g} m" for first, last, level in ponds]
     return {"free water": "; ".join(texts)} if texts else {}
 
 
-def _circle(critical: Critical) -> dict[str, str]:
+def _circle(critical: Critical) -> TextDict:
     """Return a slip circle of a slope, and how it was determined, as texts by label."""
     column = {
         "circle": least_of(critical.method) if critical.method else "as given",
@@ -222,7 +223,7 @@ def _circle(critical: Critical) -> dict[str, str]:
     return column
 
 
-def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> dict[str, str]:
+def _factors(by_method: Mapping[str, float | None], k_h: float = 0.0) -> TextDict:
     """Return factors of safety as texts by labels that name the method, and k_h unless it is 0."""
     condition = f", k_h = {shown(k_h)}" if k_h else ""
     return {f"{factor_label(method)}{condition}": factor_text(factor) for method, factor in by_method.items()}

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayDict, Floats
 from slipcircle.base.text import shown
 from slipcircle.core import Motion
 from slipcircle.ground import Section
@@ -18,7 +18,7 @@ SAMPLES = 400
 _JUMP = 1e-3  # least jump at a breakpoint, relative to the greatest value
 
 
-def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
+def trace(motion: Motion, times: Floats) -> ArrayDict:
     """Return the motion at times in s: each quantity of `HISTORY` as an array in SI units."""
     columns = {}
     for name, quantity in HISTORY.items():
@@ -27,7 +27,7 @@ def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
 
 
 @lru_cache(maxsize=8)
-def drawn(motion: Motion) -> dict[str, Floats]:
+def drawn(motion: Motion) -> ArrayDict:
     """Return the motion at the times of `telling_times`, by quantity in SI units; the result is cached."""
     return trace(motion, telling_times(motion))
 

@@ -41,7 +41,7 @@ class Critical(Pictured):
     factors_of_safety_without_k_h : dict or None
         Without k_h, from which a motion starts; None if the slope has no k_h.
     start : str
-        Method from whose factor of safety a motion starts: that of the search, or Bishop's.
+        Method from whose factor of safety a motion starts: the method of the search, or Bishop's.
     factor_of_safety : float or None
         Factor of safety by the starting method, with the k_h of the slope.
     section : Section
@@ -230,9 +230,9 @@ class SlopeScene(Scene[Numbers]):
     def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
-        if quantity == "yield_coefficient":  # under shaking the strength factor has made it that of the closure
+        if quantity == "yield_coefficient":  # under shaking, the strength factor has made it the closure's value
             found = None if "shaking" in self.called else yield_by(self, self.start)
-        elif quantity == "factor_of_safety":  # without shaking it has made this factor that of the closure
+        elif quantity == "factor_of_safety":  # without shaking, it has made this factor equal to the closure's factor
             found = factor_of(self, self.start) if "shaking" in self.called else None
         elif quantity == "residual":
             found = factor_of(self, self.start, slipped=True)
@@ -303,7 +303,7 @@ def _point(points: Floats) -> Pair:
 
 
 def _by_method(factors: Mapping[str, Floats]) -> dict[str, float | None]:
-    """Return the factors of one circle, None where a method has no result."""
+    """Return the factors of one circle by method, None for a method without a result."""
     return {method: _known(factors[method]) for method in METHODS}
 
 

@@ -15,7 +15,7 @@ _SHRINK_SMOOTH = 0.2  # where a parabola describes it
 _GROWTH = 2.0  # of steps while the best neighbour is on the rim
 _GAIN = 1e-6  # relative; by less, a step counts as none
 _TIE = 1e-10  # relative; factors as near as this are equal, so that no rounding decides the course of a search
-FINEST = 1e-4  # step at which a valley is done, over its first
+FINEST = 1e-4  # final step in a valley, relative to its first step
 _HOPELESS = 0.1  # over the least factor, as a share of it, a valley is left
 _OFFSETS = np.array(list(product([-1.0, 0.0, 1.0], repeat=3)))
 _MIDDLE = len(_OFFSETS) // 2
@@ -107,7 +107,7 @@ def tied(values: Floats) -> Floats:
 
 
 def in_order(values: Floats) -> Any:
-    """Return indices that sort values, in which ties keep their order and NaN is last."""
+    """Return indices that sort values; ties keep their order and NaN is last."""
     order = np.argsort(values, kind="stable")
     ordered = values[order]
     is_greater = ordered[1:] > tied(ordered[:-1])

@@ -21,7 +21,7 @@ class SampleSearch:
     Parameters
     ----------
     slope : Slope
-        That of the means.
+        Slope with the mean values.
     method : str
         As of `critical`.
     limits : mapping

@@ -29,7 +29,7 @@ class Slices(NamedTuple):
     """Slices above the points of Gauss' rule, (points, intervals), with lengths over R and stresses over gamma R.
 
     An interval is the part of one arc between two kinks. Where slopes share one arc, what differs has an axis of slopes
-    before that of the intervals. Angles are from straight below the centre. Weights are sums
+    before the axis of the intervals. Angles are from straight below the centre. Weights are sums
     over surfaces: the tops of layers, each with the step of the unit weight there, and of their wet parts; and the part
     of the ground below a pond, with minus the water's.
     """
@@ -229,7 +229,7 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
-    """Return x over R from the centre at which an integrand may not be smooth, (n, any)."""
+    """Return x over R from the centre where an integrand may not be smooth, (n, any)."""
     from_centre = slope.columns.bounds - arcs.centre[:, :1]
     bounds = from_centre / arcs.radius[:, None]
     cuts = [meets_circle(arcs.from_centre(line)) for line in slope.lines_cut_by_arcs]

@@ -72,7 +72,7 @@ class Slope:
     pore_ratio : float
         r_u, pore pressure over gamma h, h the height of the ground above the arc; not with a level.
     pressure : float
-        Uniform pore pressure along the arc, Pa, in addition to that of level or ratio.
+        Uniform pore pressure along the arc, Pa, in addition to the pressure from level or ratio.
     k_h : float
         Horizontal acceleration over g, positive down-slope.
     base : float, optional
@@ -82,7 +82,7 @@ class Slope:
     surcharge : sequence of (x1, x2, q1, q2)
         Pressures on the ground, Pa, linear from x1 to x2.
     confined : bool
-        Whether the water is confined, so that a level above the ground is that of artesian pressure without free water.
+        Whether the water is confined, so that a level above the ground means artesian pressure without free water.
     ponds : sequence of (x1, x2, level)
         Free water between two shores whose pore pressure is given otherwise, m.
     crack, crack_water : float

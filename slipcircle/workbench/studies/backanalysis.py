@@ -1,7 +1,7 @@
-"""Back-analysis: which friction, or which values of other numbers, explain the motion that was observed.
+"""Back-analysis: values of friction or other parameters that explain an observed motion.
 
-One field is followed over its range, so that every value with what was observed is found. Several observations are met
-in the sense of least squares, from starts all over the fields' ranges. All candidates are solved at once.
+With one parameter and one observation, all roots in the range are found. Otherwise several observations are fitted by
+least squares, from starts all over the ranges. All candidates are solved in vectorised calls.
 """
 
 import math
@@ -25,14 +25,14 @@ from slipcircle.workbench.studies.sampling import sobol
 ROOT = "all roots in the range"
 FITTED = "least squares"
 AT_LIMIT = "bisection to the limit"
-_STARTS = 512  # points a field, of which the best are followed
-_MET = 1e-12  # sum of squares below which all is met exactly
+_STARTS = 512  # starting points for each field; the best are refined
+_MET = 1e-12  # sum of squares below which the fit is exact
 _NOISE = 1e-7  # relative, of derivatives
-_FAR = 6.0  # standard errors that the nearest fit may miss by: as many could be met exactly
+_FAR = 6.0  # standard errors; largest misfit of as many observations as fields, which an exact fit should meet
 
 
 class Unattainable(ValueError):
-    """No value of the field gives the observation.
+    """Error raised if no value of the field gives the observation.
 
     Attributes
     ----------
@@ -47,23 +47,23 @@ class Unattainable(ValueError):
 
 @dataclass(frozen=True)
 class Solution:
-    """Values of the fields that explain what was observed.
+    """Values of the fields that explain the observations, with their errors.
 
     Attributes
     ----------
     values : dict of float
-        Of the fields, each in its own unit.
+        Values by field, each in its own unit.
     motion : Motion
         The motion with these values.
     residuals : dict of float
         Computed less observed, by observation.
     covariance : ndarray or None
-        Of the fields in their order, (fields, fields), to first order: from the observations' standard errors, or else
-        from the misfit; None where there is neither.
+        Covariance of the fields in their order, (fields, fields), to first order: from the standard errors of the
+        observations, or otherwise from the misfit; None if neither is known.
     error_estimate : float
-        Of the values, relative: numerical, by the motion's own estimate.
+        Relative numerical error of the values, from the error estimate of the motion.
     chi_square : float
-        Sum of the squared residuals over their standard errors (over the observed values, where those are unknown).
+        Sum of the squared residuals over their standard errors (over the observed values if the errors are unknown).
     """
 
     values: dict[str, float]
@@ -75,7 +75,7 @@ class Solution:
 
     @property
     def value(self) -> float:
-        """Of the first field."""
+        """Value of the first field."""
         return next(iter(self.values.values()))
 
     @property
@@ -92,7 +92,7 @@ class Solution:
 
     @property
     def correlation(self) -> Floats | None:
-        """Correlation of the fields, (fields, fields)."""
+        """Correlation matrix of the fields, (fields, fields); None without a covariance."""
         if self.covariance is None:
             return None
         errors = np.sqrt(np.diag(self.covariance))
@@ -101,16 +101,16 @@ class Solution:
 
 @dataclass(frozen=True)
 class BackAnalysis:
-    """Numbers of a scene that explain observations.
+    """Result of a back-analysis.
 
     Attributes
     ----------
     units : dict of str
-        Unit of each field, that of its key in a scene file.
+        Unit of each field, as in its key in a scene file.
     observed : dict
-        Value and standard error (None if not given) of each observation; of an interval its middle.
+        Value and standard error (None if not given) of each observation; for an interval, its middle.
     intervals : dict of Interval
-        The observations that are intervals.
+        Observations given as intervals.
     solutions : tuple of Solution
         Ordered by the number of swings, or, for a fit, the best one first.
     method : str
@@ -132,7 +132,7 @@ class BackAnalysis:
 
     @property
     def motion(self) -> Motion:
-        """Of the first solution."""
+        """Motion of the first solution."""
         return self.solutions[0].motion
 
     @property
@@ -142,7 +142,7 @@ class BackAnalysis:
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Observations less fields."""
+        """Number of observations minus number of fields."""
         return len(self.observed) - len(self.units)
 
 
@@ -161,32 +161,32 @@ def backanalyse(
     field: str | Sequence[str] | None = None,
     bounds: Pair | Mapping[str, Pair] | None = None,
 ) -> BackAnalysis:
-    """Find the values of one or several fields with which the scene moves as observed.
+    """Find the values of one or several parameters (fields) with which the scene moves as observed.
 
     Parameters
     ----------
     scene : Scene
-        Its values of the fields are ignored.
+        Scene; its own values of the fields are ignored.
     run_out, end_displacement, peak_velocity, duration, toe_rise : float, tuple of float or Interval, optional
         Observed value, value and standard error, or `Interval`; m, m (place of rest), m/s, s, m; signs as in `Motion`.
     toe_x, crest_drop, centroid_travel, factor_of_safety : float, tuple of float or Interval, optional
-        The same, m, and by the starting method. An `Interval` with an infinite end is a limit, for one field alone.
-        By default ``scene.observed``. A single one is met exactly by one field, several by least squares.
+        The same; m, the factor by the starting method. An `Interval` with an infinite end is a limit, for one field.
+        By default ``scene.observed``. One observation is met exactly by one field, several by least squares.
     field : str or sequence of str, optional
-        Numbers by their keys in a scene file, ``friction.angle_deg`` (by default, where the law has one angle),
-        ``cohesion.cohesion_kPa``, whether or not the scene has a value of them; or in SI units by their names,
-        ``friction``; or the name of an effect with a single number. ``arc.dip_deg`` or ``dip`` turns both ends of the
-        arc; coordinates of a section are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``,
-        points by their number from 0. Several fields need at least as many observations.
-    bounds : tuple of float, or mapping of such by field, optional
+        Parameters by their keys in a scene file, ``friction.angle_deg`` (by default, if the law has one angle),
+        ``cohesion.cohesion_kPa``, whether or not the scene sets them; or by their names, ``friction``, in SI units; or
+        the name of an effect with a single parameter. ``arc.dip_deg`` or ``dip`` turns both ends of the arc;
+        coordinates of a section are ``circle.centre_m.x``, ``ground.points_m.3.y`` or ``water.level_m.0.y``, points
+        counted from 0. Several fields need at least as many observations.
+    bounds : tuple of float, or mapping from field to tuple of float, optional
         Range to search, in the unit of the field; by default a wide one.
 
     Raises
     ------
     Unattainable
-        If no value in the range explains the observation; names the attainable range and its values.
+        If no value in the range explains the observation; the message names the attainable range.
     ValueError
-        For mistakes in the arguments, and if the observations cannot distinguish the fields.
+        For invalid arguments, and if the observations cannot distinguish the fields.
 
     Notes
     -----
@@ -209,7 +209,7 @@ def backanalyse(
 
 
 def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> BackAnalysis:
-    """Return the values of the fields of a problem that explain its observations."""
+    """Return the back-analysis of a problem; ``intervals`` are its observations given as intervals."""
     observed = problem.observed
     units = {f.key: f.unit for f in problem.fields}
     is_exact = len(problem.fields) == len(observed) == 1
@@ -217,12 +217,12 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
     method = AT_LIMIT if problem.limit else ROOT if is_exact else FITTED
     stability = stability_of(problem.scene)
     if "factor_of_safety" in observed and stability and stability.method:
-        warnings.append("the circle is the critical one of the strengths as entered; search it again with the result")
+        warnings.append("the circle is critical for the strengths as entered; search again with the fitted values")
     return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 
 def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
-    """All values of the one field with the one observation, the fewest swings first, and what to know of them."""
+    """Return all solutions for one field and one observation, the fewest swings first, and warnings."""
     if problem.limit is None:
         values = solve_exact(problem)
     else:
@@ -235,12 +235,12 @@ def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
 
 
 def _unattainable(problem: SearchProblem) -> ValueError:
-    """Return the error of an observation that no value of the one field gives: the attainable range, and its ends."""
+    """Return the error for an observation outside the attainable range, with the range and its values."""
     (field,) = problem.fields
     (name,) = problem.observed
     low, high = (extreme(problem, sign) for sign in (-1.0, 1.0))
     if math.isnan(low):
-        return Unattainable(f"{field.key}: for no value within the bounds does this scene move and come to rest", {})
+        return Unattainable(f"{field.key}: no value within the bounds makes this scene move and come to rest", {})
     outcomes = []
     for place in (low, high):
         motion = solve(with_parameters(problem.scene, {field.name: field.to_si(place)}))
@@ -251,16 +251,16 @@ def _unattainable(problem: SearchProblem) -> ValueError:
     to_greatest = f"{greatest:.6g} {unit} (at {field.key} = {high:.6g})"
     attainable = f"{from_least} to {to_greatest}"
     if greatest - least <= 1e-9 * abs(greatest):
-        attainable = f"only {least:.6g} {unit}, whatever it is"
+        attainable = f"only {least:.6g} {unit} for all values"
     target = float(problem.targets[0] + problem.origins[0])
     if problem.limit is None and max(abs(outcome - target) for outcome in outcomes) <= 1e-9 * abs(target):
         return _without_effect([field.key], problem)
-    sentence = f"{_wanted(problem, target, outcomes)} {field.key} gives it; attainable: {attainable}"
+    sentence = f"{_wanted(problem, target, outcomes)} value of {field.key} gives it; attainable: {attainable}"
     return Unattainable(sentence, {name: ((least, low), (greatest, high))})
 
 
 def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) -> str:
-    """Return what was to be reached, and whether no value or every value reaches it."""
+    """Return the start of the message: the observation, and whether no value or every value of the field gives it."""
     (name,) = problem.observed
     unit = OBSERVABLE[name].unit
     limit = problem.limit
@@ -271,20 +271,20 @@ def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) ->
 
 
 def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
-    """All values of the fields that fit about as well as the best ones, and what to know of them."""
+    """Return all solutions that fit about as well as the best one, the best first, and warnings."""
     names, count = ", ".join(f.key for f in problem.fields), len(problem.fields)
     minima = fits(problem, sobol(0, (5,), 0, _STARTS * count, count))
     if not minima:
-        raise Unattainable(f"{names}: for no values within the bounds does this scene move and come to rest", {})
+        raise Unattainable(f"{names}: no values within the bounds make this scene move and come to rest", {})
     solutions, refusals = [], list[ValueError]()
     for fit in minima:
         try:
             solutions.append(_solution(problem, problem.values_at(fit.shares[:, None])[:, 0].tolist()))
-        except ValueError as error:  # here the fields cannot be told apart, though they may elsewhere
+        except ValueError as error:  # the fields cannot be distinguished here, but perhaps elsewhere
             refusals.append(error)
     if not solutions:
         raise refusals[0]
-    # The best one first; the fewest swings, where all is met exactly.
+    # The best fit first; among exact fits, the fewest swings first.
     solutions.sort(key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
     best = solutions[0].chi_square
     _refuse_misfit(problem, solutions[0])
@@ -296,7 +296,7 @@ def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
 
 
 def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
-    """Refuse a best fit that misses observations that could all be met, or that is without a covariance."""
+    """Raise `Unattainable` if the best fit misses observations that could all be met, or lacks a covariance."""
     best = first.chi_square
     is_exact = problem.degrees_of_freedom == 0
     is_far = problem.is_weighted and is_exact and best > _FAR**2
@@ -305,7 +305,7 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
     outcomes = zip(problem.observed, problem.seen(first.motion).tolist(), strict=True)
     nearest = ", ".join(f"{n} = {value:.6g} {OBSERVABLE[n].unit}" for n, value in outcomes)
     at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
-    how = f"that is {math.sqrt(best):.3g} standard errors off" if is_far else "with standard errors that is fitted"
+    how = f"{math.sqrt(best):.3g} standard errors off" if is_far else "give standard errors to fit it"
     keys = ", ".join(first.values)
     observed = " and ".join(problem.observed)
     sentence = f"no values of {keys} give {observed} as observed; the nearest is {nearest} at {at}; {how}"
@@ -313,12 +313,9 @@ def _refuse_misfit(problem: SearchProblem, first: Solution) -> None:
 
 
 def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
-    """A solution with these values: the observations have to tell the fields apart."""
-    by_key = dict[str, float]()
-    si = dict[str, float]()
-    for field, value in zip(problem.fields, values, strict=True):
-        by_key[field.key] = float(value)
-        si[field.name] = float(field.to_si(value))
+    """Return the solution with these values of the fields; ValueError if the observations do not determine them."""
+    by_key = {field.key: float(value) for field, value in zip(problem.fields, values, strict=True)}
+    si = {field.name: float(field.to_si(value)) for field, value in zip(problem.fields, values, strict=True)}
     motion = solve(with_parameters(problem.scene, si))
     slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)
@@ -342,7 +339,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
 
 
 def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
-    """Return the derivatives of what is observed by the fields; unknown of a mass that only a limit lets stand."""
+    """Return derivatives of the observed outcomes with respect to the fields; NaN if a limit keeps the mass at rest."""
     if problem.limit is not None and not motion.moves:
         return np.full((len(problem.observed), len(si)), np.nan)
     scene = motion.plan.scene
@@ -350,13 +347,13 @@ def _slopes(problem: SearchProblem, motion: Motion, si: Values) -> Floats:
 
 
 def _numerical_errors(problem: SearchProblem, motion: Motion, outcomes: Floats) -> Floats:
-    """Return the scaled numerical errors of outcomes; a factor of safety does not need the motion."""
+    """Return the numerical errors of the outcomes in units of the residuals' scales."""
     errors = [EPS if name == "factor_of_safety" else motion.error_estimate for name in problem.observed]
     return errors * np.abs(outcomes) / problem.scales
 
 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
-    """Derivatives of the scaled residuals by the fields in their units, from those of what is observed in SI units."""
+    """Return the derivatives of the scaled residuals with respect to the fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
     per_key = np.array([field.slope(value) for field, value in with_values])
     scaled = slopes / problem.scales[:, None]
@@ -364,7 +361,7 @@ def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
-    """Of the fields: from the standard errors, or from the misfit where there are more observations than fields."""
+    """Return the covariance of the fields from standard errors or the misfit; None if neither is known."""
     if problem.is_weighted:
         return inverse @ inverse.T
     if problem.degrees_of_freedom:
@@ -373,13 +370,13 @@ def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> F
 
 
 def _without_effect(keys: Sequence[str], problem: SearchProblem) -> ValueError:
-    """Return the error of fields that do not change the observations."""
+    """Return the error for fields that do not change the observations."""
     names = ", ".join(problem.observed)
     return ValueError(f"backanalyse: {', '.join(keys)}: does not affect {names}, and cannot be determined from it")
 
 
 def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
-    """Refuse residuals that do not change with one of the fields, or with several of them together."""
+    """Raise ValueError if the residuals do not change with a field, or with a combination of fields."""
     names = ", ".join(problem.observed)
     keys = [f.key for f in problem.fields]
     sizes = np.linalg.norm(jacobian, axis=0)
@@ -394,4 +391,4 @@ def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     per_cent = 100 * change / greatest
     by_field = [f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True)]
     changes = " and ".join(by_field)
-    raise ValueError(f"backanalyse: changing {changes} changes nothing of {names}: they cannot be distinguished by it")
+    raise ValueError(f"backanalyse: changing {changes} does not change {names}, which cannot distinguish them")

@@ -1,8 +1,8 @@
-"""Designs of studies: the scenes that are solved, in independent blocks.
+"""Designs of studies: the scenes to solve, divided into independent blocks.
 
 `Design.run_block` is a pure function of the design and the index of a block. Blocks of samples, or of a grid, come
-first, those for the sensitivity indices after them. Under records a block has some records with the lanes of a block of
-samples, which are the same for every record, so that the variance can be split into that of records and of the soil.
+first, blocks for the sensitivity indices follow. With records, a block combines some records with the lanes of a block
+of samples. The samples are the same for every record, so that the variance can be split between records and soil.
 """
 
 import math
@@ -25,13 +25,13 @@ from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.searched import SEARCHED, searched_factors
 
 Result = dict[str, NDArray[Any]]
-# Of a sample that slides, but not to a known end: it moves, and exceeds every threshold.
+# Statuses of samples that slide without a known end: they move and exceed every threshold.
 NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s < Status.INVALID)
 METHODS = ("monte-carlo", "sobol")
 REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 FACTOR = "factor of safety, "  # before the method in the name of a result
-# Results of every motion with their units: signed, NaN without a result, 0 of what does not move.
+# Results of every motion with their units: signed, NaN without a result, 0 for a mass at rest.
 RESULTS: Mapping[str, str] = {
     **{name: quantity.unit for name, quantity in OUTCOMES.items()},
     "end_displacement": "m",
@@ -44,38 +44,38 @@ _TYPES = {"slips": np.int32, "outside_range": np.bool_, "status": np.int8}  # ot
 
 @dataclass(frozen=True)
 class Design:
-    """What is computed, as plain data."""
+    """Definition of a study as plain data."""
 
-    scene: Scene  # its own values hold where no input has others
+    scene: Scene  # its values apply unless an input varies them
     accuracy: float
     inputs: Mapping[str, Number]  # that vary, by name
-    drawn: Mapping[str, Uncertain]  # how those vary that are drawn, by name
+    drawn: Mapping[str, Uncertain]  # distributions of the drawn inputs, by name
     levels: tuple[Floats, ...]  # values of each input, in its key's unit: a grid, the last input fastest
     method: str  # one of `METHODS`, or "grid"
     n: int  # samples
-    base: int  # base points of the sensitivity indices, each of which takes the number of inputs and two more scenes
+    base: int  # base points of the sensitivity indices; each needs (inputs + 2) scenes
     correlation: Floats  # of the inputs' normal scores, (inputs, inputs)
     seed: int
     size: int  # samples of a block, a power of two, 4 at least
-    search_each: bool = False  # whether factors of safety are also those of the circle searched for each sample
-    records: GroundMotions | None = None  # that shake every sample in place of the scene's own
+    search_each: bool = False  # whether the critical circle is also searched for each sample
+    records: GroundMotions | None = None  # replace the scene's own shaking
 
     @property
     def correlations(self) -> list[ValueDict]:
-        """Correlated inputs by their keys, with the correlation of their normal scores; for JSON."""
+        """Correlated pairs of inputs by their keys, with the correlation of their normal scores; for JSON."""
         keys = [number.key for number in self.inputs.values()]
         places = np.argwhere(np.triu(self.correlation, 1)).tolist()
         return [{"key": keys[i], "with": keys[j], "value": float(self.correlation[i, j])} for i, j in places]
 
     @property
     def correlations_text(self) -> str:
-        """The same in words; empty where there are none."""
+        """Correlated pairs in words; empty without correlation."""
         pairs = [f"{pair['key']} with {pair['with']} {pair['value']:g}" for pair in self.correlations]
         return f"correlation of {' and of '.join(pairs)}" if pairs else ""
 
     @property
     def replicates(self) -> int:
-        """How many independent sequences the samples are from."""
+        """Number of independent sequences from which the samples are drawn."""
         return min(REPLICATES, self.n) if self.method == "sobol" else 1
 
     def share(self, replicate: int) -> int:
@@ -84,24 +84,24 @@ class Design:
 
     @property
     def sample_blocks(self) -> int:
-        """How many blocks of samples there are; the replicates take turns."""
+        """Number of blocks of samples; the replicates alternate."""
         return self.replicates * -(-self.share(0) // self.size)
 
     @property
     def base_scenes(self) -> int:
-        """How many scenes each base point of the sensitivity indices has."""
+        """Number of scenes for each base point of the sensitivity indices."""
         return len(self.inputs) + 2
 
     @property
     def blocks(self) -> int:
-        """How many blocks there are."""
+        """Number of blocks."""
         if self.records is not None:
             return math.ceil(len(self.records.suite) / self._together) * self.sample_blocks
         return self.sample_blocks + min(BATCHES, self.base)
 
     @property
     def _together(self) -> int:
-        """How many records a block has: so many that their motions fill its lanes."""
+        """Number of records in a block, chosen so that their motions fill its lanes."""
         assert self.records is not None
         return self.records.together(self.piece(0)[2])
 
@@ -114,7 +114,7 @@ class Design:
 
     @property
     def outputs(self) -> ValueDict:
-        """The type of each result by its name."""
+        """NumPy type of each result by its name."""
         names = [*RESULTS]
         if self.with_factors:
             names += [f"{FACTOR}{method}" for method in factors(self.scene, math.nan)]
@@ -123,7 +123,7 @@ class Design:
         return {name: np.dtype(_TYPES.get(name, np.float64)) for name in (*names, "status")}
 
     def piece(self, index: int) -> tuple[Shape, int, int]:
-        """Return stream, start and length of a block of samples, which may be empty at the end, or of base points."""
+        """Return stream, start and length of a block of samples or base points; a last block may be empty."""
         batches = min(BATCHES, self.base)
         batch = index - self.sample_blocks
         if batch >= 0:
@@ -136,7 +136,7 @@ class Design:
         return stream, start, min(self.size, left)
 
     def place(self, index: int) -> tuple[slice, ...]:
-        """Return where the results of a block are in arrays of `shape`."""
+        """Return the slices of a block's results in arrays of `shape`."""
         group, block = divmod(index, self.sample_blocks) if self.records is not None else (0, index)
         turn, replicate = divmod(block, self.replicates)
         length = self.piece(block)[2]
@@ -172,7 +172,7 @@ class Design:
         return replace(self, records=self.records.part(first, first + self._together)).run_block, block
 
     def values(self, index: int) -> list[Floats]:
-        """Return the values of each input at the scenes of a block, in its key's unit."""
+        """Return the values of each input in the scenes of a block, in the units of their keys."""
         if self.method == "grid":
             return _on_grid(self, index)
         d = len(self.inputs)
@@ -186,13 +186,13 @@ class Design:
         return _drawn(self, matrices)
 
     def samples(self) -> ArrayDict:
-        """Return the values of each input at all samples by key, in its unit."""
+        """Return the values of each input at all samples by key, in the unit of the key."""
         blocks = [self.values(block) for block in range(self.sample_blocks)]
         of_inputs = zip(self.inputs.values(), zip(*blocks, strict=True), strict=True)
         return {number.key: np.concatenate(of_input) for number, of_input in of_inputs}
 
     def _si(self, index: int) -> ArrayDict:
-        """Return the values of the inputs at the scenes of a block by name, in SI units."""
+        """Return the values of the inputs in the scenes of a block by name, in SI units."""
         with np.errstate(all="ignore"):
             return {
                 name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
@@ -214,7 +214,7 @@ class Design:
             "outside_range": motion.outside_range,
             "status": motion.status,
         }
-        del motion.end  # which refers to its motion, so that only the garbage collector would free both
+        del motion.end  # refers to its motion; without this only the garbage collector would free both
         by_method: ArrayDict = {}
         if self.with_factors:
             by_method = factors(motion.plan.scene, motion.factor_of_safety)
@@ -226,30 +226,27 @@ class Design:
 
     @property
     def with_factors(self) -> bool:
-        """Whether factors of safety come with the motions: a grid lists them, and a search for each is long work."""
+        """Whether factors of safety are stored with the motions, as for grids and searches of every sample."""
         return self.search_each or self.method == "grid"
 
     def at_start(self, index: int) -> Result:
-        """Return the factors of safety of a block of samples by method; nothing is integrated."""
+        """Return the factors of safety of a block of samples by method, without integration."""
         return factors_at_start(self.scene, self._si(index), self.accuracy)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
-    """Return the values of each input, in its key's unit, at points of the unit cube (inputs, ...)."""
+    """Return the values of each input, in the unit of its key, at points of the unit cube, (inputs, ...)."""
     is_correlated = np.any(design.correlation != np.eye(len(points)))
     if is_correlated:  # a Gaussian copula: normal scores are mixed
         mixing = np.linalg.cholesky(design.correlation)
         scores = np.tensordot(mixing, special().ndtri(points), 1)
         points = np.clip(special().ndtr(scores), 2.0**-54, 1.0 - 2.0**-53)
-    values = []
-    for uncertain, of_input in zip(design.drawn.values(), points, strict=True):
-        flat = of_input.reshape(-1)
-        values.append(np.asarray(uncertain.drawn(flat)))
-    return values
+    by_input = zip(design.drawn.values(), points, strict=True)
+    return [np.asarray(uncertain.drawn(of_input.reshape(-1))) for uncertain, of_input in by_input]
 
 
 def _on_grid(design: Design, index: int) -> list[Floats]:
-    """Return the values of each input at the scenes of a block of a grid."""
+    """Return the values of each input in the scenes of a block of a grid, in the units of their keys."""
     _, start, length = design.piece(index)
     shape = [len(level) for level in design.levels]
     places = np.unravel_index(np.arange(start, start + length), shape)

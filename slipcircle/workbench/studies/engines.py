@@ -1,12 +1,12 @@
-"""Where blocks are computed, and where their results are stored.
+"""Executors that compute blocks, and storage of the results.
 
-Blocks may finish in any order, on any executor of `concurrent.futures`: each is stored in its place in arrays, so that
-every executor gives the same bits on machines of one class. Large studies, and those with a folder, have their arrays
-in memory-mapped files of NumPy, with a digest of the inputs and results of each finished block. A later run with the
-same folder computes the blocks whose digest is missing or wrong.
+Blocks may finish in any order, on any executor of `concurrent.futures`. Each is stored in its place in arrays, so that
+every executor gives the same bits on machines of one class. Large studies, and studies with a folder, store their
+arrays in memory-mapped files of NumPy, with a digest of the inputs and results of each finished block. A later run with
+the same folder computes the blocks whose digest is missing or wrong.
 
-Dask's workers want MALLOC_TRIM_THRESHOLD_=268435456 in their environment: with Dask's own 65536 a block's temporaries
-are given back to the system and faulted in again, which takes half as long again or more.
+Workers of Dask should run with MALLOC_TRIM_THRESHOLD_=268435456 in their environment. With Dask's default of 65536, the
+temporary arrays of a block are returned to the system and requested again, and a run takes at least 1.5 times as long.
 """
 
 import hashlib
@@ -41,9 +41,9 @@ _FORMAT = "arrays"  # of a folder
 
 @contextmanager
 def engine(name: str = "threads", workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor]:
-    """Open an executor: threads or processes, by default one for each processor, or that of a Dask scheduler."""
+    """Open an executor with threads or processes (by default one for each processor), or of a Dask scheduler."""
     if workers is not None and workers < 1:
-        raise ValueError(f"--workers {workers}: must be 1 at least; leave it out for one for each processor")
+        raise ValueError(f"--workers {workers}: must be at least 1; leave it out for one worker for each processor")
     if scheduler is not None and workers is not None:
         raise ValueError("--scheduler: has its own workers: leave out --workers")
     client = None if scheduler is None else _client(scheduler)
@@ -51,13 +51,13 @@ def engine(name: str = "threads", workers: int | None = None, scheduler: str | N
     try:
         yield pool
     finally:
-        pool.shutdown(wait=isinstance(pool, ProcessPoolExecutor))  # others end by themselves
+        pool.shutdown(wait=isinstance(pool, ProcessPoolExecutor))  # other pools end by themselves
         if client is not None:
             client.close()
 
 
 def _client(scheduler: str) -> Any:
-    for name in ("tornado.application", "distributed.client"):  # which print tracebacks of cancelled futures
+    for name in ("tornado.application", "distributed.client"):  # they print tracebacks of cancelled futures
         logging.getLogger(name).disabled = True
     try:
         return optional("distributed", "--scheduler").Client(scheduler, timeout="10s")
@@ -66,17 +66,17 @@ def _client(scheduler: str) -> Any:
 
 
 def _pool(name: str, workers: int) -> Executor:
-    if name == "processes":  # which leave Ctrl-C to this one
+    if name == "processes":  # the workers leave Ctrl-C to this process
         return ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
     return ThreadPoolExecutor(workers)
 
 
 def as_executor(given: Any) -> Executor:
-    """Return an executor of `concurrent.futures`, or that of a Dask client."""
+    """Return an executor of `concurrent.futures`, or the executor of a Dask client."""
     if hasattr(given, "get_executor"):
         return given.get_executor(pure=False)  # keys by content would cost more than the blocks
     if not hasattr(given, "submit"):
-        raise ValueError(f"executor = {given!r}: must be one of concurrent.futures, or a Dask client")
+        raise ValueError(f"executor = {given!r}: must be an executor of concurrent.futures or a Dask client")
     return given
 
 
@@ -88,7 +88,7 @@ class Store:
     values : mapping of str to ndarray
         Results by name, of the design's shape.
     damaged : int
-        Number of finished blocks that a folder did not have as they were written.
+        Number of finished blocks whose files have changed since they were written.
     """
 
     def __init__(self, design: Design, described: Callable[[], Values], folder: Any = None) -> None:
@@ -106,7 +106,7 @@ class Store:
         }
 
     def has(self, index: int) -> bool:
-        """Return whether a block is stored as it was written."""
+        """Return whether a block is stored and its digest is correct; a wrong digest is counted in ``damaged``."""
         if not self._study or not self._digests[index].any():
             return False
         is_whole = self._digests[index].tobytes() == self._digest(index)
@@ -121,7 +121,7 @@ class Store:
             self._digests[index] = np.frombuffer(self._digest(index), np.uint8)
 
     def _digest(self, index: int) -> bytes:
-        """Return the digest of the inputs of a block, which are those of its study, and of its stored results."""
+        """Return the digest of the study, the index of a block and its stored results."""
         digest = hashlib.sha256(self._study + index.to_bytes(8))
         place = self.design.place(index)
         for values in self.values.values():
@@ -130,12 +130,12 @@ class Store:
 
 
 def _opened(path: Path, description: ValueDict) -> bytes:
-    """Open the folder of a study and return its digest; refuse the folder of another study."""
+    """Create or open the folder of a study and return its digest; ValueError if it holds another study."""
     held, text = stored(path), json.dumps(description, indent=2).encode()
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise ValueError(f"{path}: can be no folder for blocks: {error.strerror}") from error
+        raise ValueError(f"{path}: cannot be used as a folder for blocks: {error.strerror}") from error
     if held is None:
         write(path / "study.json", text)
     elif other := [k for k in description | held if description.get(k) != held.get(k)]:
@@ -144,9 +144,9 @@ def _opened(path: Path, description: ValueDict) -> bytes:
 
 
 def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -> NDArray[Any]:
-    """Return an array in a file of a folder, whose header and size are made as they must be, or in a temporary file.
+    """Return an array in a file of a folder, or in a temporary file, created with this type and shape if necessary.
 
-    Its space on the disk is allocated beforehand where the system can do so: a full disk would end the process later.
+    Disk space is allocated in advance if the system supports it; otherwise a full disk would end the process later.
     """
     path = (folder or Path(gettempdir())) / f"{name}.npy"
     size = math.prod(shape) * kind.itemsize
@@ -160,12 +160,12 @@ def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -
                 os.posix_fallocate(file.fileno(), 0, start + size)
             return np.asarray(np.memmap(file, kind, "r+", start, shape))
     except OSError as error:
-        remedy = f"free {size / 1e6:.3g} MB, and run it again; finished blocks are kept"
+        remedy = f"free {size / 1e6:.3g} MB and run the study again; finished blocks are kept"
         raise ValueError(f"{path}: cannot be written: {error.strerror}; {remedy}") from error
 
 
 def stored(folder: PathName) -> ValueDict | None:
-    """Return the description of the study whose blocks a folder holds."""
+    """Return the description of the study whose blocks are in a folder; None if it does not have a study."""
     if not isinstance(folder, str | os.PathLike):
         raise ValueError(f"folder = {folder!r}: must be a path")
     path = Path(folder) / "study.json"
@@ -176,7 +176,7 @@ def stored(folder: PathName) -> ValueDict | None:
     except ValueError as error:
         raise ValueError(f"{path}: is damaged: {error}; give an empty folder") from error
     if not isinstance(description, dict):
-        raise ValueError(f"{path}: is no study; give an empty folder")
+        raise ValueError(f"{path}: is not a study; give an empty folder")
     if description.get("format") != _FORMAT:
         raise ValueError(f"{folder}: holds blocks in the format of another version; give an empty folder")
     return description
@@ -185,7 +185,7 @@ def stored(folder: PathName) -> ValueDict | None:
 def compute(
     design: Design, executor: Executor, store: Store, progress: Callable[[int, int], None] = lambda *_: None
 ) -> None:
-    """Compute the blocks that are not stored, and store each as soon as it is finished; `Progress` counts scenes."""
+    """Compute and store the blocks that are not stored yet; ``progress(scenes, stored scenes)`` is called for each."""
     under_way: dict[Future[Result], int] = {}
 
     def save(futures: Iterable[Future[Result]]) -> None:
@@ -219,7 +219,7 @@ def compute(
 
 @contextmanager
 def _deferred_interrupt() -> Iterator[Event]:
-    """Yield an event that Ctrl-C sets; a KeyboardInterrupt at once could be raised, and lost, in a callback of Dask."""
+    """Yield an event that Ctrl-C sets, because a KeyboardInterrupt could be lost in a callback of Dask."""
     interrupted = Event()
     try:
         before = signal.signal(signal.SIGINT, lambda *_: interrupted.set())

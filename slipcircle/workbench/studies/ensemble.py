@@ -1,4 +1,4 @@
-"""Studies are conducted: samples of uncertain numbers, or a grid, cut into blocks, computed and added up."""
+"""Ensembles and grids: solve a scene for samples of uncertain parameters, or for a grid of values."""
 
 import json
 import math
@@ -31,7 +31,7 @@ _MOST_GRID = 2**26
 
 
 def _known(given: Any) -> Any:
-    """Return what a folder stores of a value that JSON cannot hold."""
+    """Return the JSON form of a value that JSON cannot represent, for the description of a study."""
     if isinstance(given, Mapping):
         return dict(given)
     if isinstance(given, np.ndarray | np.generic):
@@ -43,7 +43,7 @@ def _known(given: Any) -> Any:
 
 
 def _seed(rng: Any, folder: Any) -> int:
-    """Return a seed from anything that NumPy accepts, by default the seed of the study in the folder."""
+    """Return the seed for NumPy's generators given as ``rng``, by default the seed of the study in the folder."""
     if rng is None and folder is not None and (held := stored(folder)):
         return int(held["seed"])
     try:
@@ -77,33 +77,33 @@ def ensemble(
     thresholds: Any = None,
     strict: bool = False,
 ) -> Study:
-    """Solve a scene for samples of its uncertain numbers, under its own shaking or each record of a suite.
+    """Return the study of a scene solved for samples of its uncertain parameters, also under each record of a suite.
 
     Parameters
     ----------
     scene, n
-        A scene with ``uncertain`` numbers, independent except for ``correlation``, and the number of samples.
+        A scene with ``uncertain`` parameters, independent except for ``correlation``, and the number of samples.
     rng, executor : int, SeedSequence or Generator; concurrent.futures.Executor or dask.distributed.Client, optional
-        Seed, whose results are bitwise the same with any executor. Where blocks run; by default in threads.
+        Seed; results are bitwise the same with any executor. Executor of the blocks; by default threads.
     method, sensitivity : str and int, optional
         "monte-carlo"; or "sobol": 16 independently scrambled sequences, whose spread gives the intervals. Base points
         of the sensitivity indices, each with (inputs + 2) scenes; by default n, at most 16384.
     size : int, optional
         Samples of a block, a power of two, by default for at least eight blocks.
     confidence, accuracy : float, optional
-        Of all intervals; relative error of each solution, by default that of the scene, or 1e-9.
+        Confidence of all intervals; relative error of each solution, by default the scene's, or 1e-9.
     folder, progress : path and stream, optional
         Folder of finished blocks, from which a later call continues; stream for the progress.
     correlation, search_each : mapping and bool, optional
-        Of the normal scores of two uncertain numbers (a Gaussian copula), by a pair of their keys; whether the circle
-        is searched for every sample too, for factors of safety: motions stay on that of the means.
+        Correlation of the normal scores (a Gaussian copula) by pairs of keys; whether the critical circle is also
+        searched for every sample, for factors of safety only: motions use the circle of the means.
     records, polarities
-        Ground motions that shake every sample in place of the scene's: a `Suite`, paths as `read_suite` has them, or
-        `Series`, in a sequence or by name. Whether each record also shakes the scene reversed.
+        Ground motions that replace the scene's own shaking: a `Suite`, paths as for `read_suite`, or `Series` in a
+        sequence or mapping by name. Whether each record is also used with reversed sign.
     scales, scale_to_pga : float or array_like, optional
-        Factors on the records; or peak accelerations over gravity to which each is scaled.
+        Scale factors of the records; or peak accelerations over gravity to which each record is scaled.
     thresholds, strict : array_like and bool, optional
-        Displacements, m, of exceedance and fragility; whether a file without a record is an error, not a warning.
+        Displacements, m, for exceedance and fragility; whether a file without a record is an error, not a warning.
 
     Examples
     --------
@@ -118,7 +118,7 @@ def ensemble(
 
 
 def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records: Any, given: Values) -> Design:
-    """Return the design of an ensemble, after a check of its settings."""
+    """Return the design of an ensemble from its settings; ValueError names all invalid ones."""
     raise_all("ensemble", setting_mistakes(scene, given, records))
     drawn = uncertain_numbers(scene)
     n, method, correlation = int(given["n"]), given["method"], given["correlation"] or {}
@@ -131,20 +131,20 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     design = Design(means, tolerance, inputs, drawn, (), method, n, base, matrix, seed, size, each)
     if records is None:
         return design
-    special()  # which it ends with: missing, it is missed before hours of solving
+    special()  # needed at the end; if missing, fail before hours of solving
     unshaken, motions = ground_motions(means, inputs, records, given)
     return replace(design, scene=unshaken, records=motions)
 
 
 def _base_points(asked: int | None, inputs: int, n: int, correlation: Any) -> int:
-    """Return the number of base points, by default that of the samples if the inputs are independent."""
+    """Return the number of base points of the sensitivity indices, by default up to one for each sample."""
     if asked is not None:
         return asked
     return min(_BASE, n) if inputs > 1 and n > 1 and not correlation else 0
 
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> Floats:
-    """Return the correlation matrix of all inputs from pairs of their keys or names."""
+    """Return the correlation matrix of all inputs from correlations by pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
     mistakes = list[str]()
@@ -166,7 +166,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
 
 
 def _size(n: int, method: str) -> int:
-    """Return the number of samples of a block."""
+    """Return the number of samples in a block, a power of two."""
     sequences = REPLICATES if method == "sobol" else 1
     each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
@@ -184,7 +184,7 @@ def grid(
     folder: PathName | None = None,
     progress: IO[str] | None = None,
 ) -> Study:
-    """Solve a scene at every combination of given values; in ``samples`` the last key varies fastest.
+    """Return the study of a scene solved at every combination of given values; the last key varies fastest.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ def grid(
     levels : mapping
         Values by key, ``{"friction.angle_deg": [8, 10, 12]}``, in the key's unit.
     executor, accuracy, folder, progress
-        As of `ensemble`.
+        As for `ensemble`.
     """
     checked(scene, "grid")
     if not isinstance(levels, Mapping):
@@ -218,7 +218,7 @@ def grid(
 
 
 def varied_number(scene: Scene, path: str, values: Any) -> Number:
-    """Return the number of a scene that takes the values of a list."""
+    """Return the parameter of a scene for a key, after a check that it can take a list of values."""
     number = number_in(scene, path)
     if parameter_value(scene, number.name) is None:
         keys = by_name(scene)

@@ -1,7 +1,7 @@
 """Conversions of a study: estimates as JSON and as one table for CSV, results as arrays, tables and datasets.
 
-A value that cannot be given is null in JSON, empty in CSV and NaN in NPZ; a quantile among samples that slide to no
-known end is "beyond", "beyond" and infinite.
+An unknown value is null in JSON, empty in CSV and NaN in NPZ. A quantile among samples that slide without a known end
+is "beyond" in JSON and CSV and infinite in NPZ.
 """
 
 import math
@@ -23,7 +23,7 @@ HEAD = ("table", "output", "input", "at", "value", "low", "high")
 
 
 class Row(NamedTuple):
-    """One estimate: which statistic of which output, by which input, at which value."""
+    """One estimate: statistic, output, input (or method), value of the output or probability, and estimate."""
 
     table: str
     output: str
@@ -33,7 +33,7 @@ class Row(NamedTuple):
 
 
 def estimates(study: Any) -> Iterator[Row]:
-    """Yield every estimate of a study."""
+    """Yield all estimates of a study, one row each."""
     yield Row("probability of moving", "moves", "", math.nan, study.moving)
     for method, failure in study.failure.items():
         yield Row("probability of failure", "factor_of_safety", method, math.nan, failure)
@@ -53,7 +53,7 @@ def estimates(study: Any) -> Iterator[Row]:
 
 
 def _of_output(study: Any, name: str) -> Iterator[Row]:
-    """Yield mean, standard deviation, quantiles and the exceedance curve of an output."""
+    """Yield the mean, standard deviation, quantiles and exceedance curve of an output."""
     yield Row("mean", name, "", math.nan, study.mean(name))
     yield Row("std", name, "", math.nan, study.std(name))
     if name in study.linear:
@@ -67,7 +67,7 @@ def _of_output(study: Any, name: str) -> Iterator[Row]:
 
 
 def _curve(study: Any, name: str) -> Iterator[tuple[float, Estimate]]:
-    """Yield values of an output and the probabilities that they are exceeded."""
+    """Yield values of an output, each with the probability of exceeding it."""
     curve = np.stack(study.exceedance(name), axis=1)
     for at, *probability in curve.tolist():
         yield at, Estimate(*probability)
@@ -79,7 +79,7 @@ def rows(study: Any) -> list[list[Any]]:
 
 
 def record(study: Any) -> ValueDict:
-    """Return a study for JSON, in SI units but for inputs."""
+    """Return a study as a mapping for JSON, in SI units except for inputs."""
     design = study.design
     common = {
         "scene": study.scene.name,
@@ -94,7 +94,7 @@ def record(study: Any) -> ValueDict:
 
 
 def _of_samples(study: Any) -> ValueDict:
-    """Return counts, estimates and curves of independent samples for JSON."""
+    """Return the counts, estimates and curves of independent samples for JSON."""
     design = study.design
     keys = [number.key for number in design.inputs.values()]
     return {
@@ -135,7 +135,7 @@ def _output(study: Any, name: str) -> ValueDict:
 
 
 def _under_records(study: Any) -> ValueDict:
-    """Return records, axes, results (record, polarity, scale, sample) and their statistics for JSON, in SI units."""
+    """Return records, axes, results (record, polarity, scale, sample) and statistics for JSON, in SI units."""
     records, displacement = study.records, study.displacement
     described = {
         **study.suite.to_dict(),
@@ -158,7 +158,7 @@ def _under_records(study: Any) -> ValueDict:
 
 
 def axes(study: Any) -> dict[str, NDArray[Any]]:
-    """Return the axes of the results by name: keys of a grid, or samples, under records after those of the records."""
+    """Return the axes of the results by name: keys of a grid, or samples, preceded by the axes of records if any."""
     design = study.design
     if design.method == "grid":
         return {number.key: levels for number, levels in zip(design.inputs.values(), design.levels, strict=True)}
@@ -170,7 +170,7 @@ def axes(study: Any) -> dict[str, NDArray[Any]]:
 
 
 def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
-    """Return arrays along some of the axes, with these: factors on records, inputs of samples."""
+    """Return arrays that vary along some axes only, with these axes: scale factors of records, inputs of samples."""
     along: dict[str, tuple[Names, NDArray[Any]]] = {}
     if study.design.records is not None:
         along = {name: (("record", "scale"), x) for name, x in (("factor", study.factors), ("pga_g", study.pga))}
@@ -180,7 +180,7 @@ def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
 
 
 def arrays(study: Any) -> dict[str, NDArray[Any]]:
-    """Return axes, inputs (``sample_`` and the key) and results as arrays by name."""
+    """Return axes, inputs (as ``sample_`` followed by the key) and results as arrays by name."""
     levels = axes(study)
     shape = [len(values) for values in levels.values()]
     named = {f"sample_{n}" if dims == ("sample",) else n: values for n, (dims, values) in _along(study).items()}
@@ -188,7 +188,7 @@ def arrays(study: Any) -> dict[str, NDArray[Any]]:
 
 
 def columns(study: Any) -> dict[str, NDArray[Any]]:
-    """Return every scene as one row of columns by name; without records, outcomes are magnitudes."""
+    """Return all scenes as columns by name, one element for each scene; without records, outcomes are magnitudes."""
     levels = axes(study)
     shape = [len(values) for values in levels.values()]
     places = dict(zip(levels, np.indices(shape).reshape(len(shape), -1), strict=True))
@@ -201,7 +201,7 @@ def columns(study: Any) -> dict[str, NDArray[Any]]:
 
 
 def frame(study: Any) -> Any:
-    """Return the `columns` as a pandas.DataFrame with units in ``attrs``."""
+    """Return the `columns` as a pandas.DataFrame, with units in ``attrs``."""
     found = optional("pandas", "to_pandas").DataFrame(columns(study))
     if study.design.method != "grid":
         found = found.set_index([*axes(study)])
@@ -210,7 +210,7 @@ def frame(study: Any) -> Any:
 
 
 def dataset(study: Any) -> Any:
-    """Return the results as an xarray.Dataset with units; the numbers of ``status`` are those of `Status`."""
+    """Return the results as an xarray.Dataset with units; ``status`` has the integers of `Status`."""
     levels = axes(study)
     shape = [len(values) for values in levels.values()]
     results = {
@@ -221,12 +221,12 @@ def dataset(study: Any) -> Any:
 
 
 def _record(estimate: Estimate, value: str = "value") -> ValueDict:
-    """Return an estimate for JSON."""
+    """Return an estimate as a mapping for JSON; its value has the given key."""
     return dict(zip((value, "low", "high"), map(_cell, estimate), strict=True))
 
 
 def _cell(value: float) -> float | str | None:
-    """Return a number for a file: None for NaN, a word for infinity."""
+    """Return a number for a file: None for NaN, `BEYOND` for infinity."""
     if math.isnan(value):
         return None
     return value if math.isfinite(value) else BEYOND

@@ -1,4 +1,4 @@
-"""Back-analysis of several numbers: least squares, from the best of many starts."""
+"""Least-squares fit of several parameters, from the best of many starting points."""
 
 from typing import Any, NamedTuple
 
@@ -12,12 +12,12 @@ from slipcircle.workbench.studies.problem import SearchProblem
 _STARTS = 12  # of fits
 _APART = 0.1  # shares of the ranges between starts
 _EVALUATIONS = 60  # of a fit
-_FLAT = 1e-3  # cosine of residuals and what changes with a field, below which no step makes them smaller
-_MET = 1e-7  # norm of residuals that are met exactly
+_FLAT = 1e-3  # cosine between residuals and their derivatives, below which the fit has converged
+_MET = 1e-7  # norm of the residuals below which the fit is exact
 
 
 class Fit(NamedTuple):
-    """Where the observations are best met: shares of the ranges, sum of squares, whether no step makes it smaller."""
+    """A minimum: shares of the ranges, sum of squared residuals, and whether the fit has converged there."""
 
     shares: Floats
     chi_square: float
@@ -25,7 +25,7 @@ class Fit(NamedTuple):
 
 
 def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
-    """All different minima that are reached from the best of these shares, (fields, count), the best first."""
+    """Return all distinct minima reached from the best of the points ``shares``, (fields, count), the best first."""
     results = [_minimum(problem, start) for start in track(_starts(problem, shares), "starts followed to the best fit")]
     same_below = 1.0 if problem.is_weighted else 1e-3  # change of the residuals, in standard errors or shares
     different: list[Fit] = []
@@ -44,7 +44,7 @@ def fits(problem: SearchProblem, shares: Floats) -> list[Fit]:
 
 
 def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
-    """The best points of those, apart from each other."""
+    """Return the points with the smallest residuals that lie apart from each other."""
     r = problem.residuals(shares)
     chosen: list[Floats] = []
     for k in np.argsort(np.sum(r**2, axis=0)):  # NaN comes last
@@ -57,10 +57,10 @@ def _starts(problem: SearchProblem, shares: Floats) -> list[Floats]:
 
 
 def _minimum(problem: SearchProblem, start: Floats) -> Any:
-    """SciPy's result of a fit within the ranges; where nothing moves it takes a shorter step."""
+    """Return SciPy's result of a fit within the ranges; steps to points without motion are shortened."""
     optimize = optional("scipy.optimize", "back-analysis")
 
-    latest: list[Floats] = []  # the Jacobian, which comes with the residuals and is asked for after them
+    latest: list[Floats] = []  # the Jacobian, computed with the residuals and requested after them
 
     def residuals(shares: Floats) -> Floats:
         r, jacobian = problem.linearised(shares)
@@ -82,7 +82,7 @@ def _minimum(problem: SearchProblem, start: Floats) -> Any:
 
 
 def _is_settled(result: Any) -> bool:
-    """Whether no residuals are left, or they are normal to what changes with each field that is not at an end."""
+    """Return whether residuals vanish or are normal to the derivatives by all fields inside their ranges."""
     left = np.linalg.norm(result.fun)
     lengths = np.linalg.norm(result.jac, axis=0) * left
     is_flat = np.abs(result.grad) <= _FLAT * lengths

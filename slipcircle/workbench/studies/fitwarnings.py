@@ -5,35 +5,35 @@ from typing import Any
 from slipcircle.base.optional import optional
 from slipcircle.workbench.studies.problem import SearchProblem
 
-_UNLIKELY = 1e-3  # probability of so large a misfit, below which there is a warning
+_UNLIKELY = 1e-3  # probability of so large a misfit, below which a warning is given
 _AT_END = 1e-6  # of a range
 
 
 def range_warnings(problem: SearchProblem, solution: Any) -> list[str]:
-    """Which values lie at the ends of the ranges that were searched."""
+    """Return a warning for each value at an end of its searched range."""
     rows = zip(solution.values.items(), problem.ranges, strict=True)
     return [
-        f"{name} = {value:.6g} lies at the end of the searched range, {low:.6g} to {high:.6g}: a better or "
-        "another one may lie beyond, and its standard error means little"
+        f"{name} = {value:.6g} lies at the end of the searched range, {low:.6g} to {high:.6g}: a better value "
+        "or another solution may lie beyond, and its standard error is not reliable"
         for (name, value), (low, *_, high) in rows
         if min(value - low, high - value) <= _AT_END * (high - low)
     ]
 
 
 def fit_warnings(problem: SearchProblem, first: Any) -> list[str]:
-    """What to know of a fit: values that the observations hardly determine, and misfits too large for their errors."""
+    """Return warnings about a fit: values at range ends or hardly determined, and a misfit beyond the errors."""
     warnings = range_warnings(problem, first)
     for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)
         if error > high - low:
-            warnings.append(f"{name} is not determined: {value:.6g} is one of many values that fit equally well")
+            warnings.append(f"{name} is not determined: many values fit as well as {value:.6g}")
         elif error > abs(value):
             warnings.append(f"{name} = {value:.6g} is poorly determined: its standard error is larger")
     return warnings + _misfit_warnings(problem, first.chi_square)
 
 
 def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
-    """A sentence where the standard errors, if they are known, do not explain so large a misfit."""
+    """Return a warning if known standard errors do not explain the misfit."""
     free = problem.degrees_of_freedom
     chance = (
         float(optional("scipy.special", "back-analysis").chdtrc(free, chi_square)) if free else float(chi_square < 1.0)

@@ -1,6 +1,6 @@
 """Lognormal fragility curves: the probability that the displacement exceeds a threshold, by the peak acceleration.
 
-With records as clusters: polarities, scales and samples of one record are not independent draws.
+Records are clusters: polarities, scales and samples of one record are not independent draws.
 """
 
 import math
@@ -22,28 +22,28 @@ _UNKNOWN = np.full((2, 2), np.nan)
 
 
 def interval_note(records: int) -> str:
-    """Return whether fragility curves from so many records have intervals, in words."""
+    """Return a note on whether fragility curves from this number of records have intervals."""
     if records >= _FEWEST_OF_INTERVAL:
         return "95 % intervals of records as independent draws"
     return f"no intervals: {records} records, fewer than {_FEWEST_OF_INTERVAL}"
 
 
 class FragilityCurve(NamedTuple):
-    """The probability Phi(ln(PGA/median)/dispersion) that the displacement exceeds a threshold.
+    """Lognormal fragility curve: the probability Phi(ln(PGA/median)/dispersion) of exceeding a displacement.
 
     Attributes
     ----------
     threshold : float
-        Of the displacement, m.
+        Threshold of the displacement, m.
     reason : str
-        Why there is no curve; empty where there is one.
+        Reason for a missing curve; otherwise empty.
     median, dispersion : Estimate
         Peak acceleration over gravity at which the probability is one half, and standard deviation of the logarithm of
         the peak acceleration at which a motion exceeds the threshold; NaN where the motions do not identify them.
     coefficients, covariance : ndarray
         a and b of Phi(a + b ln PGA), and their covariance.
     quantile : float
-        Of Student's distribution: half the width of an interval in standard errors.
+        Quantile of Student's distribution: half the width of an interval in standard errors.
     """
 
     threshold: float
@@ -55,7 +55,7 @@ class FragilityCurve(NamedTuple):
     quantile: float = math.nan
 
     def probability(self, pga: ArrayLike) -> Floats:
-        """Return the probability of exceedance at peak accelerations over gravity, and its interval, (3, ...)."""
+        """Return probabilities of exceedance and their intervals at peak accelerations over gravity, (3, ...)."""
         log_pga = np.log(np.asarray(pga, dtype=np.float64))
         intercept, slope = self.coefficients
         (of_intercept, joint), (_, of_slope) = self.covariance
@@ -66,38 +66,39 @@ class FragilityCurve(NamedTuple):
         return np.asarray(special().ndtr(bounds))
 
     def to_dict(self) -> ValueDict:
-        """Return the curve for JSON."""
+        """Return the curve as a mapping for JSON."""
         fitted = {"median_pga_g": self.median._asdict(), "dispersion": self.dispersion._asdict()}
         return {"threshold_m": self.threshold} | fitted | {"reason": self.reason}
 
 
 def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCurve:
-    """Fit the lognormal fragility curve of greatest likelihood.
+    """Return the lognormal fragility curve of greatest likelihood for a threshold of the displacement.
 
-    The likelihood is that of Baker (2015), of motions by record and scale, whether all records have the same peak
-    acceleration at a scale (stripes) or each its own (a cloud). In a and b of Phi(a + b ln PGA), with b = 1/dispersion
-    and a = -b ln median, its logarithm is concave.
+    The likelihood of Baker (2015) is used for motions by record and scale. At one scale the records may have the same
+    peak acceleration (stripes) or different ones (a cloud). In terms of a and b of Phi(a + b ln PGA), with
+    b = 1/dispersion and a = -b ln median, its logarithm is concave.
 
-    Both polarities of a record, and their samples, count as one share of exceedance, and all scales of a record as one
-    draw: pooling them does not bias the curve, but intervals that took them for independent would be too short. The
-    intervals are those of a jackknife over records, with Student's distribution of as many degrees of freedom as there
-    are records less the two fitted numbers; fewer than 12 records have none. `python -m tests.campaigns.coverage`
-    measures how often they contain the true values. Samples of the soil are the same for every record: their error is
-    not in the intervals, and falls with their number.
+    Both polarities of a record and all samples are pooled into one share of exceedance, and all scales of a record are
+    one draw. Pooling does not bias the curve, but intervals for independent motions would be too short. The intervals
+    are therefore from a jackknife over records, with Student's distribution and two degrees of freedom fewer than
+    records. For fewer than 12 records intervals are not given. `python -m tests.campaigns.coverage` measures how often
+    they contain the true values. Samples of the soil are the same for every record; their error is not in the
+    intervals, and decreases with their number.
 
     Parameters
     ----------
     share : ndarray
-        Of the motions of a record at a scale, those that exceed the threshold, (record, scale); NaN if there are none.
+        Share of the motions of a record at a scale that exceed the threshold, (record, scale); NaN without motions.
     pga : ndarray
-        Peak accelerations over gravity, of the same shape; what has none exceeds nothing, and is not counted.
+        Peak accelerations over gravity, of the same shape; records with a zero peak are left out.
     threshold : float
+        Displacement, m.
 
     Returns
     -------
     FragilityCurve
-        Without numbers, and with the reason, where the likelihood has no maximum, or would have none without one of
-        the records.
+        Fitted curve. If the likelihood does not have a maximum, or would not without one of the records, its values
+        are NaN and ``reason`` is set.
 
     References
     ----------
@@ -125,7 +126,7 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
 
 
 def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile: float) -> FragilityCurve:
-    """Return the curve of a and b, with intervals from derivatives of ln median = -a/b and ln dispersion = -ln b."""
+    """Return the curve with coefficients a and b, with intervals for ln median = -a/b and ln dispersion = -ln b."""
     intercept, slope = coefficients.tolist()
     log_median = -intercept / slope
     log_dispersion = -math.log(slope)
@@ -137,9 +138,9 @@ def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile:
 
 
 def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -> str:
-    """Return the reason for no curve; empty if there is one, and one without each of the records.
+    """Return the reason why the motions do not identify a curve, also without each of the records; else empty.
 
-    Where one record makes the difference, the dispersion would be small and its interval too narrow.
+    If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
     """
     if reason := _without_maximum(share, log_pga):
         return reason
@@ -154,9 +155,10 @@ def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -
 
 
 def _without_maximum(share: Floats, log_pga: Floats) -> str:
-    """Return the reason why the likelihood has no maximum at a finite median and dispersion, or nothing.
+    """Return the reason why the likelihood lacks a maximum at finite median and dispersion; else empty.
 
-    It has none where a peak acceleration separates what exceeds from what does not (Albert and Anderson 1984).
+    This happens if a peak acceleration separates motions that exceed the threshold from the other motions (Albert and
+    Anderson 1984).
     """
     exceeds, stays = share > 0.0, share < 1.0
     if not np.any(exceeds):
@@ -181,7 +183,7 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
 
 
 def _most_likely(terms: Floats, share: Floats) -> Floats:
-    """Return the coefficients of greatest likelihood."""
+    """Return the coefficients of greatest likelihood, (2,), for terms (motions, 2) and shares of exceedance."""
     from scipy.optimize import minimize
 
     def negative(coefficients: Floats) -> tuple[float, Floats]:
@@ -194,14 +196,14 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
 
 
 def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Floats:
-    """Return the covariance of the coefficients from fits without each record."""
+    """Return the covariance of the coefficients from fits that leave out one record each."""
     without = np.array([_most_likely(terms[record != one], share[record != one]) for one in np.unique(record)])
     count = len(without)
     return (count - 1) ** 2 / count * np.cov(without.T)
 
 
 def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return log-likelihoods of shares at arguments of Phi, their derivatives and negative expected second ones."""
+    """Return log-likelihoods of shares at arguments of Phi, first derivatives and negative expected second ones."""
     log_above = special().log_ndtr(argument)
     log_below = special().log_ndtr(-argument)
     log_density = -(argument**2 + math.log(2.0 * math.pi)) / 2.0
@@ -214,7 +216,7 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:
-    """Return a positive number and its interval from the standard error of its logarithm."""
+    """Return a positive value and its interval from the standard error of its logarithm."""
     variance = np.maximum(derivative @ covariance @ derivative, 0.0)  # not below it by rounding
     half = quantile * math.sqrt(variance)
     value = math.exp(log_value)

@@ -1,6 +1,6 @@
-"""Records that shake every sample of a study: at which scales and in which polarities.
+"""Ground motions of a study: records with their scales and polarities.
 
-Samples of records are read where they are solved, so that the memory of a study does not grow with them.
+The samples of records are read where they are solved, so that the memory of a study does not grow with them.
 """
 
 from collections.abc import Iterator, Mapping
@@ -17,19 +17,19 @@ from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.records.suite import Entry, Suite
 from slipcircle.workbench.studies.statistics import THRESHOLDS
 
-_LANES = 256  # motions of a block, where a record alone has less
+_LANES = 256  # motions in a block, for which several records are combined
 
 
 @dataclass(frozen=True)
 class GroundMotions:
-    """Records in polarities and at scales, as plain data."""
+    """Records with their polarities and scales, as plain data."""
 
     suite: Suite
     polarities: tuple[float, ...]  # 1 as recorded, -1 reversed
     scales: Floats  # factors, or peak accelerations over gravity
     to_pga: bool  # whether scales are peak accelerations
-    shaking: Values  # settings of the scene's shaking beside the record
-    replaces: Names  # the scene's functions of time, in place of which the records come
+    shaking: Values  # other settings of the scene's shaking
+    replaces: Names  # the scene's own functions of time that the records replace
     thresholds: Floats  # of the displacement, m, of exceedance and fragility
 
     @property
@@ -38,20 +38,20 @@ class GroundMotions:
         return len(self.polarities), self.scales.size
 
     def together(self, samples: int) -> int:
-        """Return how many records are solved at once with so many samples."""
+        """Return the number of records that are solved in one call with this number of samples."""
         motions = len(self.polarities) * self.scales.size * samples
         return max(1, _LANES // motions)
 
     def part(self, first: int, end: int) -> "GroundMotions":
-        """Return some of the records."""
+        """Return the ground motions with the records from ``first`` to ``end`` only."""
         return replace(self, suite=Suite(self.suite.entries[first:end]))
 
     def factors(self, entry: Entry) -> Floats:
-        """Return the factors on a record, by scale."""
+        """Return the factors by which a record is multiplied, one for each scale."""
         return self.scales / entry.peak if self.to_pga else self.scales
 
     def shaken(self, scene: Scene, record: Series | LaneSeries | Pulse) -> Scene:
-        """Return the scene that a record shakes, or one record of each lane."""
+        """Return the scene shaken by a record, or by one record for each lane."""
         return replace(scene, effects=scene.checked_effects | {"shaking": {**self.shaking, "horizontal": record}})
 
     def lanes(self, scene: Scene, si: Mapping[str, Floats], samples: int) -> tuple[Scene, ArrayDict, Shape]:
@@ -68,12 +68,12 @@ class GroundMotions:
 def ground_motions(
     scene: Scene, inputs: Mapping[str, Number], records: Any, settings: Values
 ) -> tuple[Scene, GroundMotions]:
-    """Return the scene without its shaking, and the records that shake it, by valid settings of an ensemble.
+    """Return the scene without its shaking, and the ground motions that replace it, from an ensemble's settings.
 
     Raises
     ------
     ValueError
-        Lists mistakes in the records, and records that do not suit the scene and the scales.
+        If records are invalid or do not fit the scene and the scales; the message lists them.
     """
     gravity = float(np.ravel(scene.arc.gravity)[0])
     suite = Suite.of(records, strict=settings["strict"], gravity=gravity)
@@ -92,7 +92,7 @@ def ground_motions(
 
 
 def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
-    """Yield a message for each number that cannot be uncertain under records."""
+    """Yield a message for each parameter that cannot be uncertain under records."""
     for name, number in inputs.items():
         if name.startswith("shaking."):
             yield f"{number.key}: belongs to the scene's shaking, which the records replace; leave it out"

@@ -1,4 +1,4 @@
-"""The effect ladder: a scene solved with its effects added one by one, so that each shows what it changes and costs."""
+"""Effect ladder: a scene solved with its effects added one at a time, to show the change and cost of each."""
 
 import math
 from dataclasses import dataclass, replace
@@ -12,24 +12,24 @@ from slipcircle.workbench.cost.rows import medians
 
 @dataclass(frozen=True)
 class Rung:
-    """One step of the ladder."""
+    """One step of the ladder, a solved scene."""
 
     added: str  # the effect added in this step, "" for none
-    effects: Names  # all of this step
-    method: str  # how it was solved
-    seconds: float  # that a solution took here, the median
+    effects: Names  # all effects in this step
+    method: str  # method of solution
+    seconds: float  # median time of a solution on this machine
     peak_velocity: float  # m/s
     run_out: float  # m
     duration: float  # s
     arrested: bool  # whether it rests at the end
-    difference: float  # to the fullest scene: the largest of peak velocity, run-out and duration, relative
+    difference: float  # greatest relative difference from the complete scene in peak velocity, run-out and duration
 
 
 def ladder(scene: Scene) -> list[Rung]:
-    """Solve a scene with its effects added in the order of what they change, most first.
+    """Solve a scene with its effects added one at a time, in order of decreasing influence.
 
-    Seen from the fullest scene, each step down leaves out the effect without which the motion stays closest to the
-    fullest's. A step that would never rest is followed as long as the fullest scene takes.
+    The order is found from the complete scene downwards: each step leaves out the effect whose absence changes the
+    motion least. A motion that would never rest is followed for the duration of the complete scene.
     """
     full = solve(scene)
     chosen, order, motions = full.plan.effects, list[str](), [full]
@@ -57,10 +57,10 @@ def ladder(scene: Scene) -> list[Rung]:
 
 
 def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
-    """The motion with some of the effects; where it never rests, or turns over, as long as the fullest takes."""
+    """Return the motion with some of the effects; for the duration of the ``full`` motion if it does not end."""
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" in {*full.plan.effects} - {*effects}:
-        arc = replace(arc, level=None)  # the water level is what calls for it
+        arc = replace(arc, level=None)  # the water level would add the effect
     given = {e: scene.called[e] for e in effects if e in scene.effects}
     part = replace(scene, arc=arc, effects=given, uncertain={})
     try:
@@ -70,7 +70,7 @@ def _solved(scene: Scene, effects: Names, full: Motion) -> Motion:
 
 
 def _distance(motion: Motion, full: Motion) -> float:
-    """The greatest relative difference of peak velocity, run-out and duration from those of the whole scene."""
+    """Return the greatest relative difference from ``full`` in peak velocity, run-out and duration."""
     of_motion, of_full = ((float(m.peak.velocity), m.run_out, m.duration) for m in (motion, full))
     distances = []
     for value, whole in zip(of_motion, of_full, strict=True):

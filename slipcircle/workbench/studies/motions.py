@@ -1,4 +1,4 @@
-"""Many motions at once: a scene with arrays of other values."""
+"""Solutions of many motions in one vectorised call: a scene with arrays of values."""
 
 from typing import Any
 
@@ -12,14 +12,14 @@ from slipcircle.workbench.common.quantities import factors
 
 
 def motions(scene: Scene, values: Values, accuracy: float | None = None) -> Motion:
-    """Solve a scene with arrays of values by name, in SI units; the status of invalid scenes is `Status.INVALID`."""
-    with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
+    """Solve a scene with arrays of values by name, in SI units; invalid scenes have the status `Status.INVALID`."""
+    with np.errstate(all="ignore"):  # invalid scenes are reported by their status
         lanes, invalid = _lanes(scene, values)
         return solve(lanes, accuracy, invalid=invalid)
 
 
 def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict:
-    """Return factors of safety of the same scenes by method; nothing is integrated."""
+    """Return factors of safety by method for arrays of values by name, in SI units, without integration."""
     with np.errstate(all="ignore"):
         lanes, invalid = _lanes(scene, values)
         statics = Forces(problem_of(plan(lanes, accuracy), invalid)).statics
@@ -27,6 +27,6 @@ def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict
 
 
 def _lanes(scene: Scene, values: Values) -> tuple[Scene, Any]:
-    """Return the scene with the values, and its invalid lanes."""
+    """Return the scene with arrays of values, and a mask of its invalid lanes."""
     arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
     return with_parameter_arrays(scene, arrays)

@@ -1,4 +1,4 @@
-"""What a back-analysis is asked: which numbers of a scene, over which ranges, and what was observed."""
+"""Definition of a back-analysis: the fields to fit, their ranges, and the observations."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -18,23 +18,23 @@ from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observe
 from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
-Kinds = NDArray[Any]  # of what kind each motion is
+Kinds = NDArray[Any]  # kind of each motion: its status and number of turnings
 
 
 Observations = Mapping[str, tuple[float, float | None]]
-MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
-_PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
-_AT_ONCE = 1e-9  # the same, of motions that only start
+MOST_SWINGS = 12  # of a motion in a search: with more, run-out hardly depends on friction and has many solutions
+_PATIENCE = 100.0  # times sqrt(R/g), until which a motion is followed; a slower creep is left out
+_AT_ONCE = 1e-9  # times sqrt(R/g), if only the start is needed
 _POSITIVE = ("duration", "factor_of_safety")
 _FINE = 1e-13  # accuracy of motions in a search
-_STEP = 1e-6  # of differences, of a range
-_BLOCK = 256  # motions that are solved at once, and counted
+_STEP = 1e-6  # of difference quotients, as a share of a range
+_BLOCK = 256  # motions solved in one call, then reported as progress
 
 
 class SearchProblem:
-    """Fields of a scene over their ranges, and what was observed.
+    """Fields of a scene with their ranges, and the observations.
 
-    Points are shares from 0 to 1 of the ranges, whose values lie closer where motions change faster.
+    Points are given as shares, from 0 to 1, of the ranges. Values of a range are denser where motions change faster.
     """
 
     def __init__(
@@ -51,8 +51,10 @@ class SearchProblem:
         self.ranges = ranges
         self.observed = observed
         pairs = observed.values()
-        self.is_weighted = all(sigma is not None for _, sigma in pairs)  # all standard errors, or none
-        exit = float(np.ravel(scene.arc.exit)[0])  # relative to which a toe moves
+        self.is_weighted = all(
+            sigma is not None for _, sigma in pairs
+        )  # standard errors for all observations, or for none
+        exit = float(np.ravel(scene.arc.exit)[0])  # x of the toe before the motion
         self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
         values = np.array([value for value, _ in pairs])
         self.targets = values - self.origins
@@ -61,13 +63,13 @@ class SearchProblem:
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Observations less fields."""
+        """Number of observations minus number of fields."""
         return len(self.observed) - len(self.fields)
 
     def outcomes(self, values: Floats) -> tuple[Floats, Kinds]:
-        """What would be observed at values (fields, count) in the fields' units, and of what kind the motions are.
+        """Return the observed outcomes for values (fields, count) in the fields' units, and the kinds of motion.
 
-        NaN where they do not count: those do that move, and rest or end before long.
+        Outcomes are (observations, count), kinds (count,); NaN and -1 for motions that do not start or end in time.
         """
         parts = []
         count = values.shape[1]
@@ -79,21 +81,19 @@ class SearchProblem:
         return np.concatenate(outcomes, axis=1), np.concatenate(kinds)
 
     def _outcomes(self, values: Floats) -> tuple[Floats, Kinds]:
-        """`outcomes` of values that are solved at once."""
+        """Return `outcomes` for values that are solved in one call."""
         scene = self.scene
         is_open = scene.end_time is None
         if is_open:
             patience = _AT_ONCE if {*self.observed} == {"factor_of_safety"} else _PATIENCE
             end_time = patience * float(scene.arc.time_scale)
             scene = replace(scene, end_time=end_time, uncertain={})
-        si = {}
-        for field, of_field in zip(self.fields, values, strict=True):
-            si[field.name] = field.to_si(of_field)
+        si = {field.name: field.to_si(value) for field, value in zip(self.fields, values, strict=True)}
         motion = motions(scene, si, _FINE)
         outcomes = self.seen(motion)
         counts = np.isin(motion.status, ANSWERED) & (motion.moves | may_stand(self.observed, self.limit))
         is_moving = is_open & (motion.status == Status.MOVING)
-        if self.limit is not None:  # the greatest displacement is that of the first swing
+        if self.limit is not None:  # the greatest displacement is reached in the first swing
             outcomes = np.where(is_moving & ("duration" in self.observed), np.inf, outcomes)
         elif not may_stand(self.observed, None):
             counts &= (motion.turnings <= MOST_SWINGS) & ~is_moving
@@ -102,28 +102,25 @@ class SearchProblem:
         return outcomes, np.where(counts, kind, -1)
 
     def seen(self, motion: Any) -> Floats:
-        """What would be observed of a motion, (observations, ...)."""
+        """Return the observed outcomes of a motion, (observations, ...), relative to their origins."""
         found = np.stack([observable(motion, name) for name in self.observed])
         lanes = found.ndim - 1
         origins = self.origins.reshape(-1, *[1] * lanes)
         return found - origins
 
     def values_at(self, shares: Floats) -> Floats:
-        """Values of the fields, (fields, count)."""
-        rows = []
-        for share, values in zip(shares, self.ranges, strict=True):
-            evenly = np.linspace(0.0, 1.0, len(values))
-            rows.append(np.interp(share, evenly, values))
-        return np.stack(rows)
+        """Return the values of the fields in their units, (fields, count), at shares of the ranges."""
+        by_field = zip(shares, self.ranges, strict=True)
+        return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(row)), row) for share, row in by_field])
 
     def residuals(self, shares: Floats) -> Floats:
-        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
+        """Return computed minus observed outcomes over their scales, (observations, count), at ``shares``."""
         outcomes, _ = self.outcomes(self.values_at(shares))
         misfit = outcomes - self.targets[:, None]
         return misfit / self.scales[:, None]
 
     def linearised(self, shares: Floats) -> ArrayPair:
-        """Residuals, and their derivatives by the shares, (observations, fields): to the side that is known."""
+        """Return residuals and their derivatives with respect to the shares, (observations, fields), at one point."""
         here = shares[:, None]
         steps = _STEP * np.eye(len(shares))
         moved_up = np.minimum(here + steps, 1.0)
@@ -145,10 +142,10 @@ class SearchProblem:
 
 
 def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
-    """Values and standard errors of what is observed, and what of it are intervals."""
+    """Return observed values with standard errors (None if not given) by outcome, and those that are intervals."""
     found = dict[str, tuple[float, float | None]]()
     unknown = [name for name in given if name not in OBSERVABLE]
-    mistakes = [f"observed.{name}: is no outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
+    mistakes = [f"observed.{name}: is not an outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
     asked = {name: value for name, value in given.items() if name in OBSERVABLE}
     for name, value in asked.items():
         seen, sigma = _observation(value)
@@ -160,7 +157,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
             also = f"it and its positive standard error, or an Interval in {OBSERVABLE[name].unit}, the lower end first"
             mistakes.append(f"{name} = {shown(value)}: must be {allowed}, {also}")
     if not found and not mistakes:
-        mistakes.append(f"nothing observed: give one of {', '.join(OBSERVABLE)}")
+        mistakes.append(f"no observation: give one of {', '.join(OBSERVABLE)}")
     has_errors = {sigma is not None for _, sigma in found.values()}
     if len(has_errors) > 1:
         mistakes.append("standard errors: give them for all observations, or for none")
@@ -169,7 +166,7 @@ def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, 
 
 
 def _is_possible(name: str, seen: float) -> bool:
-    """Return whether an outcome may have a value; only the place of a toe may be at 0."""
+    """Return whether an outcome may have a value; only the position of the toe may be 0."""
     if not math.isfinite(seen):
         return False
     if name in _POSITIVE:
@@ -178,7 +175,7 @@ def _is_possible(name: str, seen: float) -> bool:
 
 
 def _observation(given: Any) -> tuple[float, float | None]:
-    """A value and its standard error; NaN for what is neither a number nor a pair of them."""
+    """Return an observed value and its standard error; NaN for anything but a number, a pair or an interval."""
     if isinstance(given, Interval) and given.limit is not None:
         return real_number(given.limit), None
     if isinstance(given, Interval):
@@ -191,7 +188,7 @@ def _observation(given: Any) -> tuple[float, float | None]:
 
 
 def may_stand(observed: Observations, limit: Interval | None) -> bool:
-    """Return whether a mass that does not move counts: for a limit, and for a factor of safety alone."""
+    """Return whether a mass at rest is a valid candidate: for a limit, or a factor of safety alone."""
     is_limit = limit is not None
     return is_limit or {*observed} == {"factor_of_safety"}
 
@@ -199,7 +196,7 @@ def may_stand(observed: Observations, limit: Interval | None) -> bool:
 def search_problem(
     scene: Scene, field: Any, bounds: Any, observed: Observations, limits: Mapping[str, Interval]
 ) -> SearchProblem:
-    """Return the fields over their ranges, in their units."""
+    """Return the back-analysis problem for the given fields and bounds; ValueError for invalid arguments."""
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     if isinstance(field, str | None):
@@ -207,7 +204,7 @@ def search_problem(
     if not isinstance(field, Sequence) or not field or not isinstance(bounds, tuple | Mapping | None):
         raise ValueError(
             f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
-            "pair of numbers or a mapping from keys to such"
+            "pair of numbers or a mapping from keys to pairs"
         )
     by_path = {field[0]: bounds} if isinstance(bounds, tuple) else dict(bounds or {})
     try:
@@ -218,12 +215,12 @@ def search_problem(
     mistakes = _field_mistakes(scene, fields, observed)
     limit = _limit_of(limits)
     if limit is not None and (len(fields) > 1 or len(observed) > 1):
-        mistakes.append(f"{limit}: a limit is met by one field alone; give one field and nothing else observed")
+        mistakes.append(f"{limit}: a limit is for one field alone; give one field and no other observation")
     first = fields[0].key
     if isinstance(bounds, tuple) and len(fields) > 1:
         mistakes.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{first!r}: {bounds!r}}}")
     if other := [key for key in ends if key not in [f.key for f in fields]]:
-        mistakes.append(f"bounds: {', '.join(other)} is none of the fields")
+        mistakes.append(f"bounds: {', '.join(other)} is not one of the fields")
     raise_all("backanalyse", mistakes)
     is_alone = len(fields) == 1 and not may_stand(observed, limit)
     ranges = _ranges(scene, fields, ends, is_alone)
@@ -231,13 +228,13 @@ def search_problem(
 
 
 def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
-    """Return the first of the intervals that is a limit."""
+    """Return the first limit among the intervals; None without a limit."""
     limits = [interval for interval in intervals.values() if interval.limit is not None]
     return limits[0] if limits else None
 
 
 def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
-    """Return the values of each field that are searched, between its bounds if it has some."""
+    """Return the values of each field to search, between its bounds if given."""
     ranges = []
     for number in fields:
         if number.key in ends:
@@ -248,7 +245,7 @@ def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Pair], is
 
 
 def _default_field(scene: Scene) -> str:
-    """The friction angle, where the law has one alone."""
+    """Return the key of the friction angle; ValueError if the law does not have a single angle."""
     keys = by_key(scene)
     if "friction.angle_deg" in keys:
         return "friction.angle_deg"
@@ -260,7 +257,7 @@ def _default_field(scene: Scene) -> str:
 
 
 def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> list[str]:
-    """A sentence for each mistake in which numbers are to be fitted."""
+    """Return a message for each mistake in the choice of fields."""
     mistakes = []
     names = [f.name for f in fields]
     ends = {"theta_1", "theta_2"}.intersection(names)
@@ -274,7 +271,7 @@ def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observatio
         mistakes.append("toe_x: an arc has no position; give toe_rise or centroid_travel")
     if len(fields) > len(observed):
         mistakes.append(
-            f"{len(fields)} fields from {len(observed)} of what is observed ({', '.join(observed)}): they "
+            f"{len(fields)} fields from {len(observed)} observations ({', '.join(observed)}): they "
             "cannot be distinguished; give at least as many observations as fields"
         )
     return mistakes
@@ -284,7 +281,7 @@ def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observatio
 
 
 def _between(name: str, low: float, high: float) -> Floats:
-    """The range between bounds, in equal ratios where they are far apart."""
+    """Return values between bounds, in equal ratios if the bounds are far apart."""
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
         raise ValueError(
             f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
@@ -294,19 +291,19 @@ def _between(name: str, low: float, high: float) -> Floats:
 
 
 def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
-    """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
+    """Return the values of a field to search without bounds; a wider range if other fields vary as well."""
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
     is_friction = is_coefficient and (field.tangent or not field.unit)
     if is_friction:
         return np.unique(field.from_si(_friction_range(scene, field, is_alone)))
     values = _usual_range(scene, field.name)
     if values is None:
-        raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
+        raise ValueError(f"backanalyse: field = {field.key!r}: the scene does not set it; give bounds")
     return np.unique(field.from_si(values))
 
 
 def _usual_range(scene: Scene, name: str) -> Floats | None:
-    """Of a number by the scale that the arc gives it, or about the value that the scene has of it, SI."""
+    """Return usual values of a parameter in SI units, from scales of the arc or about the scene's value, or None."""
     arc = scene.arc
     scales = (arc.static_normal_stress, arc.radius, arc.gravity)
     stress, radius, gravity = (float(np.asarray(scale)) for scale in scales)
@@ -337,7 +334,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
 
 
 def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
-    """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
+    """Return friction values from many swings of the mass up to the limit of motion from rest."""
     end_time = 1e-9 * float(scene.arc.time_scale)
     at_once = replace(scene, end_time=end_time, uncertain={})
     without = motions(at_once, {field.name: np.zeros(1)})
@@ -351,12 +348,14 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     is_constant = field.name == "friction"
     turns = any(EFFECTS[effect].turns for effect in scene.called)
     if is_constant and scene.end_time is None and not turns:
-        shares = [np.ones(1)]  # with less it never rests
-    creeps = "speed" in depends_on(law_names(scene.friction))  # with more it creeps, which takes long to follow
+        shares = [np.ones(1)]  # with less friction the mass never rests
+    creeps = "speed" in depends_on(
+        law_names(scene.friction)
+    )  # with more friction the mass creeps, which takes long to solve
     has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
-    if "shaking" in scene.called or not is_alone:  # it moves what would stand
+    if "shaking" in scene.called or not is_alone:  # shaking moves a mass that would stay at rest
         highest = max(3.0 / limit, 2.0)
         shares.insert(0, np.zeros(1))
         shares.append(np.linspace(1.0, highest, 81))

@@ -1,8 +1,8 @@
-"""Linear propagation of uncertainty, to stand beside the samples: derivatives at the means, and standard deviations.
+"""Linear propagation of uncertainty, for comparison with samples: derivatives at the means and standard deviations.
 
-To first order the mean of an output is its value at the means of the inputs, and its variance the sum of their
-variances times the squared derivatives where the inputs are independent (JCGM 100:2008, equation 10), with twice
-their covariances where they are not (13); correlations are taken to be those of the normal scores.
+To first order, the mean of an output is its value at the means of the inputs. For independent inputs its variance is
+the sum of their variances times the squared derivatives (JCGM 100:2008, equation 10); correlated inputs add twice the
+covariance terms (equation 13). The correlations of the normal scores are used.
 """
 
 import math
@@ -16,35 +16,35 @@ from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.studies.design import Design
 from slipcircle.workbench.studies.statistics import Spread
 
-# Shares of the samples' standard deviation, and standard errors of theirs, up to which there is no warning. What is of
-# second order moves the mean first, and little to what the mean is used for.
+# Tolerances of the comparison, as shares of the samples' standard deviation and in standard errors. Second-order terms
+# shift the mean first, which matters less, so that its tolerance is wider.
 _MEAN, _STD, _ERRORS = 0.25, 0.1, 3.0
 
 
 class Linear(NamedTuple):
-    """Mean and standard deviation of an output, to first order; of its magnitude, as in samples."""
+    """Mean and standard deviation of an output's magnitude, to first order."""
 
     mean: float
     std: float
 
 
 def propagated(design: Design) -> dict[str, Linear]:
-    """Return mean and standard deviation of each outcome to first order.
+    """Return the mean and standard deviation of each outcome to first order.
 
     Raises
     ------
     ValueError
-        If nothing is drawn, there is no motion at the means, or no derivative by one of the inputs.
+        If the design does not draw inputs, or if the motion or a derivative at the means does not exist.
     """
     if not design.drawn:
-        raise ValueError("values on a grid have no distribution")
+        raise ValueError("values on a grid do not have a distribution")
     keys = {n: number.key for n, number in design.inputs.items()}
     means = dict[str, float]()  # SI
     stds = []
     for name, uncertain in design.drawn.items():
         mean, std = uncertain.moments
         if not math.isfinite(mean + std):
-            raise ValueError(f"{keys[name]}: has no finite mean and standard deviation")
+            raise ValueError(f"{keys[name]}: does not have a finite mean and standard deviation")
         number = design.inputs[name]
         means[name] = float(number.to_si(mean))
         stds.append(number.slope(mean) * std)
@@ -54,7 +54,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     is_known = np.all(np.isfinite(slopes), axis=0).tolist()
     unknown = [keys[name] for name, known in zip(means, is_known, strict=True) if not known]
     if unknown:
-        raise ValueError(f"{', '.join(unknown)}: the motion at the means has no derivative by it")
+        raise ValueError(f"{', '.join(unknown)}: the motion at the means is not differentiable with respect to it")
     changes = slopes * np.array(stds)
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
     means_of = np.abs(_outcomes(motion)).tolist()
@@ -68,7 +68,7 @@ def _outcomes(motion: Any) -> Any:
 
 
 def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:
-    """Return a warning if both differ by more than a share of the spread and by more than chance."""
+    """Return a warning if linear and sampled estimates differ beyond tolerance and chance; otherwise empty text."""
     differences = []
     unit = OUTCOMES[output].unit
     for name, one, other, error, share in (

@@ -1,32 +1,31 @@
-"""Back-analysis of one number from one observation: all roots over its range, many candidates at once."""
+"""Back-analysis of one parameter from one observation: all roots in its range, many candidates in each call."""
 
 import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, Integers
+from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 
-_PARTS = 16  # into which a bracket is divided: each round gains four bits
+_PARTS = 16  # of a bracket: each round gains four bits
 _ROUNDS = 16
-_STEEP = 30.0  # per cent that an outcome may change with a per cent of the number, where the motion changes its kind
-_ROUNDING = 64 * EPS  # relative: by which outcomes of one number differ with the lanes beside it
-_WIDE, _FLAT = 1e-6, 1e-12  # relative: brackets so wide with misfits so small are not divided; the number has no effect
-_TOLERANCE = 1e-9  # relative: a jump over what was observed misses it by more
+_STEEP = 30.0  # greatest relative change of an outcome over that of the field, where the kind of motion changes
+_ROUNDING = 64 * EPS  # relative difference of outcomes when other lanes are solved with them
+_WIDE, _FLAT = 1e-6, 1e-12  # relative: wide brackets with tiny misfits are not divided, as the field has little effect
+_TOLERANCE = 1e-9  # relative: at a jump over the observation the misfit is larger
 
 Places = tuple[Integers, Integers]
 
 
 def solve_exact(problem: SearchProblem) -> list[float]:
-    """All values of the one field at which the one outcome is as observed.
+    """Return all values of the one field at which the one outcome equals the observation, in increasing order.
 
-    Every bracket that may hold one is divided, all of them at once, until its ends are neighbours or both meet the
-    observation to rounding. The misfits at its ends are retained: computed with other lanes they might differ by
-    rounding, and change their signs. A point that meets the observation is a root without a bracket, as the outcome
-    may jump there.
+    All brackets that may contain a root are divided together, until their ends are neighbouring numbers or both meet
+    the observation to rounding. The misfits at the ends are retained, because rounding might change their signs when
+    they are computed with other lanes. A point that meets the observation is a root even without a bracket, because
+    the outcome may jump there.
     """
     scale = abs(float(problem.targets[0]))
     rows = problem.ranges[0][None, :]
@@ -64,13 +63,13 @@ def _misfit(problem: SearchProblem, rows: Floats) -> tuple[Floats, Kinds]:
 
 
 def _is_flat(misfit: Floats, scale: float) -> bool:
-    """Return whether the number has no effect: all outcomes are the observation, to more than their rounding."""
+    """Return whether the field does not affect the outcome: all misfits, over ``scale``, vanish to within rounding."""
     largest = np.fmax.reduce(np.abs(misfit), axis=None)
     return bool(largest <= _FLAT * scale)
 
 
 def limit_value(problem: SearchProblem) -> list[float]:
-    """Return the value of the one field at which the outcome reaches a limit; none if it does so nowhere.
+    """Return the value of the one field at which the outcome reaches a limit, in a list; empty without such a value.
 
     The outcome satisfies the limit there and at every greater value of the range or, if it does not at the greatest
     value, at smaller ones as far as possible. It may jump.
@@ -78,7 +77,7 @@ def limit_value(problem: SearchProblem) -> list[float]:
     assert problem.limit is not None
     low, high = (end - problem.origins[0] for end in problem.limit)
 
-    def satisfied(values: Floats) -> NDArray[np.bool_]:
+    def satisfied(values: Floats) -> Flags:
         outcomes, _ = problem.outcomes(values[None])
         above = low <= outcomes[0]
         below = outcomes[0] <= high
@@ -100,8 +99,8 @@ def limit_value(problem: SearchProblem) -> list[float]:
     return [first]
 
 
-def _apart(left: Floats, right: Floats, least: float) -> NDArray[np.bool_]:
-    """Return whether the ends of brackets differ by more than a share of them."""
+def _apart(left: Floats, right: Floats, least: float) -> Flags:
+    """Return whether the ends of brackets differ by more than the share ``least`` of their magnitude."""
     magnitude = np.maximum(np.abs(left), np.abs(right))
     return right - left > least * magnitude
 
@@ -116,7 +115,7 @@ def _divided(left: Floats, right: Floats) -> Floats:
 
 
 def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
-    """Of ends of fine brackets those that are roots, the best of each group of neighbours."""
+    """Return the ends of fine brackets that are roots, the best of each group of neighbours."""
     target = float(problem.targets[0])
     outcomes, _ = problem.outcomes(ends[None])
     misfit = np.abs(outcomes[0] - target)
@@ -134,10 +133,10 @@ def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
 
 
 def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) -> tuple[Places, Places]:
-    """Return the places of both ends of each bracket that may hold a root: its row, and the column within it.
+    """Return the places (row, column) of the left and right ends of all brackets that may contain a root.
 
-    That is where the outcome passes the observed value, where the motion changes its kind near it, and where the
-    outcome turns back next to it.
+    A root is possible where the outcome passes the observed value, where the kind of motion changes near it, and where
+    the outcome has an extremum near it.
     """
     left = x[:, :-1]
     right = x[:, 1:]
@@ -162,8 +161,8 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     return (rows, starts), (rows, ends)
 
 
-def _is_dip(size: Floats) -> NDArray[np.bool_]:
-    """Whether values within rows are less than both their neighbours, and than half of one."""
+def _is_dip(size: Floats) -> Flags:
+    """Return whether values within rows are at most both neighbours, and at most half of the larger neighbour."""
     before = size[:, :-2]
     here = size[:, 1:-1]
     after = size[:, 2:]
@@ -173,7 +172,7 @@ def _is_dip(size: Floats) -> NDArray[np.bool_]:
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:
-    """Where the greatest (sign 1) or least (sign -1) outcome lies; NaN where no motion counts."""
+    """Return the value of the field with the greatest (sign 1) or least (sign -1) outcome; NaN without motion."""
     greatest = -math.inf
     place = math.nan
     values = problem.ranges[0]

@@ -1,8 +1,8 @@
-"""Points of the unit cube: Monte Carlo and scrambled Sobol sequences.
+"""Points in the unit cube from Monte Carlo sampling and scrambled Sobol sequences.
 
-Any stretch of a sequence is a pure function of its seed and its place, so that blocks may be drawn anywhere and in any
-order, and that a longer run begins with the points of a shorter one. Monte Carlo needs NumPy alone; Sobol sequences are
-SciPy's.
+Any part of a sequence is a pure function of its seed and position, so that blocks may be drawn anywhere and in any
+order, and a longer run begins with the points of a shorter run. Monte Carlo needs only NumPy; Sobol sequences need
+SciPy.
 """
 
 import warnings
@@ -12,7 +12,7 @@ import numpy as np
 from slipcircle.base.kinds import Floats, Shape
 from slipcircle.workbench.common.distributions import statistics
 
-_LOWEST = 2.0**-54  # 0 and 1 have no quantile
+_LOWEST = 2.0**-54  # quantiles of 0 and 1 may be infinite
 _HIGHEST = 1.0 - 2.0**-53
 
 
@@ -23,7 +23,7 @@ def _seeded(seed: int, stream: Shape) -> np.random.SeedSequence:
 def monte_carlo(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:
     """Draw random points ``start`` to ``start + count``, (dimensions, count); start is a multiple of 4.
 
-    The counter of Philox is set to the place: it gives four numbers a step.
+    The counter of Philox is set to the position; each step gives four numbers.
     """
     philox = np.random.Philox(_seeded(seed, stream))
     generator = np.random.Generator(philox.advance(start * dimensions // 4))
@@ -34,7 +34,7 @@ def monte_carlo(seed: int, stream: Shape, start: int, count: int, dimensions: in
 def sobol(seed: int, stream: Shape, start: int, count: int, dimensions: int) -> Floats:
     """Draw points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
     sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
-    with warnings.catch_warnings(action="ignore", category=UserWarning):  # that some counts are not balanced
+    with warnings.catch_warnings(action="ignore", category=UserWarning):  # about unbalanced counts
         if start:
             sequence.fast_forward(start)
         points = np.ascontiguousarray(sequence.random(count).T)

@@ -1,4 +1,4 @@
-"""Factors of safety of samples, each on its own critical circle in the place of that of the means."""
+"""Factors of safety of samples, with the critical circle searched for each sample."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -16,11 +16,11 @@ from slipcircle.workbench.stability.samples import SampleSearch
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 
-SEARCHED = "searched "  # before the name of a method: by this method, the circle searched for every sample
+SEARCHED = "searched "  # prefix of a method's name: the circle is searched for every sample
 
 
 def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> ArrayDict:
-    """Return factors by ``SEARCHED`` and method for values of the scene's numbers in SI units; NaN if not valid."""
+    """Return factors of safety by `SEARCHED` and method for arrays of values in SI units; NaN if not valid."""
     stability = stability_of(scene)
     assert isinstance(scene, SlopeScene)
     assert stability is not None
@@ -41,15 +41,15 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
 
 
 def search_mistakes(scene: Any) -> list[str]:
-    """Return a message if a scene has no circle to be searched."""
+    """Return a message, in a list, if the scene does not search for its critical circle; otherwise an empty list."""
     stability = stability_of(scene)
     if stability is not None and stability.method:
         return []
-    return ['search_each: the scene searches no circle; give [ground] and critical = "bishop" in [circle]']
+    return ['search_each: the scene does not search for a circle; give [ground] and critical = "bishop" in [circle]']
 
 
 def effect_of_searching(study: Any, method: str) -> str:
-    """Return the effect of a search for every sample on factors of safety, in words."""
+    """Return a text on how searching the circle of every sample changes the factors of safety by a method."""
     method = method if method in METHODS else "paper"
     both = (method, f"{SEARCHED}{method}")
     below, below_searched = (f"{study.failure[name].value:.3g}" for name in both)

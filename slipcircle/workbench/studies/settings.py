@@ -1,4 +1,4 @@
-"""The settings of an ensemble: values that are allowed, and a message for each mistake."""
+"""Settings of an ensemble: allowed values, and a message for each mistake."""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -16,11 +16,11 @@ _MOST = 10**12
 _MOST_BASE = 2**22
 _LARGEST = 2**30  # block
 OF_ARRAYS = "a scene of arrays is solved as it is: use solve"
-_OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
+_OUTSIDE = 1e-4  # greatest probability outside the bounds of a parameter; such samples are invalid
 
 
 class Setting(NamedTuple):
-    """A condition on a value, its words, and whether the setting requires records; None is a value not given."""
+    """A condition on a value, a text of the allowed values, and whether the setting requires records."""
 
     is_valid: Function
     words: str
@@ -28,7 +28,7 @@ class Setting(NamedTuple):
 
 
 def whole(value: Any) -> bool:
-    """Return whether a value is a whole number."""
+    """Return whether a value is an integer (not a bool)."""
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
@@ -70,10 +70,10 @@ SETTINGS: Mapping[str, Setting] = {
 
 
 def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
-    """Return a message for each mistake in the values of `SETTINGS`, and for settings that exclude each other."""
+    """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other."""
     found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:
-        found.append("no number is uncertain; give Scene(uncertain=...), --uncertain, or a distribution in its file")
+        found.append("the scene has no uncertain parameter; give Scene(uncertain=...), --uncertain, or one in the file")
     for name, setting in SETTINGS.items():
         value = given[name]
         if value is not None and not setting.is_valid(value):
@@ -85,14 +85,14 @@ def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
     if given["correlation"] and given["sensitivity"]:
         found.append("sensitivity indices need independent inputs; omit correlation or sensitivity")
     if records is not None and (given["search_each"] or given["sensitivity"]):
-        found.append("search_each and sensitivity do not go with records; leave them out")
+        found.append("search_each and sensitivity cannot be combined with records; leave them out")
     if given["scales"] is not None and given["scale_to_pga"] is not None:
         found.append("scales and scale_to_pga exclude each other; leave one out")
     return found or _truncated(uncertain_numbers(scene))
 
 
 def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
-    """Return a message for each distribution with much of its probability outside the bounds of its number."""
+    """Return a message for each distribution with too much probability outside the bounds of its parameter."""
     found = []
     for uncertain in drawn.values():
         number, distribution = uncertain.number, uncertain.distribution

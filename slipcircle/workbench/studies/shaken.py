@@ -23,36 +23,36 @@ from slipcircle.workbench.suites.regressions import RIGID, Comparison, Shaking, 
 
 
 class Shaken:
-    """The part of a study that belongs to its records."""
+    """Part of a study that concerns its records."""
 
     design: Design
     values: dict[str, NDArray[Any]]
 
     @property
     def scene(self) -> Scene:
-        """The scene whose numbers vary; under records without its shaking."""
+        """Scene whose parameters vary; with records, without its own shaking."""
         return self.design.scene
 
     @property
     def records(self) -> GroundMotions:
-        """The ground motions; a ValueError says that a study has none."""
+        """Ground motions; a ValueError if the study does not have any."""
         if self.design.records is None:
-            raise ValueError("Study: it has no records; give ensemble(..., records=...)")
+            raise ValueError("Study: it does not have records; give ensemble(..., records=...)")
         return self.design.records
 
     @property
     def suite(self) -> Suite:
-        """The records."""
+        """Suite of the records."""
         return self.records.suite
 
     @property
     def polarities(self) -> Floats:
-        """1 for records as they are, -1 for reversed ones."""
+        """Polarities: 1 for records as they are, -1 for reversed records."""
         return np.array(self.records.polarities)
 
     @property
     def scales(self) -> Floats:
-        """Factors on the records, or peak accelerations over gravity (`records.to_pga`)."""
+        """Scale factors of the records, or peak accelerations over gravity if ``records.to_pga``."""
         return self.records.scales
 
     @property
@@ -64,7 +64,7 @@ class Shaken:
 
     @property
     def factors(self) -> Floats:
-        """What each record is multiplied by, (record, scale)."""
+        """Factors by which records are multiplied, (record, scale)."""
         return np.stack([self.records.factors(entry) for entry in self.suite])
 
     @property
@@ -74,14 +74,14 @@ class Shaken:
 
     @cached_property
     def yield_coefficient(self) -> float:
-        """Return k_y of the shaken scene at the medians of its uncertain numbers."""
+        """Yield coefficient k_y of the shaken scene at the medians of its uncertain parameters."""
         return float(solve(self.records.shaken(self.scene, Pulse("rectangular", 0.0, 0.0, 1.0))).yield_coefficient)
 
     @cached_property
     def block_factor(self) -> float:
-        """Gamma, the acceleration along the arc over that of a rigid block with the same k_y; NaN if k_y is negative.
+        """Gamma, the acceleration along the arc over that of a rigid block of equal k_y; NaN if k_y is negative.
 
-        From the velocity after a millisecond at 0.1 g beyond k_y, in which nothing else changes.
+        It is computed from the velocity after 1 ms of an acceleration 0.1 g above k_y.
         """
         if not 0.0 < self.yield_coefficient < math.inf:
             return math.nan
@@ -91,13 +91,14 @@ class Shaken:
         return float(solve(shaken).outcomes["peak_velocity"]) / (0.1 * gravity * 1e-3)
 
     def regressions(self, scale: int, magnitude: float = math.nan, period: float = 0.0) -> list[Comparison]:
-        """Compare displacements at a scale with published regressions of sliding blocks.
+        """Return comparisons of the displacements at a scale with published regressions of sliding blocks.
 
-        Of each record the mean of polarities and the median of samples, over `block_factor`.
+        The displacement of a record is the mean over polarities of the median over samples, divided by `block_factor`.
 
         Parameters
         ----------
         scale : int
+            Place of the scale in `scales`.
         magnitude : float
             Moment magnitude of the earthquakes; without it the regressions that need it are left out.
         period : float
@@ -118,19 +119,20 @@ class Shaken:
         return comparisons(by_record / self.block_factor, shaking)
 
     def _by_record(self, scale: int) -> Floats:
-        """Return the displacement of each record at a scale, m: mean of polarities, median of samples."""
+        """Return the displacement of each record at a scale, m: mean over polarities of the median over samples."""
         return np.median(self.displacement[:, :, scale], axis=-1).mean(axis=1)
 
     def fragility(self) -> list[FragilityCurve]:
-        """Fit lognormal fragility curves of the thresholds over the peak acceleration, by `fragility_curve`."""
+        """Return lognormal fragility curves over the peak acceleration, one for each threshold."""
         thresholds = self.records.thresholds.tolist()
         displacement, pga = self.displacement, self.pga
         return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
 
     def fragility_columns(self) -> dict[str, list[Any]]:
-        """Return exceedance at every threshold and scale by columns, of the motions and of the fragility curve.
+        """Return the shares of exceedance and fragility curves as columns, a row for each threshold and scale.
 
-        Each with its interval of 95 %, the curve at the median peak acceleration of the scale; or why there is none.
+        Both have 95 % intervals. The curve is evaluated at the median peak acceleration of the scale; the column
+        ``reason`` explains a missing curve.
         """
         names = [
             "threshold_m",
@@ -159,42 +161,40 @@ class Shaken:
         return columns | {"reason": reasons.tolist()}
 
     def median_record(self, scale: int) -> int:
-        """Return the place of the record with the median displacement at a scale, the lower one of two."""
+        """Return the place of the record with the median displacement at a scale, the lower of two middle records."""
         order = np.argsort(self._by_record(scale), kind="stable")
         return int(order[(order.size - 1) // 2])
 
     def motions_of(self, record: int, scale: int) -> list[Motion]:
-        """Solve the motions under a record at a scale in each polarity, at medians of uncertain numbers."""
+        """Return the motions under a record at a scale, by polarity, at medians of the uncertain parameters."""
         unscaled = self.suite.entries[record].record()
-        motions = []
-        for factor in (self.factors[record, scale] * self.polarities).tolist():
-            shaken = self.records.shaken(self.scene, unscaled.scaled(factor))
-            motions.append(solve(shaken, self.design.accuracy))
-        return motions
+        factors = (self.factors[record, scale] * self.polarities).tolist()
+        shaken = [self.records.shaken(self.scene, unscaled.scaled(factor)) for factor in factors]
+        return [solve(scene, self.design.accuracy) for scene in shaken]
 
     @property
     def own_scale(self) -> int:
-        """The place of the scale at which the records are next to as they are."""
+        """Place of the scale at which the records are nearest to unscaled."""
         return int(np.argmin(np.abs(self.factors - 1.0).max(axis=0)))
 
     def scale_text(self, scale: int) -> str:
-        """Return a scale, by its place, in words."""
+        """Return a scale, given by its place, in words."""
         value = shown(float(self.scales[scale]))
         return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
     def _record_warnings(self) -> list[str]:
-        """Return warnings about files and about motion without shaking."""
+        """Return warnings about the record files and about motion without shaking."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
         found += self.suite.warnings
         if bool(np.any(motions(self.scene, {}, self.design.accuracy).moves)):
-            found.append("the mass moves without shaking too: displacements are not those of the records alone")
+            found.append("the mass also moves without shaking: displacements are not due to the records alone")
         return found
 
     def by_record(self, scale: int = 0) -> dict[str, list[Any]]:
-        """Return a table of the records at a scale as columns by their heads, medians over the samples.
+        """Return a table of the records at a scale as columns by name, with medians over the samples.
 
-        Displacement of each polarity and their mean, m; of both the greatest peak velocity, m/s, and rotation, rad,
-        and the most slips.
+        Columns are the displacement for each polarity and their mean, m, and, as the greater of both polarities, the
+        peak velocity, m/s, the number of slips and the rotation, rad.
         """
         columns: dict[str, list[Any]] = {
             "record": [entry.name for entry in self.suite],

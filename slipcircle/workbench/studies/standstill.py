@@ -1,4 +1,4 @@
-"""Values of the numbers of a scene at which its mass would just stay at rest."""
+"""Values of a scene's parameters at which its mass would just stay at rest."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -12,16 +12,17 @@ from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.studies.motions import factors_at_start
 
 _ACCURACY = 1e-9  # of lanes whose motion is not computed
-_SHARES = np.geomspace(1e-4, 3.0, 48)  # of the size of a number, to both sides of its value
-_PARTS = 16  # into which a bracket is divided
+_SHARES = np.geomspace(1e-4, 3.0, 48)  # of the size of a parameter, to both sides of its value
+_PARTS = 16  # of a bracket
 _ROUNDS = 7
 
 
 def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, float]:
-    """Return by name the nearest value of each number at which the factor of safety at the start is 1, in SI units.
+    """Return by name the nearest value, in SI units, of each parameter for a factor of safety of 1 at the start.
 
-    The factor is by the starting method and of one circle. Numbers without such a value are absent, as are all where
-    the start does not depend on the factor alone: with shaking, an initial velocity or water that changes with time.
+    The factor is computed by the starting method on the scene's circle. ``sizes`` has the names of parameters and the
+    scales of their changes. Parameters without such a value are absent. The result is empty if the start does not
+    depend on the factor alone: with shaking, an initial velocity or water that changes with time.
     """
     water = scene.called.get("pore_pressure", {})
     given = {name: value for name, value in water.items() if name not in ("level", "standing")}
@@ -41,7 +42,7 @@ def standstills(scene: Scene, sizes: Iterable[tuple[str, float]]) -> dict[str, f
 
 
 def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None:
-    """Return the nearest value to one side at which the excess of the factor over 1 changes its sign."""
+    """Return the nearest value on one side where the factor crosses 1; None without such a value."""
     places = value + size * np.append(0.0, _SHARES)
     for _ in range(_ROUNDS):
         excess = _excess(scene, name, places)
@@ -54,7 +55,7 @@ def _nearest(scene: Scene, name: str, value: float, size: float) -> float | None
 
 
 def _excess(scene: Any, name: str, values: Floats) -> Floats:
-    """Return the factor of safety less 1 for values of a number."""
+    """Return the factor of safety minus 1 for values of a parameter."""
     by_method = factors_at_start(scene, {name: values}, _ACCURACY)
     first = next(iter(by_method.values()))
     return np.asarray(by_method.get(method_of(scene), first)) - 1.0

@@ -1,4 +1,4 @@
-"""Statistics of samples: quantiles, moments, probabilities and sensitivity indices, with their intervals."""
+"""Statistics of samples with confidence intervals: quantiles, moments, probabilities and sensitivity indices."""
 
 import math
 from collections.abc import Sequence
@@ -10,14 +10,14 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 
-# Of replicates with an interval: samples of each, of these in the tail, and the standard deviation of their counts.
+# Least values for an interval from replicates: samples of each, samples in the tail, standard deviation of the counts.
 _LEAST_SIZE = 16
 _LEAST_IN_TAIL = 2.0
 _LEAST_SPREAD = 0.7
 
 
 class Estimate(NamedTuple):
-    """A value and its confidence interval; NaN where it cannot be said, infinite where it lies beyond every value."""
+    """A value and its confidence interval; NaN if unknown, infinite if it lies beyond all values."""
 
     value: float
     low: float
@@ -25,7 +25,7 @@ class Estimate(NamedTuple):
 
 
 class Exceedance(NamedTuple):
-    """Probabilities that values are exceeded, with their intervals."""
+    """Exceedance curve: values, the probabilities of exceeding them, and confidence intervals."""
 
     at: Floats
     probability: Floats
@@ -34,7 +34,7 @@ class Exceedance(NamedTuple):
 
 
 class Convergence(NamedTuple):
-    """Estimates from the first n valid samples."""
+    """Estimates from the first n valid samples: probability of moving, median and 95 % quantile of the run-out."""
 
     n: int
     moving: Estimate
@@ -43,16 +43,19 @@ class Convergence(NamedTuple):
 
 
 NOT_GIVEN = Estimate(math.nan, math.nan, math.nan)
-BEYOND = "beyond"  # in place of an infinite value: exceeded by samples that slide to no known end
+BEYOND = "beyond"  # replaces an infinite value, due to samples that slide without a known end
 
 
 def value_text(value: float) -> str:
-    """Return a value of an estimate in words."""
+    """Return a value of an estimate as text, `BEYOND` if it is infinite."""
     return BEYOND if value == math.inf else shown(value)
 
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
-    """Return the interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
+    """Return the ends of the interval of a probability from ``hits`` in n independent samples.
+
+    The interval is never too short (Clopper and Pearson 1934).
+    """
     hits = np.asarray(hits, dtype=np.float64)
     tail = (1.0 - confidence) / 2
     misses = n - hits
@@ -70,17 +73,17 @@ def standard_error(values: Floats) -> Any:
 
 
 def student(values: Floats, confidence: float) -> Any:
-    """Return half the width of the interval of a mean of independent estimates; NaN for a single estimate."""
+    """Return half the width of the interval of a mean of independent estimates; NaN for one estimate."""
     if len(values) < 2:
         return np.full(np.shape(values)[1:], np.nan)
     return width(confidence, len(values)) * standard_error(values)
 
 
 def share_width(shares: Floats, size: float, confidence: float) -> Any:
-    """Return half the width of the interval of a mean of shares (replicates, ...), each of a number of samples.
+    """Return half the width of the interval of a mean of shares (replicates, ...); each is a share of ``size`` samples.
 
-    NaN where the interval would not have its confidence (`python -m tests.campaigns.coverage`): for few samples, in
-    the tails, and where the replicates differ by less than a sample, as sequences in one dimension do.
+    It is NaN where the interval would not reach its confidence (`python -m tests.campaigns.coverage`): for few samples,
+    in the tails, and where the replicates differ by less than a sample, as for sequences in one dimension.
     """
     spread = size * np.std(shares, axis=0, ddof=1)
     share = np.mean(shares, axis=0)
@@ -90,7 +93,7 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
 
 
 def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
-    """Return probabilities and their intervals from counts (replicates, ...) among valid samples (replicates,)."""
+    """Return probabilities and the ends of intervals; ``hits`` (replicates, ...), ``valid`` samples (replicates,)."""
     samples = int(valid.sum())
     total = hits.sum(axis=0)
     if not samples:
@@ -101,14 +104,14 @@ def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Float
         filled = valid > 0
         shares = hits[filled] / valid[filled, None]
         half = share_width(shares, samples / len(shares), confidence)
-        is_unanimous = (total == 0) | (total == samples)  # the replicates agree, and cannot tell how surely
+        is_unanimous = (total == 0) | (total == samples)  # identical replicates do not show their spread
         low = np.where(is_unanimous, low, np.maximum(value - half, 0))
         high = np.where(is_unanimous, high, np.minimum(value + half, 1))
     return value, low, high
 
 
 def width(confidence: float, replicates: int = 1) -> float:
-    """Return half the width of an interval in standard errors, of many samples or of a few replicates."""
+    """Return half the width of an interval in standard errors, for many samples or for a few replicates."""
     tail = (1.0 + confidence) / 2
     if replicates > 1:
         return float(special().stdtrit(replicates - 1, tail))
@@ -116,9 +119,9 @@ def width(confidence: float, replicates: int = 1) -> float:
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
-    """Return the ranks, from 1, of the samples around the p-quantile; 0 or n + 1 for an unknown end.
+    """Return the ranks, from 1, of the samples that enclose the p-quantile; 0 or n + 1 for an unknown end.
 
-    The number of samples below the quantile is binomial, whatever the distribution.
+    The number of samples below the quantile is binomial for every distribution.
     """
     tail = (1.0 - confidence) / 2
     tails = np.array([tail, 1.0 - tail])
@@ -141,9 +144,9 @@ class Spread(NamedTuple):
 
 
 def spread(values: Floats) -> Spread:
-    """Return mean and standard deviation of independent samples.
+    """Return the mean and standard deviation of independent samples, with standard errors.
 
-    The variance of a sample's variance is that of the squares over n; a root halves relative errors.
+    The variance of the sample variance is the variance of the squared deviations over n; a root halves relative errors.
     """
     n = values.size
     mean = float(np.mean(values)) if n else math.nan
@@ -156,7 +159,7 @@ def spread(values: Floats) -> Spread:
 
 
 class Ordered:
-    """Values of an output in increasing order, of all replicates and of each; infinite values exceed every other."""
+    """Sorted values of an output, of all replicates and of each replicate; infinite values come last."""
 
     def __init__(self, replicates: Sequence[Floats]) -> None:
         self.replicates = [np.sort(values) for values in replicates if values.size]
@@ -165,17 +168,17 @@ class Ordered:
         self.finite = self.values[: np.searchsorted(self.values, np.inf)]
 
     def at_share(self, share: float) -> float:
-        """Return the least value that at least a share of the samples does not exceed; NaN for a share beyond 1."""
+        """Return the least value that at least this share of the samples does not exceed; NaN beyond 0 to 1."""
         if not 0.0 <= share <= 1.0:
             return math.nan
         rank = math.ceil(share * self.values.size)
         return float(self.values[max(rank, 1) - 1])
 
     def quantile(self, p: float, confidence: float) -> Estimate:
-        """Return the p-quantile, a value of a sample, with its interval; NaN where an end is unknown.
+        """Return the p-quantile, a value of a sample, with its interval; NaN for an unknown end.
 
-        The interval is from ranks of independent samples. Of several replicates it is from their shares that do not
-        exceed the quantile (Woodruff 1952).
+        For one replicate, the interval is from ranks of independent samples. For several replicates, it is from the
+        share of each that does not exceed the quantile (Woodruff 1952).
         """
         n = self.values.size
         if not n:
@@ -191,7 +194,7 @@ class Ordered:
         return Estimate(value, self.at_share(low), self.at_share(high))
 
     def spread(self) -> Spread:
-        """Return mean and standard deviation with their errors, from the replicates where there are several."""
+        """Return mean and standard deviation of finite values, with errors from the replicates if there are several."""
         together = spread(self.finite)
         filled = [values for values in self.replicates if values.size > 1]
         if len(filled) < 2:
@@ -204,24 +207,24 @@ class Ordered:
 
 
 class Indices(NamedTuple):
-    """Sensitivity indices of one output: of each input the first-order and the total one."""
+    """Sensitivity indices of one output: first-order and total index of each input."""
 
     first: list[Estimate]
     total: list[Estimate]
 
 
 def indices(sums: Floats, confidence: float) -> Indices:
-    """Return the indices of one output from the `sums` of independent batches, (batches, 3 + 3 inputs).
+    """Return the sensitivity indices of one output from the `sums` of independent batches, (batches, 3 + 3 inputs).
 
-    First-order as Saltelli et al. (2010), centred, and total as Jansen (1999); intervals from leaving out each batch
-    in turn. NaN where the output does not vary, or is infinite somewhere.
+    First-order indices follow Saltelli et al. (2010), centred, total indices Jansen (1999); intervals are computed by
+    leaving out each batch in turn. Indices are NaN if the output does not vary or has infinite values.
     """
     batches = len(sums)
     together = np.sum(sums, axis=0)
     with np.errstate(all="ignore"):
         whole = _indices(together)
         without_one = _indices(together - sums)
-        # What leaving each out makes of it behaves like a mean of as many pseudo-values (Tukey 1958).
+        # The jackknife estimate behaves like a mean of pseudo-values, one for each batch (Tukey 1958).
         pseudo_values = batches * whole - (batches - 1) * without_one
         half = student(pseudo_values, confidence)
     intervals = np.stack([whole, whole - half, whole + half], axis=-1)
@@ -230,7 +233,7 @@ def indices(sums: Floats, confidence: float) -> Indices:
 
 
 def _indices(sums: Floats) -> Floats:
-    """Return first-order and total indices, (..., 2, inputs)."""
+    """Return first-order and total indices, (..., 2, inputs), from `sums` of any shape (..., 3 + 3 inputs)."""
     n, both, squares = (sums[..., k, None] for k in range(3))
     of_inputs = sums[..., 3:]
     by_input = of_inputs.reshape(*sums.shape[:-1], -1, 3)
@@ -246,9 +249,10 @@ def _indices(sums: Floats) -> Floats:
 
 
 def sums(y: Floats) -> Floats:
-    """Return the sums that `indices` needs, from rows of yA, yB and yAB of each input.
+    """Return the sums that `indices` needs, from the rows of y: yA, yB, and yAB of each input.
 
-    The number of points, sums of yA + yB and yA**2 + yB**2; for each input of (yAB - yA)**2, yB (yAB - yA), yAB - yA.
+    They are the number of points, the sums of yA + yB and of yA**2 + yB**2, and for each input the sums of
+    (yAB - yA)**2, yB (yAB - yA) and yAB - yA.
     """
     a, b, *each_mixed = y
     with np.errstate(invalid="ignore"):
@@ -265,22 +269,22 @@ def sums(y: Floats) -> Floats:
 
 # --- displacements under records -------------------------------------------------------------------------------------
 
-# Displacements are arrays (record, polarity, scale, sample), m: 0 of a mass that does not move, infinite if it moves
-# without a result, NaN of an invalid scene. Records are the independent draws, polarities and samples of one are not.
-THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements, m, that tables and pictures show
+# Displacements are arrays (record, polarity, scale, sample), m: 0 for a mass that does not move, infinite if it moves
+# without a result, NaN for an invalid scene. Records are independent draws; polarities and samples of a record are not.
+THRESHOLDS = np.array([0.01, 0.05, 0.15, 1.0])  # of displacements in tables and pictures, m
 
 
 class Distribution(NamedTuple):
-    """The distribution of displacements at one scale.
+    """Distribution of displacements at one scale.
 
     Attributes
     ----------
     moving : float
         Share of motions with a displacement.
     mean, median, p16, p84 : float
-        Of all motions, m; those that do not move count as 0.
+        Mean and quantiles of all motions, m; motions of a mass at rest are 0.
     geometric_mean, std_ln : float
-        exp of the mean of ln D, m, and the standard deviation of ln D, of those that move; NaN if too few do.
+        Geometric mean of D, m, and standard deviation of ln D, over motions with D > 0; NaN if they are too few.
     """
 
     moving: float
@@ -293,7 +297,7 @@ class Distribution(NamedTuple):
 
 
 def distribution(displacement: Floats, scale: int) -> Distribution:
-    """Return the distribution of displacements at a scale, by its place."""
+    """Return the distribution of displacements, (record, polarity, scale, sample), at the scale with this index."""
     values = _valid(displacement, scale)
     if not values.size:
         unknown = (math.nan,) * len(Distribution._fields)
@@ -308,13 +312,13 @@ def distribution(displacement: Floats, scale: int) -> Distribution:
 
 
 def _valid(displacement: Floats, scale: int) -> Floats:
-    """Return the displacements of the valid scenes at a scale as one row."""
+    """Return the displacements of valid scenes at a scale as a one-dimensional array."""
     values = displacement[:, :, scale].ravel()
     return values[~np.isnan(values)]
 
 
 def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
-    """Return the share of motions that exceed a threshold, m, (record, scale); NaN if no motion is valid."""
+    """Return the share of motions that exceed a threshold, m, (record, scale); NaN without valid motions."""
     known = ~np.isnan(displacement)
     exceeds = (displacement > threshold) & known
     with np.errstate(invalid="ignore"):
@@ -322,11 +326,11 @@ def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
 
 
 def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
-    """Return the probabilities that displacements exceed thresholds, m, by scale and threshold.
+    """Return the probabilities that displacements exceed thresholds, m, as lists by scale of lists by threshold.
 
-    The intervals are those of a share of as many draws as there are records (Clopper and Pearson 1934): as if both
-    polarities and all samples of a record exceeded a threshold together, which is never too short. Counting motions
-    instead would be, as the two polarities of a record are not independent.
+    The intervals are conservative: they treat each record as one draw (Clopper and Pearson 1934), as if both polarities
+    and all samples of a record exceeded a threshold together. Intervals for motions as independent draws would be too
+    short, because the two polarities of a record are not independent.
     """
     records, _, scales, _ = displacement.shape
     found = []
@@ -341,7 +345,7 @@ def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.9
 
 
 class Shares(NamedTuple):
-    """Shares of the variance of the displacement: of records, of polarities and of samples alone; the rest is joint."""
+    """Shares of the variance of the displacement due to records, polarities or samples alone; the rest is joint."""
 
     records: float
     polarities: float
@@ -349,7 +353,7 @@ class Shares(NamedTuple):
 
 
 def variance_shares(displacement: Floats, scale: int) -> Shares:
-    """Return first-order shares of the variance at a scale, from variances of means; NaN if they are unknown."""
+    """Return first-order shares of the variance at a scale, from variances of means; NaN if unknown."""
     values = displacement[:, :, scale]
     if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
         return Shares(math.nan, math.nan, math.nan)

@@ -1,7 +1,7 @@
-"""Studies: how far and how fast a scene gets where its numbers are uncertain, or take the values of a grid.
+"""Studies: results and statistics of a scene solved for samples, on a grid or under records.
 
-Samples that are no scene are counted apart, and statistics are of the others. Samples that slide to no known end move,
-and exceed every threshold: quantiles among them are infinite, and statistics that they could change are not given.
+Invalid samples are counted separately and left out of the statistics. Samples that slide without a known end move and
+exceed every threshold: quantiles among them are infinite, and statistics that depend on them are not given.
 """
 
 import math
@@ -51,14 +51,16 @@ class Study(Shaken, Pictured):
     Attributes
     ----------
     design : Design
+        Definition of the study.
     seed, size : int
-        Repeat the same samples.
+        Seed and block size, which reproduce the samples.
     confidence : float
+        Confidence of all intervals.
     values : mapping of str to ndarray
         Results by name in SI units, of each sample or (record, polarity, scale, sample): ``run_out``,
-        ``peak_velocity``, ``duration``, ``end_displacement`` (permanent), ``rotation`` (at the end), ``slips`` (how
-        often it begins to slide), ``outside_range`` and ``status`` (`Status`), of a grid also factors of safety. They
-        have a sign, are 0 of a mass that does not move, and NaN without a result.
+        ``peak_velocity``, ``duration``, ``end_displacement`` (permanent), ``rotation`` (at the end), ``slips`` (number
+        of times that sliding begins), ``outside_range`` and ``status`` (`Status`); for a grid also factors of safety.
+        They are signed, 0 for a mass that does not move, and NaN without a result.
     damaged : int
         Number of blocks of the folder that were damaged and computed again.
     """
@@ -75,12 +77,12 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def inputs(self) -> ArrayDict:
-        """Values of the numbers that vary at each sample, by key and in its unit."""
+        """Values of the varied parameters at all samples by key, in the units of the keys."""
         return self.design.samples()
 
     @cached_property
     def samples(self) -> dict[str, NDArray[Any]]:
-        """Inputs, and without records results as magnitudes where they are finite, by name."""
+        """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
         found: dict[str, NDArray[Any]] = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
             if values.dtype == np.float64:
@@ -92,17 +94,17 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def sensitivity(self) -> Mapping[str, Indices]:
-        """`Indices` of each output, and of whether the mass moves, if there is more than one input."""
+        """`Indices` of each output and of ``moves``; empty for a single input."""
         by_output = zip(*self._batches, strict=True)
         return {n: indices(np.stack(batches), self.confidence) for n, batches in zip(_VARYING, by_output, strict=False)}
 
     @cached_property
     def _batches(self) -> list[list[Floats]]:
-        """The `sums` of whether the mass moves and of each outcome, by batches of base points."""
+        """Sums for `indices`, one list for each batch of base points, by output."""
         return [self._sums(block) for block in range(self.design.sample_blocks, self.design.blocks)]
 
     def _sums(self, block: int) -> list[Floats]:
-        """Return the `sums` of a batch, of its base points whose scenes are all valid."""
+        """Return the `sums` of a batch for each output, from base points with valid scenes only."""
         (lanes,) = self.design.place(block)
         first = lanes.start - self.design.n
         values = {name: array[first : lanes.stop - self.design.n] for name, array in self._base_values.items()}
@@ -115,7 +117,7 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def convergence(self) -> list[Convergence]:
-        """Convergence of the median and of the 95 % quantile of the run-out, after 1, 2, 4, ... turns of replicates."""
+        """Estimates from increasing numbers of samples: after 1, 2, 4, ... blocks of every replicate."""
         found = []
         design = self._sampling
         blocks, turn = design.sample_blocks, design.replicates
@@ -151,20 +153,20 @@ class Study(Shaken, Pictured):
         return True
 
     def __getitem__(self, index: int) -> Motion:
-        """Return the motion of one sample, solved again; a ValueError says why it is no scene."""
+        """Return the motion of one sample, solved again; ValueError if the sample is invalid."""
         inputs = self._sampling.inputs
         si = {name: number.to_si(self.inputs[number.key][[index]]) for name, number in inputs.items()}
         return motions(self.scene, si, self.design.accuracy)[0]
 
     def to_dict(self) -> ValueDict:
-        """Return statistics, curves and indices for JSON, in SI units except for inputs.
+        """Return statistics, curves and indices as a mapping for JSON, in SI units except for inputs.
 
-        An undefined value is None, a quantile among samples that move without a result "beyond".
+        An undefined value is None; a quantile among samples that move without a result is "beyond".
         """
         return export.record(self)
 
     def columns(self) -> dict[str, NDArray[Any]]:
-        """Return every scene as one row of columns by name: its place, inputs, results in SI units, status, reason."""
+        """Return all scenes as columns by name: axes, inputs, results in SI units, status and reason."""
         return export.columns(self)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
@@ -172,16 +174,16 @@ class Study(Shaken, Pictured):
         return export.arrays(self)
 
     def to_pandas(self) -> Any:
-        """Return `columns` as a pandas.DataFrame, indexed by record, polarity, scale and sample where it has them."""
+        """Return `columns` as a pandas.DataFrame, indexed by sample and, with records, record, polarity and scale."""
         return export.frame(self)
 
     def to_xarray(self) -> Any:
-        """Return the results as an xarray.Dataset over samples, the keys of a grid, or also record, polarity, scale."""
+        """Return the results as an xarray.Dataset over samples, keys of a grid, or record, polarity, scale, sample."""
         return export.dataset(self)
 
     @property
     def _sampling(self) -> Design:
-        """The design of independent samples; under records a ValueError, as motions under one record are not."""
+        """Design of independent samples; ValueError with records, whose motions are not independent."""
         if self.design.records is not None:
             raise ValueError("Study: has records, and not samples alone; use by_record, fragility or motions_of")
         return self.design
@@ -190,18 +192,18 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def _replicate(self) -> NDArray[np.int8]:
-        """The replicate of each sample."""
+        """Index of the replicate of each sample."""
         design = self._sampling
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
         replicates = np.arange(design.sample_blocks) % design.replicates
         return np.repeat(replicates.astype(np.int8), lengths)
 
     def _by_replicate(self, selected: Flags) -> NDArray[np.int64]:
-        """Return how many samples of each replicate are selected."""
+        """Return the number of selected samples in each replicate."""
         return np.bincount(self._replicate[selected], minlength=self.design.replicates)
 
     def _in_order(self, name: str, values: Floats) -> Ordered:
-        """Return known values of valid samples in increasing order."""
+        """Return the known values of valid samples in increasing order, stored by name."""
         if name not in self._ordered:
             known = (self.values["status"] < Status.INVALID) & ~np.isnan(values)
             replicates = [known & (self._replicate == k) for k in range(self.design.replicates)]
@@ -210,27 +212,27 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def counts(self) -> NDArray[np.int64]:
-        """Samples of each `Status`."""
+        """Number of samples by `Status`."""
         return np.bincount(self.values["status"].ravel(), minlength=len(Status))
 
     @property
     def n(self) -> int:
-        """Number of valid samples, to which all statistics refer."""
+        """Number of valid samples, the basis of all statistics."""
         return int(self._valid.sum())
 
     @cached_property
     def _valid(self) -> NDArray[np.int64]:
-        """The same of each replicate."""
+        """Number of valid samples in each replicate."""
         return self._by_replicate(self.values["status"] < Status.INVALID)
 
     @property
     def outside_range(self) -> int:
-        """Number of samples that leave the range of validity, `Motion.outside_range`; statistics include them."""
+        """Number of samples that leave the range of validity (`Motion.outside_range`); statistics include them."""
         return int(np.count_nonzero(self.values["outside_range"]))
 
     @property
     def without_result(self) -> int:
-        """Samples that move but have no result; they count as exceeding every threshold."""
+        """Number of samples that move without a result; they exceed every threshold."""
         return int(self.counts[[*NO_RESULT]].sum())
 
     @property
@@ -241,7 +243,7 @@ class Study(Shaken, Pictured):
 
     @cached_property
     def _factors(self) -> ArrayDict:
-        """Factors of safety at the start of each sample by method, computed by threads where they are not stored."""
+        """Factors of safety at the start of each sample by method, stored or computed in threads."""
         if self.design.with_factors:
             return {n.removeprefix(FACTOR): values for n, values in self.values.items() if n.startswith(FACTOR)}
         with engine() as workers:
@@ -250,9 +252,9 @@ class Study(Shaken, Pictured):
 
     @property
     def failure(self) -> Mapping[str, Estimate]:
-        """Probability that the factor of safety at the start is below 1, by method; computed when it is read.
+        """Probability that the factor of safety at the start is below 1, by method; computed on access.
 
-        If some samples have no such factor the value is NaN, and the interval covers all possibilities.
+        If the factor is unknown for some samples, the value is NaN and the interval covers all possibilities.
         """
         found = {}
         valid = self.values["status"] < Status.INVALID
@@ -266,14 +268,14 @@ class Study(Shaken, Pictured):
         return found
 
     def factor_quantile(self, method: str, p: float) -> Estimate:
-        """Return a quantile of the factor of safety at the start, by method as in `failure`.
+        """Return the p-quantile of the factor of safety at the start, with its interval, by a method of `failure`.
 
-        Samples without such a factor are left out.
+        Samples with an unknown factor are left out.
         """
         return self._in_order(f"{FACTOR}{method}", self._factors[method]).quantile(p, self.confidence)
 
     def _single_probability(self, selected: Flags) -> Estimate:
-        """Return the probability of the selected samples."""
+        """Return the probability of the selected samples with its interval."""
         hits = self._by_replicate(selected)
         return Estimate(*(float(x[0]) for x in probability(hits[:, None], self._valid, self.confidence)))
 
@@ -284,22 +286,22 @@ class Study(Shaken, Pictured):
         return self._in_order(output, _magnitudes(self.values, output))
 
     def quantile(self, output: str, p: float) -> Estimate:
-        """Return a quantile of an output, the value of a sample.
+        """Return the p-quantile of an output, a value of a sample, with its interval.
 
-        It is infinite if it lies among the samples that move without a result.
+        It is infinite among samples that move without a result.
         """
         return self._of_output(output).quantile(p, self.confidence)
 
     def mean(self, output: str) -> Estimate:
-        """Return the mean of an output, 0 of samples that do not move; NaN if some samples move without a result."""
+        """Return the mean of an output with its interval; 0 for samples at rest, NaN if samples lack a result."""
         value, error, *_ = self._sampled(output)
         half = error * width(self.confidence, self.design.replicates)
         return Estimate(value, value - half, value + half)
 
     def std(self, output: str) -> Estimate:
-        """Return the standard deviation of an output, which is 0 of samples that do not move.
+        """Return the standard deviation of an output, which is 0 for samples at rest.
 
-        Without an interval: few samples are in the tail on which its error depends.
+        The interval is unknown, because its error depends on the few samples in the tail.
         """
         return Estimate(self._sampled(output).std, math.nan, math.nan)
 
@@ -310,12 +312,12 @@ class Study(Shaken, Pictured):
 
     @property
     def linear(self) -> Mapping[str, Linear]:
-        """Mean and standard deviation of each output by linear propagation; empty if there is no derivative."""
+        """Mean and standard deviation of each output by linear propagation; empty if it is not possible."""
         return self._linear[0]
 
     @property
     def no_linear(self) -> str:
-        """Why `linear` is empty."""
+        """Reason why `linear` is empty; otherwise an empty text."""
         return self._linear[1]
 
     @cached_property
@@ -328,7 +330,7 @@ class Study(Shaken, Pictured):
             return {}, str(error)
 
     def exceedance(self, output: str, points: int = 101) -> Exceedance:
-        """Return the probability that an output is at least as large as values up to the greatest one."""
+        """Return the probabilities that an output reaches values between 0 and its greatest value."""
         if not self.n:
             return Exceedance(*np.empty((4, 0)))
         in_order = self._of_output(output)
@@ -336,7 +338,7 @@ class Study(Shaken, Pictured):
         hits = np.array([x.size - np.searchsorted(x, at) for x in in_order.replicates])
         return Exceedance(at, *probability(hits, self._valid[self._valid > 0], self.confidence))
 
-    # -- what to know -------------------------------------------------------------------------------------------------
+    # -- warnings -----------------------------------------------------------------------------------------------------
 
     @property
     def warnings(self) -> list[str]:
@@ -344,7 +346,7 @@ class Study(Shaken, Pictured):
         is_shaken, is_grid = self.design.records is not None, self.design.method == "grid"
         found = self._record_warnings() if is_shaken else self._circle_warnings()
         if self.damaged:
-            found.append(f"{self.damaged} blocks of the folder were damaged, and are computed again")
+            found.append(f"{self.damaged} blocks of the folder were damaged and computed again")
         total = int(self.counts.sum())
         scenes = "motions" if is_shaken else "scenes" if is_grid else "samples"
         counted = "" if is_grid else "; they count as moving and as exceeding every threshold"
@@ -356,16 +358,16 @@ class Study(Shaken, Pictured):
             elif status >= Status.INVALID:
                 found.append(f"{share} are not valid scenes and not counted: {status.reason}")
             elif status is Status.MOVING:
-                found.append(f"{share} still move at their end: {until} are those until then")
+                found.append(f"{share} still move at their end: {until} are measured up to then")
         if self.outside_range:
             found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
         return found + ([] if is_shaken else self._statistics_warnings())
 
     def _statistics_warnings(self) -> list[str]:
-        """Return warnings about statistics of samples."""
+        """Return warnings about the statistics of samples."""
         found = []
         if self.without_result and self.design.method != "grid":
-            found.append("means, standard deviations and indices of outputs are not given: samples without a result")
+            found.append("means, standard deviations and indices are not given, because samples lack a result")
         if invalid := self.design.base - int(sum(moves[0] for moves, *_ in self._batches)):
             found.append(f"{invalid} of {self.design.base} base points are invalid and not in the indices")
         for name, linear in self.linear.items():
@@ -377,17 +379,15 @@ class Study(Shaken, Pictured):
         stability = stability_of(self.scene)
         if stability is None or not stability.method:
             return []
-        whose = "scene as it is given" if self.design.method == "grid" else "means"
-        found = [
-            f"all of them slide along the critical circle of the {whose}, of the "
-            f"{least_of(stability.method)}; it is searched once, and kept"
-        ]
+        is_grid = self.design.method == "grid"
+        circle = f"critical circle of the {'scene as given' if is_grid else 'means'} ({least_of(stability.method)})"
+        found = [f"all {'scenes' if is_grid else 'samples'} use the {circle}, which is searched once"]
         return found + ([effect_of_searching(self, stability.method)] if self.design.search_each else [])
 
 
 def _magnitudes(values: Mapping[str, NDArray[Any]], output: str) -> Floats:
-    """Return magnitudes of an output, infinite of what slides without a result; NaN of invalid scenes."""
+    """Return the magnitudes of an output, infinite for samples that slide without a result, NaN for invalid scenes."""
     return np.where(np.isin(values["status"], NO_RESULT), np.inf, np.abs(values[output]))
 
 
-SuiteStudy = Study  # the name of studies under records
+SuiteStudy = Study  # name for studies with records

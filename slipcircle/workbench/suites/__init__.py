@@ -1,1 +1,1 @@
-"""Measures of records: intensities, spectra, published regressions, and synthetic records."""
+"""Intensity measures of ground-motion records, published regressions, and synthetic records."""

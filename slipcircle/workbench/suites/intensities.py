@@ -1,4 +1,4 @@
-"""Intensity measures of an acceleration record, from the integrals of its straight lines."""
+"""Intensity measures and spectral accelerations of a record, integrated exactly between its samples."""
 
 import math
 from functools import lru_cache
@@ -43,7 +43,7 @@ class Intensities(NamedTuple):
 
 
 def intensities(record: Series, gravity: float = 9.81) -> Intensities:
-    """Intensity measures of a record over gravity; of one that is zero they are 0, its mean period NaN."""
+    """Return the intensity measures of a record over gravity; for a zero record they are 0 and the mean period NaN."""
     time, values = _with_zeros(record)
     steps = np.diff(time)
     before, after = values[:-1], values[1:]
@@ -62,7 +62,7 @@ def intensities(record: Series, gravity: float = 9.81) -> Intensities:
 
 
 def drift_warning(record: Series, gravity: float = 9.81) -> str:
-    """Return a sentence about a velocity at the end that exceeds 5 % of its peak; empty for other records."""
+    """Return a warning if the velocity at the end exceeds 5 % of its peak; otherwise an empty text."""
     velocity = gravity * np.abs(_velocity(*_with_zeros(record)))
     end, peak = float(velocity[-1]), float(np.max(velocity))
     if not end > _DRIFT * peak:
@@ -72,13 +72,13 @@ def drift_warning(record: Series, gravity: float = 9.81) -> str:
 
 
 def _velocity(time: Floats, values: Floats) -> Floats:
-    """The integral of the acceleration at each time but the first."""
+    """Return the integral of the acceleration from the start to each time but the first."""
     means = (values[:-1] + values[1:]) / 2.0
     return np.cumsum(np.diff(time) * means)
 
 
 def _with_zeros(record: Series) -> ArrayPair:
-    """Times and values with the places between samples where the acceleration passes zero: there the velocity peaks."""
+    """Return times and values, with the zeros of the acceleration between samples added, where the velocity peaks."""
     time, values = record.time, record.values
     before, after = values[:-1], values[1:]
     crosses = np.flatnonzero(before * after < 0.0)
@@ -90,7 +90,7 @@ def _with_zeros(record: Series) -> ArrayPair:
 
 
 def _mean_period(record: Series) -> float:
-    """The mean period of evenly spaced samples, padded with zeros to the resolution of the spectrum."""
+    """Return the mean period in s from evenly spaced samples, padded with zeros to the spectrum's resolution."""
     count = record.time.size
     times, step = np.linspace(record.time[0], record.time[-1], count, retstep=True)
     needed = math.ceil(1.0 / (_RESOLUTION * step))
@@ -107,10 +107,10 @@ def _mean_period(record: Series) -> float:
 
 
 def spectral_acceleration(record: Series, period: float) -> float:
-    """Pseudo-acceleration of a record at a period and a damping ratio of 5 %, over gravity.
+    """Return the pseudo-acceleration over gravity of a record at a period, for a damping ratio of 5 %.
 
-    The greatest displacement of an oscillator times the square of its angular frequency. Between samples the
-    acceleration is linear, of which a first-order hold is exact (Nigam and Jennings 1969).
+    It is the greatest displacement of an oscillator times the square of its angular frequency. The acceleration is
+    linear between samples, so that a first-order hold is exact (Nigam and Jennings 1969).
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def spectral_acceleration(record: Series, period: float) -> float:
 
 
 def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
-    """Displacement u of an oscillator from rest at even times, u'' + 2 zeta omega u' + omega^2 u = -a."""
+    """Return the displacement u at even times of an oscillator from rest: u'' + 2 zeta omega u' + omega^2 u = -a."""
     from scipy.signal import lfilter
 
     weights, recurrence, at_start = _recurrence(step, frequency)
@@ -143,7 +143,7 @@ def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
 
 @lru_cache(maxsize=1024)
 def _recurrence(step: float, frequency: float) -> tuple[Floats, Floats, Floats]:
-    """Weights of three accelerations and three displacements, and of the first acceleration, before which is rest."""
+    """Return the weights of the last three accelerations and displacements, and the initial state of the filter."""
     from scipy.signal import cont2discrete, ss2tf
 
     free = np.array([[0.0, 1.0], [-(frequency**2), -2.0 * _DAMPING * frequency]])

@@ -1,20 +1,20 @@
-"""Published regressions of the displacement of sliding blocks, with their standard deviations and ranges.
+"""Published regressions of sliding-block displacements, with their standard deviations and ranges.
 
-All give the natural logarithm of a displacement in cm; r is the yield coefficient over the peak acceleration.
+Each regression predicts ln D, D in cm; r is the yield coefficient over the peak acceleration.
 
 Every coefficient and standard deviation agrees with at least two independent public sources: SLAMMER and groundfailure
 of the U.S. Geological Survey, OpenQuake, OpenSRA, pyGEEMs, pyNewmarkDisp, newmark (CRAN), Kramer and Stewart
-(Geotechnical Earthquake Engineering, 2nd ed.), and the spreadsheet of Bray and Travasarou, which has their range.
+(Geotechnical Earthquake Engineering, 2nd ed.), and the spreadsheet of Bray and Travasarou, which states their range.
 Results agree with worked examples in Kramer and Stewart, Rathje and others (2014), Bray (2007), Bray and Travasarou
 (2007) and the spreadsheet. Where sources differ:
 
 * Rathje and Saygili (2009, eq. 11) print 0.405 + 0.524 r for the standard deviation of the regression on PGA and PGV,
   which Saygili and Rathje (2008) round to 0.41 + 0.52 r;
-* of that on PGA and magnitude -0.539 r^2 is -0.54 in pyGEEMs, -0.530 in Kramer and Stewart, and 0.95 replaces it in
-  SLAMMER;
-* of that on PGA alone -20.39 r^2 is -20.93 in pyNewmarkDisp.
+* in the regression on PGA and magnitude, -0.539 r^2 is -0.54 in pyGEEMs, -0.530 in Kramer and Stewart, and replaced
+  by 0.95 in SLAMMER;
+* in the regression on PGA alone, -20.39 r^2 is -20.93 in pyNewmarkDisp.
 
-One source only has the yield coefficients of Jibson's data and the least ratio of Ambraseys and Menu.
+The yield coefficients of Jibson's data and the least ratio of Ambraseys and Menu are from one source only.
 """
 
 import math
@@ -27,21 +27,21 @@ import numpy as np
 from slipcircle.base.kinds import Flags, Floats, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
-RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) take a mass for rigid
+RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) treat a mass as rigid
 
 
 @dataclass(frozen=True)
 class Shaking:
-    """Intensity measures of records, arrays of one value each.
+    """Intensity measures of records, in arrays with one value for each record.
 
     Attributes
     ----------
     k_y : float
         Yield coefficient of the slope.
     pga, pgv, arias : ndarray
-        Over gravity, m/s and m/s.
+        Peak acceleration over gravity, peak velocity in m/s and Arias intensity in m/s.
     magnitude : float
-        NaN if it is not known; regressions that need it then give NaN.
+        Moment magnitude; if unknown it is NaN, and so are regressions that need it.
     period : float
         Fundamental period T_s of the sliding mass, s; below 0.05 s it is rigid.
     spectral : ndarray, optional
@@ -58,40 +58,42 @@ class Shaking:
 
     @property
     def ratio(self) -> Floats:
+        """Yield coefficient over the peak acceleration, r."""
         return self.k_y / self.pga
 
     @property
     def response(self) -> Floats:
-        """The pseudo-acceleration at 1.5 T_s over gravity, which of a rigid mass is the peak acceleration."""
+        """Pseudo-acceleration over gravity at 1.5 T_s; for a rigid mass, the peak acceleration."""
         return self.pga if self.spectral is None or self.is_rigid else self.spectral
 
     @property
     def is_rigid(self) -> bool:
+        """Whether the fundamental period of the mass is below `RIGID`."""
         return self.period < RIGID
 
     @property
     def flexible_period(self) -> float:
-        """The fundamental period, 0 of a rigid mass."""
+        """Fundamental period in s; 0 for a rigid mass."""
         return 0.0 if self.is_rigid else self.period
 
 
 @dataclass(frozen=True)
 class Regression:
-    """A published regression.
+    """A published regression of ln D on intensity measures, and its range.
 
     Attributes
     ----------
     name : str
     source : str
-        Where its coefficients stand.
+        Publication and equation of the coefficients.
     median, deviation : mapping
-        Coefficients of features, whose sums are ln D and the standard deviation of ln D.
+        Coefficients by the names of `_FEATURES`; their sums are ln D, D in cm, and the standard deviation of ln D.
     limits : mapping
-        Least and greatest values of its authors' data, by the attributes of `Shaking`.
+        Least and greatest value of each measure in its authors' data, by the attributes of `Shaking`.
     least_cm : float
-        Displacement that counts as none.
+        Displacement, cm, up to which the regression counts it as zero.
     motion : mapping
-        Coefficients of features, whose sum is the standard normal quantile of a larger displacement.
+        Coefficients by feature; their sum is the standard normal quantile of the probability of a larger displacement.
     """
 
     name: str
@@ -103,28 +105,28 @@ class Regression:
     motion: Mapping[str, float] = field(default_factory=dict)
 
     def ln_cm(self, shaking: Shaking) -> Floats:
-        """Natural logarithm of the displacement; NaN or negative infinity where nothing moves."""
+        """Return ln D for each record, D in cm; NaN or negative infinity where the block does not move."""
         return _sum(self.median, shaking)
 
     def std_ln(self, shaking: Shaking) -> Floats:
-        """Standard deviation of `ln_cm`."""
+        """Return the standard deviation of ln D, as given by `ln_cm`, for each record."""
         return _sum(self.deviation, shaking)
 
     def negligible(self, shaking: Shaking) -> Floats:
-        """Probability of at most ``least_cm``, of a regression that has one."""
+        """Return the probability, for each record, of a displacement up to ``least_cm``; needs ``motion``."""
         quantiles = _sum(self.motion, shaking)
         return np.array([0.5 * math.erfc(z / math.sqrt(2.0)) for z in quantiles.tolist()])
 
     @property
     def valid(self) -> str:
-        """The range in words; r < 1 goes without saying."""
+        """Range of the regression in words; r < 1 always applies and is not named."""
         ranges = (
             f"{_SYMBOLS[measure]} {least:g} to {greatest:g}" for measure, (least, greatest) in self.limits.items()
         )
         return ", ".join(ranges)
 
     def in_range(self, shaking: Shaking) -> Flags:
-        """Which records lie within its range; measures that are not known do not exclude a record."""
+        """Return whether each record is in the range; an unknown measure does not exclude a record."""
         inside = np.isfinite(self.ln_cm(shaking)) & (shaking.ratio < 1.0)
         for measure, (least, greatest) in self.limits.items():
             value = getattr(shaking, measure)
@@ -133,7 +135,7 @@ class Regression:
         return inside
 
 
-# What a coefficient multiplies: ln 10 where a source has common logarithms; PGV in cm/s, PGA and S_a over gravity.
+# Factors of coefficients: ln 10 if a source has common logarithms; PGV in cm/s, PGA and S_a over gravity.
 _FEATURES: dict[str, Callable[[Shaking], Any]] = {
     "1": lambda s: np.ones(s.pga.shape),
     "ln 10": lambda s: np.full(s.pga.shape, math.log(10.0)),
@@ -272,24 +274,24 @@ REGRESSIONS = (
 
 
 class Comparison(NamedTuple):
-    """Computed displacements beside a regression.
+    """Comparison of computed displacements with a regression.
 
     Attributes
     ----------
     name, source, valid : str
-        Valid is the range of its authors' data.
+        Name and source of the regression, and the range of its authors' data.
     of : int
-        Records.
+        Number of records.
     records : int
-        Those within its range that move; the next four numbers are of these, NaN if they are fewer than two.
+        Number of records in the range that move the block; the next four values refer to them, NaN for fewer than 2.
     predicted : float
         Geometric mean of the displacements by the regression, m.
     mean, std : float
-        Of ln of the computed over the predicted displacement.
+        Mean and standard deviation of the logarithm of the computed over the predicted displacement.
     std_ln : float
-        The regression's standard deviation of ln D, in the mean of these records.
+        Published standard deviation of ln D, averaged over these records.
     negligible, negligible_computed : float
-        Predicted and computed shares of records within its range without a displacement, where it predicts one; NaN.
+        Predicted and computed shares of records in the range with a negligible displacement; NaN if not predicted.
     """
 
     name: str
@@ -306,17 +308,17 @@ class Comparison(NamedTuple):
 
 
 def comparisons(displacement: Floats, shaking: Shaking) -> list[Comparison]:
-    """Displacements of a block, m, one a record, beside every regression whose measures are known."""
+    """Return a comparison for each regression with known measures; ``displacement`` in m, by record."""
     rows = []
     for regression in REGRESSIONS:
         predicted = regression.ln_cm(shaking)
-        if not np.all(np.isnan(predicted)):  # else it needs a measure that is not known
+        if not np.all(np.isnan(predicted)):  # otherwise a measure is unknown
             rows.append(_compared(regression, 100.0 * displacement, shaking, predicted))
     return rows
 
 
 def _compared(regression: Regression, displacement_cm: Floats, shaking: Shaking, predicted: Floats) -> Comparison:
-    """A row; predicted is ln D of the regression."""
+    """Return the comparison with a regression; ``predicted`` is ln D by the regression."""
     inside = regression.in_range(shaking) & np.isfinite(displacement_cm)
     moves = inside & (displacement_cm > regression.least_cm)
     count = int(moves.sum())

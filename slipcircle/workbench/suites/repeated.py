@@ -1,4 +1,4 @@
-"""Records that occur twice in a suite."""
+"""Detection of records that occur twice in a suite."""
 
 from collections.abc import Callable, Sequence
 
@@ -10,14 +10,14 @@ _TOLERANCE = 1e-6  # of the peak
 
 
 def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int], Floats]) -> dict[int, int]:
-    """Return the places of records with the samples of an earlier record, and the place of that one.
+    """Return the places of records that repeat an earlier record, each with the place of that record.
 
     Parameters
     ----------
     measures : sequence of (int, float, float)
         Number of samples, time between them and peak acceleration of each record.
     values : callable
-        The samples of the record at a place; called only for records whose measures agree.
+        Function that returns the samples of the record at a place; called only for records whose measures agree.
     """
     found: dict[int, int] = {}
     different: dict[tuple[int, str], list[int]] = {}

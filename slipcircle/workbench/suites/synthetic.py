@@ -1,4 +1,4 @@
-"""Synthetic records: noise that swells and fades, of an Arias intensity and a duration."""
+"""Synthetic records: filtered noise with a given Arias intensity and duration."""
 
 import math
 from collections.abc import Mapping
@@ -13,10 +13,10 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.suites.intensities import intensities
 
-_SHAPE = 3.0  # of the gamma distribution by which the intensity grows with time (Saragoni and Hart 1974)
+_SHAPE = 3.0  # of the gamma distribution of the intensity over time (Saragoni and Hart 1974)
 _STEP = 0.01  # s
 _GROUND, _DAMPING = 2.5, 0.6  # Hz; of the soil that filters the noise (Kanai 1957, Tajimi 1960)
-_SLOWEST = 0.15  # Hz, below which there is little
+_SLOWEST = 0.15  # Hz, below which the amplitudes fall
 _BOUNDS: dict[str, Bounds] = {
     "count": (0.0, 1e4, "a number of records"),
     "arias": (0.0, INFINITY, "a positive number in m/s"),
@@ -29,10 +29,10 @@ _BOUNDS: dict[str, Bounds] = {
 def synthetic_records(
     count: int, arias: float = 1.0, duration: float = 12.0, seed: int = 0, gravity: float = 9.81
 ) -> dict[str, Series]:
-    """Synthetic records: filtered noise under an envelope, which stands for no site and no earthquake.
+    """Return synthetic records by name: filtered noise under an envelope, not specific to a site or earthquake.
 
-    White noise passes the filter of a damped soil layer (Kanai 1957, Tajimi 1960; 2.5 Hz, damping 0.6), loses what is
-    slower than 0.15 Hz, and grows and decays with time as a gamma distribution does (Saragoni and Hart 1974).
+    White noise is filtered by a damped soil layer (Kanai 1957, Tajimi 1960; 2.5 Hz, damping 0.6), cut off below
+    0.15 Hz, and scaled in time with the density of a gamma distribution (Saragoni and Hart 1974).
 
     Parameters
     ----------
@@ -41,11 +41,11 @@ def synthetic_records(
     arias : float, optional
         Arias intensity of each record, m/s; it is met exactly.
     duration : float, optional
-        Significant duration from 5 to 95 % of the Arias intensity, s; it is met in the mean of many records.
+        Significant duration from 5 to 95 % of the Arias intensity, s; it is reached in the mean of many records.
     seed : int, optional
-        The same seed gives the same records, and a larger count begins with the same ones.
+        Seed of the random numbers; a larger count begins with the same records.
     gravity : float, optional
-        m/s^2.
+        Acceleration of gravity, m/s^2.
 
     Returns
     -------
@@ -55,7 +55,7 @@ def synthetic_records(
     Raises
     ------
     ValueError
-        Names each argument out of bounds.
+        If an argument is out of bounds; the message names each.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def synthetic_records(
 
 
 def _noise(rng: np.random.Generator, duration: float) -> Series:
-    """White noise behind the filter, under the envelope."""
+    """Return filtered white noise under the envelope, not yet scaled, for a significant duration in s."""
     first, last, longest = special().gammaincinv(_SHAPE, [0.05, 0.95, 0.9995]).tolist()
     scale = duration / (last - first)
     count = math.ceil(scale * longest / _STEP)
@@ -87,7 +87,7 @@ def _noise(rng: np.random.Generator, duration: float) -> Series:
 
 
 def _filter(frequencies: Floats) -> Floats:
-    """Fourier amplitudes behind the soil, without what is slow."""
+    """Return the amplitudes of the soil filter at frequencies in Hz, with low frequencies suppressed."""
     ratio = frequencies / _GROUND
     damped = (2.0 * _DAMPING * ratio) ** 2
     amplitude = np.sqrt((1.0 + damped) / ((1.0 - ratio**2) ** 2 + damped))
@@ -96,9 +96,9 @@ def _filter(frequencies: Floats) -> Floats:
 
 
 def write_records(records: Mapping[str, Series], folder: PathName) -> None:
-    """Write driving accelerations into a folder as tables of time and acceleration of the ground, their opposite.
+    """Write driving accelerations into a folder, as tables of time and ground acceleration (opposite sign).
 
-    The folder may be new. `read_suite` reads the same records from it, in the same order and with the same bits.
+    The folder is created if necessary. `read_suite` reads the same records from it, in the same order, bit for bit.
     """
     place = Path(folder)
     place.mkdir(exist_ok=True)
