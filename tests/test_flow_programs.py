@@ -15,7 +15,7 @@ from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAWS, SLIP, THETA, Effect, Parameter
 from derive.flow import fragments, link, linked, recurrences
-from derive.flow.link import definitions, linker, program
+from derive.flow.link import definitions, linker, program, soils
 from derive.flow.link.definitions import ONE, ZERO
 from generated import series
 from tests.campaigns import flow_oracle
@@ -98,7 +98,7 @@ def softening_by_friction(known: Any, name: str, turns: bool) -> list[Any]:
     return [known["constant"]._replace(adds={"cohesion_law#c": known["constant"].adds["mu"]})]
 
 
-OF_SOILS = link.fragments_of
+OF_SOILS = soils.fragments_of
 FLAT, PLACED, SIMPLIFIED = linker.Linker._flat, program._placed, linker._simplified
 # Faults of the linker, each in the place of one of its functions.
 FAULTS = {

@@ -221,7 +221,7 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
 def symbols_at(
     effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
 ) -> dict[Symbol, Expr]:
-    """Return the values of all symbols in declared terms at a moment, except friction and normal stress."""
+    """Return the values of all symbols in declared terms at a moment, except normal stress; mu is that of the laws."""
     turns = any(effect.turns for effect in effects)
     phi = ZERO
     if turns:
@@ -236,6 +236,7 @@ def symbols_at(
     omega = now("omega")
     slip = known["SLIP"] + now("x")
     values |= {numbered(COHESION_LAW, soil_of(law)): friction(law, slip) for law in laws}
+    values[MU] = Mul(*(friction(law, slip) for law in laws if not soil_of(law)))
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: slip}
 
 
@@ -252,7 +253,7 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         terms = (effect.terms[quantity] for effect in others)
         return Add(*terms).xreplace(values)
 
-    mu = Mul(*(friction(law, values[SLIP]) for law in laws if not soil_of(law))) + total("mu")
+    mu = values[MU] + total("mu")
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
     mobilised = mu * (1 - known["LIFTED"])
     terms = {
