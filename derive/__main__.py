@@ -61,7 +61,7 @@ def flow(stages: Stages, present: dict[str, str]) -> dict[str, str]:
 
 
 def derive_all(stages: Stages | None = None) -> dict[str, str]:
-    """Derive and prove everything: the text of `generated` by file; progress goes to stderr."""
+    """Derive and prove everything, and return the text of `generated` by file; progress is printed on stderr."""
     from derive.algebra.slopes import MEANS, SLOPES
     from derive.declare.quantities import MOMENTS
     from derive.generate.write import present
@@ -92,14 +92,14 @@ COMMANDS = {
         "judge the paper: a table of its wrong claims and misprints, or selected claims in full",
         _JSON | {"markdown": "a page for a colleague"},
     ),
-    "hard": Command("the hard cases: error of the printed form beside ours", {}),
+    "hard": Command("the hard cases: errors of the printed form, of the kernel and of solve", {}),
     "prove": Command(
         "prove the error bounds of the kernels again, from their certificates alone",
         {"gappa": "ask Gappa, a program by others, for the rounding in them; its scripts are left in build/gappa"},
     ),
     "theorem": Command(
         "enclose and prove the motion of an arc with friction; without a quantity, of the slide of Vaiont",
-        {"json": "an object of the slide given, or a list of those of Vaiont"},
+        {"json": "an object for the given slide, or a list with the slides of Vaiont"},
     ),
 }
 # Quantities of `theorem`: decimals, which are exact, and may have an uncertainty: 10+-0.1.

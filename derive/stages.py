@@ -136,7 +136,7 @@ def report(title: str, stage: str, time_taken: str, outcome: str) -> None:
 
 
 class Stages:
-    """The stages of one run: those of the last runs by their records, and the records of this one."""
+    """Stages of one run, with the records of earlier runs and of this run."""
 
     def __init__(self, again: bool = False) -> None:
         """Read the records, or with ``again`` run every stage."""
@@ -210,7 +210,7 @@ class Stages:
         return texts
 
     def save(self, keep: bool = False) -> None:
-        """Write the records of this run; with ``keep`` also those of stages that did not run."""
+        """Write the records of this run; with ``keep`` also the records of stages that did not run."""
         kept = (self.known if keep else {}) | self.records
         rows = [f"  {json.dumps(key)}: {json.dumps(kept[key])}" for key in sorted(kept)]
         stages = ",\n".join(rows)

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c81f8bb767666400c828f814bc3d7ee727bac84de6542885d9c63dcca7cc195e
-"""Closed forms and quotients: what the functions of alpha are."""
+# sha256 of the text below: 0b2a5a1e393fd8bd4ebe3abeab805507574228771a5b6d0166be8c6aedf8be78
+"""Closed forms and quotients that define the functions of alpha."""
 
 from collections.abc import Callable
 from typing import Any

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f8466083c47893e2b4ba370b60ac7e568de20850481afc9af69a0a30abd59559
+# sha256 of the text below: ebb2c710bd2ab0daa5a2060025c355a7798dec7e82d6b4e6c7ca958d68616444
 """The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."""
 
 from __future__ import annotations
@@ -94,7 +94,8 @@ def closed(x: Any, y: Any, e_x: Any, e_y: Any, angle: Any) -> tuple[Any, Any, An
 
 
 def rings(g: Any) -> tuple[Any, Any, Any, Any, Any]:
-    """What the integrals over a ring grow by along its edge, over P1 x e: for quadrature over s from 0 to 1.
+    """Increments of the integrals over a ring along its edge, divided by P1 x e, for quadrature over s from 0 to
+    1.
 
     (1 - rho^n)/(n rho^2) for n = 2, 3, 4, then (1 - rho^n)/(n rho^3) for n = 2, 3, to be times the point itself.
 
@@ -386,7 +387,7 @@ def radial_weight(cosine: Any, distance: Any) -> Any:
 
 
 def radial_tilt(sine: Any, cosine: Any, height: Any, distance: Any) -> Any:
-    """What a unit of k_h adds to `radial_weight`.
+    """Contribution of a unit of k_h to `radial_weight`.
 
     Integral of the sine of a point's angle from straight below the centre, over a strip.
 

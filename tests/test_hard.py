@@ -1,5 +1,6 @@
 """The table of hard cases: run through `generated` against independent references, and printed."""
 
+import math
 from fractions import Fraction
 
 import numpy as np
@@ -50,6 +51,12 @@ def test_the_naive_form_fails_at_each(results: list[Result]) -> None:
     for x in results:
         fails = not x.naive_error <= 5 * x.our_error
         assert fails == ("better here" not in x.naive), x
+
+
+def test_solve_has_the_limit_friction_of_its_kernel(results: list[Result]) -> None:
+    """Within the kernel's proved bound and a rounding, for arcs in either direction; no other output is compared."""
+    for x in results:
+        assert x.solve_error <= 2.5e-15 if x.function == "limit_friction" else math.isnan(x.solve_error), x
 
 
 def test_table(capsys: pytest.CaptureFixture[str]) -> None:

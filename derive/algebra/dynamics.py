@@ -76,7 +76,7 @@ def solution() -> dict[str, Expr]:
 
 
 def prove() -> str:
-    """Derive the balance and its solution; return what is derived."""
+    """Derive the balance and its solution, and return a summary of the derived equations."""
     balance()
     solution()
     return "(2.20), (3.8)-(3.18), (3.21) derived; (3.20), (4.3) solve (3.16)"

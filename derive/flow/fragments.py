@@ -281,8 +281,7 @@ def pieces(law: Law) -> tuple[list[Expr], list[list[Expr]]]:
         of_distance = expand(piece.subs(s, start + y))
         if not of_distance.is_polynomial(y):
             raise ProofError(f"{law.name}: piece between branches", of_distance, "a polynomial of the slip")
-        polynomial = Poly(of_distance, y)
-        polynomials.append(polynomial.all_coeffs()[::-1])
+        polynomials.append(Poly(of_distance, y).all_coeffs()[::-1])
     most = max(map(len, polynomials))
     if most > DEGREE + 1:
         raise ProofError(f"{law.name}: degree of a piece", most - 1, f"at most {DEGREE}")

@@ -40,7 +40,7 @@ _TEXTS = {
         f"Accurate where the edge is longer than {REACH} (r1 + r2); `rings` elsewhere.",
     ),
     "rings": (
-        "What the integrals over a ring grow by along its edge, over P1 x e: for quadrature over s from 0 to 1.",
+        "Increments of the integrals over a ring along its edge, divided by P1 x e, for quadrature over s from 0 to 1.",
         "(1 - rho^n)/(n rho^2) for n = 2, 3, 4, then (1 - rho^n)/(n rho^3) for n = 2, 3, to be times the point itself.",
         "area, polar, inertia, radial, moment.",
         f"With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of {NODES} nodes: accurate however thin the ring, "
@@ -84,7 +84,7 @@ _TEXTS = {
         "Its integral over the arc is J_r, of the paper's mean normal stress.",
     ),
     "radial_tilt": (
-        "What a unit of k_h adds to `radial_weight`.",
+        "Contribution of a unit of k_h to `radial_weight`.",
         "Integral of the sine of a point's angle from straight below the centre, over a strip.",
         "Its integral over the arc is dJ_r/dpsi.",
     ),

@@ -138,7 +138,7 @@ def definitions_module(closed: Mapping[str, Expr]) -> str:
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
-        '"""Closed forms and quotients: what the functions of alpha are."""\n\n'
+        '"""Closed forms and quotients that define the functions of alpha."""\n\n'
         "from collections.abc import Callable\nfrom typing import Any\n\n"
         "# Over any arithmetic m that has sin, cos and atanh.\n"
         f"CLOSED: dict[str, Callable[[Any, Any], Any]] = {{\n{''.join(forms)}}}\n\n"

@@ -1,11 +1,13 @@
-"""Hard cases declared as data: arguments at which printed forms lose digits, with the errors of the kernels.
+"""Hard cases declared as data: arguments at which printed forms lose digits, with errors of the kernels and of `solve`.
 
-`report` runs the programs of both and compares them with the closed form at hundreds of digits. The
-tests run through the same list with quadrature of the definitions instead.
+`report` runs the programs and compares them with the closed form at hundreds of digits. The tests compare the same
+list with quadrature of the definitions.
 """
 
 import math
 import shutil
+import subprocess
+import sys
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, partial
@@ -45,7 +47,7 @@ class Form(NamedTuple):
 
 
 class Result(NamedTuple):
-    """Measured relative errors of a hard case, for the kernel also in ulp; NaN if a form has no value."""
+    """Measured relative errors of a hard case, for the kernel also in ulp; NaN without a value."""
 
     function: str
     arguments: tuple[float, ...]
@@ -54,6 +56,7 @@ class Result(NamedTuple):
     naive_error: float
     our_error: float
     our_ulp: float
+    solve_error: float
 
 
 @cache
@@ -157,8 +160,31 @@ def cases() -> tuple[HardCase, ...]:
     return *_kernels(), *_OF_ENDS
 
 
+# The limit friction of a motion along each arc of the input, without the sign of the direction.
+_SOLVE = """
+import sys
+from dataclasses import replace
+from slipcircle import load, solve
+scene = load("vaiont")
+for line in sys.stdin:
+    first, last = map(float, line.split())
+    arc = replace(scene.arc, theta_1=first, theta_2=last)
+    print(float(solve(replace(scene, arc=arc)).limit_friction))
+"""
+
+
+def _solved() -> dict[HardCase, float]:
+    """Return the limit friction by `solve`, which runs in a separate process as nothing here imports slipcircle."""
+    arcs = [case for case in cases() if case.function == "limit_friction"]
+    lines = [" ".join(map(repr, case.arguments)) for case in arcs]
+    run = [sys.executable, "-c", _SOLVE]
+    done = subprocess.run(run, input="\n".join(lines), capture_output=True, text=True, check=True)
+    return dict(zip(arcs, map(float, done.stdout.split()), strict=True))
+
+
 def measured() -> list[Result]:
-    """Run both forms of every case and return their errors relative to the exact form."""
+    """Run all forms of every case and return their errors relative to the exact form."""
+    solved = _solved()
     every = (*variants(), *variants_of_ends())
     programs = [v.program for v in every if v.tier == "best" and v.form != "fused"]
     ours = {p.name: p.run for p in programs}
@@ -178,7 +204,9 @@ def measured() -> list[Result]:
             if math.isfinite(naive):
                 naive_error = float(abs(naive - exact) / size)
             error = abs(computed - exact)
-            results.append(Result(*case, form.words, naive_error, float(error / size), float(error / ulp)))
+            solve_error = float(abs(solved.get(case, math.nan) - size) / size)
+            of_kernel = float(error / size), float(error / ulp)
+            results.append(Result(*case, form.words, naive_error, *of_kernel, solve_error))
     return results
 
 
@@ -193,21 +221,23 @@ def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
 
 
 def report() -> str:
-    """Return the hard cases with the errors of the printed form and of the kernel."""
+    """Return the hard cases with the errors of the printed form, of the kernel and of `solve`."""
     results = measured()
     lines = [
-        "Relative error of the printed form, and of ours (also in units of the last place).",
+        "Relative error of the printed form, of the kernel (also in units of the last place), and of solve.",
+        "A motion reports the limit friction alone. Its other numbers have no exact value to compare with.",
         "",
-        f"{'printed':>9} {'ours':>8} {'ulp':>6}   input",
+        f"{'printed':>9} {'kernel':>8} {'ulp':>6} {'solve':>8}   input",
     ]
     width = min(shutil.get_terminal_size((96, 24)).columns, 96)
-    indent = " " * 28
+    indent = " " * 37
     for name in dict.fromkeys(x.function for x in results):
         lines += ["", name]
         for x in results:
             if x.function != name:
                 continue
             arguments = ", ".join(map(repr, x.arguments))
-            lines.append(f"{x.naive_error:9.0e} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({arguments})")
+            solve = "-" if math.isnan(x.solve_error) else f"{x.solve_error:.0e}"
+            lines.append(f"{x.naive_error:9.0e} {x.our_error:8.0e} {x.our_ulp:6.1f} {solve:>8}   ({arguments})")
             lines += textwrap.wrap(f"{x.why}; {x.naive}", width, initial_indent=indent, subsequent_indent=indent)
     return "\n".join(lines)

@@ -58,7 +58,7 @@ Domain = tuple[tuple[str, Any, Any], ...]
 
 
 class Row(NamedTuple):
-    """Judged claim."""
+    """Claim of the paper with its verdict."""
 
     id: str
     claim: str

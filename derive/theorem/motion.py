@@ -1,4 +1,4 @@
-"""What is proved of a slide: that it moves, does not stop before it rests, keeps contact, and stays; with numbers.
+"""Theorems on a slide: it moves, comes to rest once, keeps contact and stays at rest, with enclosures of its numbers.
 
 The moments come from their definitions (`derive.check.truth`), and the motion from the balance of moments about the
 centre of the arc, with psi the dip of the chord, for lengths in R and times in sqrt(R/g):
@@ -31,7 +31,7 @@ class Slide(NamedTuple):
     theta_2: arb
     friction: arb
     gravity: arb
-    peak_friction: arb | None = None  # from which it falls exponentially with slip
+    peak_friction: arb | None = None  # initial value; it falls exponentially with slip
     length: arb = arb(1)  # of this fall
     cohesion: arb = arb(0)  # over the unit weight: m
     pore_pressure: arb = arb(0)  # too
@@ -41,7 +41,7 @@ class Slide(NamedTuple):
 
 @dataclass
 class Theorem:
-    """A status, what is proved, enclosures by name, and why more is not known."""
+    """Status of a motion, proved statements, enclosures by name, and the reason for an undecided status."""
 
     status: str = "undecided"
     proved: list[str] = field(default_factory=list)
@@ -50,19 +50,19 @@ class Theorem:
 
     @property
     def digits(self) -> float:
-        """Of the least certain number."""
+        """Number of certain digits of the least certain result."""
         return min((x.rel_accuracy_bits() for x in self.numbers.values()), default=0) / BITS
 
 
 def moment(statement: str, alpha: arb) -> arb:
-    """A moment of an arc up to a half disc, towards which it grows: what is integrated is positive there."""
+    """Return a moment of an arc up to a half disc. It increases with the angle, as its integrand is positive."""
     if alpha < arb.pi() / 2:
         return value((statement,), alpha)
     return value((statement,), alpha.lower()).union(limit((statement,)))
 
 
 def first_swing(slide: Slide) -> Swing:
-    """The coefficients of its motion; an arc that faces the other way is turned about."""
+    """Return the coefficients of the first swing; an arc that faces the other way is mirrored."""
     middle = (slide.theta_1 + slide.theta_2) / 2
     alpha = ((slide.theta_2 - slide.theta_1) / 2).min(arb.pi() / 2)
     inertia = moment("r^3", alpha)
@@ -82,21 +82,21 @@ def first_swing(slide: Slide) -> Swing:
 
 
 def theorem(slide: Callable[[], Slide], digits: int = 20, efforts: Sequence[int] = EFFORTS) -> Theorem:
-    """Enclose a motion to these digits, with as many bits as this takes, or as the inputs allow.
+    """Enclose a motion to a number of digits, with sufficient precision or as far as the inputs allow.
 
     Parameters
     ----------
     slide : callable
-        Makes the slide at the precision in force, so that exact inputs lose nothing.
+        Function that returns the slide at the current precision, so that exact inputs remain exact.
     digits : int
-        Of every number.
+        Certain digits required of every number.
     efforts : sequence of int
-        Multiples of the spare digits, in the order in which they are tried.
+        Multiples of the spare digits, tried in this order.
 
     Returns
     -------
     Theorem
-        Its status is "rests", "does not move", "never rests", or "undecided" with a reason.
+        Theorem with the status "rests", "does not move", "never rests", or "undecided" with a reason.
     """
     proof = Theorem()
     for effort in efforts:
@@ -114,12 +114,12 @@ def theorem(slide: Callable[[], Slide], digits: int = 20, efforts: Sequence[int]
 
 
 def about(x: arb) -> str:
-    """The first digits of a ball, as far as they are certain."""
+    """Return the first digits of a ball that are certain, at most six."""
     return str(x.str(6, radius=False))
 
 
 def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
-    """The status of the motion; claims and numbers go into the proof, as far as it gets."""
+    """Return the status of the motion, and add statements and numbers to the proof as they are decided."""
     swing = first_swing(slide)
     still = arb(0)
     normal = swing.normal(still, still)
@@ -144,7 +144,7 @@ def _status(slide: Slide, proof: Theorem, tolerance: arb) -> str:
 
 
 def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
-    """Swing by swing, until the mass stays where it stands."""
+    """Enclose swings until the mass stays at rest, and return the status."""
     stands: list[Standstill] = []
     still = arb(0)
     while swing.acceleration(still, still) > 0:
@@ -174,7 +174,7 @@ def _swings(slide: Slide, swing: Swing, proof: Theorem, tolerance: arb) -> str:
 def _numbers(slide: Slide, stands: list[Standstill]) -> dict[str, arb]:
     """Return the numbers of the whole motion in SI units; run-out and rotation are the greatest.
 
-    The place of rest is added if the mass swings back, the place of the peak if it is certain in which swing it is.
+    The place of rest is added if the mass swings back, and the place of the peak if its swing is certain.
     """
     first, *others = stands
     farthest, *later = accumulate((-1) ** k * stand.rest for k, stand in enumerate(stands))

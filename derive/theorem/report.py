@@ -1,4 +1,4 @@
-"""Theorems from the command line: decimals in, which are exact, and decimals out, between which a number is proved."""
+"""Theorems from the command line: exact decimals as input, and decimals that bound each proved number as output."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -19,11 +19,11 @@ from derive.theorem.motion import EFFORTS, Slide, Theorem, first_swing, theorem
 VAIONT = {"radius_m": "1492.6", "theta_1_deg": "215.2", "theta_2_deg": "276.9", "friction_deg": "10"}
 SOFTENING = {"peak_friction_deg": "22.5", "length_m": "1"}
 SCENES: dict[str, dict[str, Any]] = {"vaiont": {}, "vaiont-frozen": {"rotation": False}, "vaiont-softening": SOFTENING}
-PARTS = 2000  # of uncertain inputs, most that are looked at
-PART_DIGITS = 4  # computed of each part, to which uncertain inputs limit it
+PARTS = 2000  # largest number of parts of uncertain inputs
+PART_DIGITS = 4  # of each part; uncertain inputs allow no more
 SHOWN_DIGITS = 6
 FINE = 1 / 16  # share of a part that is not divided further once it is decided, so that enclosures are narrow
-STRESSES = ("cohesion_kPa", "pore_pressure_kPa")  # that act over the unit weight
+STRESSES = ("cohesion_kPa", "pore_pressure_kPa")  # divided by the unit weight
 OTHERS = dict.fromkeys(STRESSES, "0") | {"gravity_m_s2": "9.81"}
 POSITIVE = (Fraction(1, 10**9), 10**9)
 BOUNDS: dict[str, tuple[Fraction | int, int]] = {
@@ -40,20 +40,20 @@ BOUNDS: dict[str, tuple[Fraction | int, int]] = {
 
 
 class Interval(NamedTuple):
-    """All numbers from a rational one to another."""
+    """Closed interval between two rational numbers."""
 
     low: Fraction
     high: Fraction
 
     def ball(self) -> arb:
-        """At the precision in force."""
+        """Return a ball that covers the interval, at the current precision."""
         middle = (self.low + self.high) / 2
         radius = (self.high - self.low) / 2
         return number(middle) + number(radius) * arb(0, 1)
 
 
 def interval(text: str) -> Interval:
-    """Of a decimal, or of one with its uncertainty: "10+-0.1"; ArithmeticError for other words."""
+    """Return the interval of a decimal with or without uncertainty, "10+-0.1"; raise ArithmeticError for other text."""
     decimals = [Decimal(part) for part in text.split("+-", 1)]
     if not all(x.is_finite() and abs(x.adjusted()) <= 100 for x in decimals):
         raise ArithmeticError
@@ -62,7 +62,7 @@ def interval(text: str) -> Interval:
 
 
 def read(texts: Mapping[str, str]) -> dict[str, Interval]:
-    """The quantities; ValueError with every mistake."""
+    """Return the intervals of the quantities, or raise a ValueError that lists all mistakes."""
     given, faults = dict[str, Interval](), list[str]()
     for name, text in texts.items():
         least, most = BOUNDS[name]
@@ -90,7 +90,7 @@ def read(texts: Mapping[str, str]) -> dict[str, Interval]:
 
 
 def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
-    """Of quantities that are allowed, at the precision in force."""
+    """Return the slide with these valid quantities, at the current precision."""
     degree = arb.pi() / 180
     balls = {name: x.ball() * (degree if "deg" in name else 1) for name, x in given.items()}
     peak = balls.get("peak_friction_deg")
@@ -110,7 +110,7 @@ def slide(given: Mapping[str, Interval], **switches: bool) -> Slide:
 
 
 def pair(x: arb, digits: int) -> list[str]:
-    """Decimals below and above all numbers of a ball."""
+    """Return decimals below and above all numbers of a ball."""
     middle, radius = fraction(x.mid()), fraction(x.rad())
     ends = ((middle - radius, ROUND_FLOOR), (middle + radius, ROUND_CEILING))
     texts = []
@@ -121,14 +121,14 @@ def pair(x: arb, digits: int) -> list[str]:
 
 
 class Division(NamedTuple):
-    """A part of the inputs: minus its share, by which parts are ordered, its number, and its intervals."""
+    """Part of the inputs: minus its share, which orders the parts, its number, and its intervals."""
 
     minus_share: float
     number: int
     quantities: dict[str, Interval]
 
     def halves(self) -> Iterator[dict[str, Interval]]:
-        """Yield the halves of the part, divided where this narrows the equation of motion most."""
+        """Yield the halves of the part, divided where this narrows the coefficients of the motion most."""
 
         def spread(name: str) -> float:
             low, high = self.quantities[name]
@@ -146,9 +146,9 @@ class Division(NamedTuple):
 
 
 def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[Theorem, float]:
-    """Return what is proved of all parts of uncertain inputs that are decided, and the share of the undecided parts.
+    """Return the theorem on all decided parts of uncertain inputs, and the share of the undecided parts.
 
-    The largest part is halved until it is decided and at most `FINE`, or until so many parts have been looked at.
+    The largest part is halved until it is decided and its share is at most `FINE`, or until ``parts`` parts are judged.
     """
     waiting = [Division(-1.0, 0, whole)]
     shares: dict[str, float] = {}
@@ -175,7 +175,7 @@ def divided(whole: dict[str, Interval], parts: int, **switches: bool) -> tuple[T
 
 
 def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PARTS) -> tuple[str, bool]:
-    """Return the theorem on the slide of these options, or those on the scenes without any; whether all are decided."""
+    """Return the theorem on the slide of these options, by default on each scene, and whether all are decided."""
     scenes = {"slide": dict(options)} if options else SCENES
     rows = []
     for name, chosen in scenes.items():
@@ -200,7 +200,7 @@ def report(options: Mapping[str, Any], digits: int, form: str, parts: int = PART
 
 
 def _plain(name: str, proof: Theorem, digits: int, undecided: float) -> dict[str, Any]:
-    """Return the theorem for JSON."""
+    """Return the theorem as plain data."""
     numbers = {key: pair(x, digits) for key, x in proof.numbers.items()}
     about = {"name": name, "status": proof.status, "reason": proof.reason, "undecided_share": undecided}
     return about | numbers | {"proved": proof.proved}

@@ -1,12 +1,13 @@
-"""One swing of a slide, from rest to the next standstill, as Taylor series in time whose remainders are bounded.
+"""One swing of a slide, from rest to the next standstill, as Taylor series in time with bounded remainders.
 
 With the dip psi = dip - x of the chord after a rotation x, and omega = x', the balance of moments over Theta* is
 
     omega' = weight sin psi - cohesion - mu (press cos psi + polar omega^2 - pore),  mu = residual + drop exp(-decay x).
 
-A step of the motion is a polynomial of t with balls for coefficients, the last of which holds that coefficient of
-Taylor's series about every state of the step (Lagrange): so its derivatives hold those of the motion, and its integral
-the rotation. Signs of omega' and omega'' on a whole step, and balls for their zeros by Newton's method, are the proof.
+A step of the motion is a polynomial of t with balls for coefficients. The last ball contains this coefficient of the
+Taylor series about every state of the step (Lagrange). The derivatives of the polynomial therefore enclose the
+derivatives of the motion, and its integral encloses the rotation. The proof consists of the signs of omega' and omega''
+on a whole step and of balls for their zeros by Newton's method.
 """
 
 from typing import Any, NamedTuple
@@ -18,11 +19,11 @@ HALVINGS = 60  # of a step after which a claim counts as undecided
 
 
 class Undecided(ArithmeticError):
-    """The balls are too wide for a decision."""
+    """Balls too wide for a decision."""
 
 
 class Swing(NamedTuple):
-    """The coefficients of the balance."""
+    """Coefficients of the balance of moments."""
 
     dip: arb
     weight: arb
@@ -35,33 +36,33 @@ class Swing(NamedTuple):
     decay: arb
 
     def friction(self, x: Any) -> Any:
-        """mu after a rotation: a ball or a series."""
+        """Return the friction coefficient after a rotation, as a ball or a series."""
         return (-self.decay * x).exp() * self.drop + self.residual
 
     def normal(self, x: Any, omega: Any) -> Any:
-        """Force across the arc."""
+        """Return the normal force on the arc."""
         return (self.dip - x).cos() * self.press + omega * omega * self.polar - self.pore
 
     def acceleration(self, x: Any, omega: Any) -> Any:
-        """omega' of a mass that moves on."""
+        """Return omega' of a moving mass."""
         driving = (self.dip - x).sin() * self.weight - self.cohesion
         return driving - self.friction(x) * self.normal(x, omega)
 
     def taylor(self, x: arb, omega: arb) -> list[arb]:
-        """Of omega, about a state: each round of Picard's iteration adds a coefficient."""
+        """Return the Taylor coefficients of omega about a state. Each iteration of Picard adds a coefficient."""
         speed = arb_series([omega], 1)
         for _ in range(1, ctx.cap):
             speed = self.acceleration(speed.integral() + x, speed).integral() + omega
         return list(speed)
 
     def reversed(self, rest: arb) -> "Swing":
-        """The swing that begins where this one ends, in the other direction; friction does not heal."""
+        """Return the swing in the other direction from the end of this swing; friction is not recovered."""
         drop = (-self.decay * rest).exp() * self.drop
         return self._replace(dip=rest - self.dip, drop=drop)
 
 
 class Step(NamedTuple):
-    """A part of a swing: its length in time, the rotation and omega as functions of the time since it began."""
+    """Part of a swing: its length in time, the rotation and omega as functions of the time since it began."""
 
     length: arb
     x: arb_poly
@@ -69,7 +70,7 @@ class Step(NamedTuple):
 
 
 class Standstill(NamedTuple):
-    """The end of a swing: rotation and time (over sqrt(R/g)); rotation and omega at the peak; all steps."""
+    """End of a swing: rotation and time (over sqrt(R/g)); rotation and omega at the peak; all steps."""
 
     rest: arb
     time: arb
@@ -79,12 +80,12 @@ class Standstill(NamedTuple):
 
 
 def until(length: arb) -> arb:
-    """The ball over [0, length]."""
+    """Return the ball that covers [0, length]."""
     return length * arb(0.5, 0.5)
 
 
 def bounded(swing: Swing, x: arb, omega: arb, length: arb) -> tuple[arb, arb]:
-    """Balls that the state does not leave for this time: Picard's iteration maps them into themselves."""
+    """Return balls that contain the state during this time. Picard's iteration maps them into themselves."""
     times = until(length)
     wide = omega
     for _ in range(20):
@@ -97,7 +98,7 @@ def bounded(swing: Swing, x: arb, omega: arb, length: arb) -> tuple[arb, arb]:
 
 
 def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
-    """The longest of a length and its halves with a remainder within the tolerance, relative."""
+    """Return the step with the longest of a length and its halves whose relative remainder meets the tolerance."""
     *thin, _ = swing.taylor(x, omega)
     order = len(thin)
     for _ in range(HALVINGS):
@@ -111,7 +112,7 @@ def step(swing: Swing, x: arb, omega: arb, length: arb, tolerance: arb) -> Step:
 
 
 def zero(f: arb_poly, length: arb) -> arb:
-    """The ball of the one zero of a falling function on [0, length], by Newton's method."""
+    """Return a ball around the single zero of a decreasing function on [0, length], by Newton's method."""
     slope = f.derivative()
     found = until(length)
     for _ in range(ctx.prec):
@@ -124,7 +125,7 @@ def zero(f: arb_poly, length: arb) -> arb:
 
 
 def standstill(swing: Swing, tolerance: arb) -> Standstill:
-    """Enclose the next standstill, for a swing that starts: omega' > 0, until at the peak its sign changes once."""
+    """Return the next standstill of a swing that starts: omega' > 0 up to the peak, where its sign changes once."""
     x = omega = time = peak_at = peak = arb(0)
     length = FIRST_STEP
     steps: list[Step] = []
@@ -152,9 +153,10 @@ def standstill(swing: Swing, tolerance: arb) -> Standstill:
 
 
 def decided(part: Step, rises: bool) -> tuple[arb, bool]:
-    """The longest of a step's length and its halves on which signs are certain, and whether the event is in it.
+    """Return the longest of a step's length and its halves with certain signs, and whether it contains the event.
 
-    Of a mass that speeds up omega' > 0, and the event is its zero; after it omega' < 0, and the event is that of omega.
+    While the mass accelerates, omega' > 0 and the event is the zero of omega'. Then omega' < 0 and the event is the
+    zero of omega.
     """
     length, _, omega = part
     event = omega.derivative() if rises else omega
