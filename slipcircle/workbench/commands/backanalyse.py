@@ -4,8 +4,8 @@ import argparse
 from dataclasses import replace
 from functools import partial
 from itertools import combinations
-from typing import Any
 
+from slipcircle.base.kinds import TextDict, ValueDict
 from slipcircle.base.text import digits_left, shown
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene
@@ -80,7 +80,7 @@ def run(options: argparse.Namespace) -> Answer:
     return Answer(lambda: [_record(fit)], [table], [f"{name}: {warning}" for warning in fit.warnings], drawn)
 
 
-def _record(fit: BackAnalysis) -> dict[str, Any]:
+def _record(fit: BackAnalysis) -> ValueDict:
     """Return a back-analysis as a mapping for JSON, with null for unknown values."""
     solutions = []
     for solution in fit.solutions:
@@ -89,7 +89,7 @@ def _record(fit: BackAnalysis) -> dict[str, Any]:
     return {"scene": fit.motion.plan.scene.name} | vars(fit) | {"solutions": solutions}
 
 
-def _column(fit: BackAnalysis, solution: Solution) -> dict[str, str]:
+def _column(fit: BackAnalysis, solution: Solution) -> TextDict:
     """Return the cells of a solution by label: fitted values, outcomes with observations, and the misfit."""
     cells, errors = {}, solution.standard_errors or {}
     for name, value in solution.values.items():

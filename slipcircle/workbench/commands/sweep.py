@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.base.text import shown
 from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import suite
@@ -179,13 +180,13 @@ def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
     return replace(scene, uncertain=others | drawn)
 
 
-def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study:
+def _compute(scene: Scene, levels: Values, options: argparse.Namespace) -> Study:
     with engine(options.engine, options.workers, options.scheduler) as executor:
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
         form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
         pairs = read.by_key("correlation", options.correlation, form, float)
-        settings: dict[str, Any] = {
+        settings: ValueDict = {
             "rng": options.seed,
             "executor": executor,
             "method": options.method,

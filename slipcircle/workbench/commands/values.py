@@ -5,15 +5,15 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from slipcircle.base.kinds import Floats, Pair, ValueDict
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.quantities import Interval, Observed
 
 MOST_TIMES = 1_000_000
 
 
-def times(text: str) -> NDArray[np.float64]:
+def times(text: str) -> Floats:
     """Return evenly spaced times in s, parsed from ``FROM:TO:STEP`` such as ``0:60:1``."""
     try:
         first, last, step = map(float, text.split(":"))
@@ -67,7 +67,7 @@ def removed(text: str) -> None:
     raise argparse.ArgumentTypeError("was removed; use --run-out-m, which is the greatest displacement")
 
 
-def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
+def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], Any]) -> ValueDict:
     """Return values by key, parsed from texts ``KEY=VALUE``; a repeated key is an error.
 
     Parameters
@@ -81,7 +81,7 @@ def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], A
     read : callable
         Parser of a value's text; it raises ValueError for invalid text.
     """
-    values: dict[str, Any] = {}
+    values: ValueDict = {}
     errors = []
     for text in texts:
         key, _, value = text.partition("=")
@@ -96,7 +96,7 @@ def by_key(option: str, texts: Sequence[str], form: str, read: Callable[[str], A
     return values
 
 
-def bounds(text: str) -> tuple[float, float] | None:
+def bounds(text: str) -> Pair | None:
     """Return two numbers, parsed from ``LOW:HIGH``; None for empty text."""
     if not text:
         return None
@@ -104,14 +104,14 @@ def bounds(text: str) -> tuple[float, float] | None:
     return low, high
 
 
-def distribution(text: str) -> dict[str, Any]:
+def distribution(text: str) -> ValueDict:
     """Return a distribution as in a scene file, a mapping of parameters, parsed from ``NAME:A:B``."""
     name, *numbers = text.split(":")
     parameters = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
     return {"distribution": name} | dict(zip(parameters, map(float, numbers), strict=True))
 
 
-def levels(text: str) -> NDArray[np.float64]:
+def levels(text: str) -> Floats:
     """Return the levels of a grid, parsed from ``FROM:TO:COUNT`` or from ``A,B,C``."""
     if text.count(":") == 2:
         first, last, number = text.split(":")
