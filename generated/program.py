@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0aaac3ae0d67018c49329b5afe4796dac2a7da416f06cd10670de7f211fc8713
+# sha256 of the text below: 87b3f12f567df1294a8af3ab100685b8b20ce86c43bf97cd95461da01cc4f436
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -591,3 +591,69 @@ def _autonomous(definitions: Definitions, linked: Linked) -> int:
     taken = {register for operation, _ in linked.series for register in operation.registers}
     still = "omega" not in taken and all(table.kind == "time" for table in definitions.tables)
     return (len(definitions.states) == 2 and "x" not in taken) * (1 + still)
+
+
+# Quantity that a law of one soil supplies, by the effect that takes it.
+LAW_OF_EFFECT = {"soil_friction": "soil_mu", "softening_cohesion": "cohesion_law"}
+
+
+def fragments_of(known: Mapping[str, Fragment], name: str, turns: bool) -> list[Fragment]:
+    """Return the fragments of an effect or a law, of one soil if its name contains a number.
+
+    The effect ``soil_friction#0`` includes the weight of its soil.
+    """
+    shared_name, mark, soil = name.partition(OF_SOIL)
+    if not mark:
+        return [known[name]]
+    number = mark + soil
+    own = _numbered(known, shared_name, number)
+    if shared_name not in LAW_OF_EFFECT:  # a law, of which the effect takes the coefficient
+        quantity = LAW_OF_EFFECT["softening_cohesion" if number.startswith(OF_COHESION) else "soil_friction"]
+        return [own._replace(adds={quantity + number: own.adds["mu"]})]
+    if shared_name == "softening_cohesion":
+        return [own]
+    weights = ["gravity", "rotation"] if turns else ["gravity"]
+    return [own, *(_numbered(known, weight, number)._replace(adds={}, series=()) for weight in weights)]
+
+
+def _numbered(known: Mapping[str, Fragment], shared_name: str, number: str) -> Fragment:
+    """Return a fragment with the names of one soil: ``dsoil_mu#0``."""
+    of_one_soil = set(LAW_OF_EFFECT.values())
+    for effect in LAW_OF_EFFECT:
+        of_one_soil.update(known[effect].inputs, (table for table, *_ in known[effect].tables))
+    fragment = known[shared_name]
+    tables = {table for table, *_ in fragment.tables}
+    numbered = tables | _results(fragment)
+
+    def of_soil(item: Any) -> Any:
+        if isinstance(item, tuple):
+            return tuple(map(of_soil, item))
+        if not isinstance(item, str):
+            return item
+        quantity = item.removesuffix("_0").removeprefix("d")
+        if quantity in of_one_soil:
+            return item.replace(quantity, quantity + number)
+        prefix, dot, cell = item.partition(".")
+        if dot and prefix in {*tables, shared_name}:
+            return f"{prefix}{number}.{cell}"
+        return item + number if item in numbered else item
+
+    return fragment._replace(
+        inputs=of_soil(fragment.inputs),
+        scalar=of_soil(fragment.scalar),
+        series=of_soil(fragment.series),
+        adds={quantity: of_soil(added) for quantity, added in fragment.adds.items()},
+        tables=of_soil(fragment.tables),
+    )
+
+
+def _results(fragment: Fragment) -> set[str]:
+    """Return the names of the cells and registers that a fragment computes. A table of time supplies its argument."""
+    results = {operation[1] for operation in fragment.scalar}
+    for kind, *names in fragment.series:
+        count = RESULTS.get(str(kind), 1)
+        results.update(map(str, names[:count]))
+    for _, kind, argument, _ in fragment.tables:
+        if kind == "time":
+            results.add(argument)
+    return results

@@ -3,6 +3,7 @@
 import random
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import starmap
 from typing import Any
 
 import mpmath
@@ -13,8 +14,8 @@ import sympy as sp
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAWS, SLIP, THETA, Effect, Parameter
-from derive.flow import fragments, linked, recurrences
-from derive.flow.link import definitions, linker, program
+from derive.flow import fragments, link, linked, recurrences
+from derive.flow.link import definitions, linker, program, soils
 from derive.flow.link.definitions import ONE, ZERO
 from generated import series
 from tests.campaigns import flow_oracle
@@ -57,13 +58,14 @@ def test_increments_keep_their_digits(name: str, wanted: float) -> None:
     assert r[1, 0, 0] == pytest.approx(wanted, rel=1e-15)
 
 
+LINEAR = next(law for law in LAWS if law.name == "linear")
 CENTRIPETAL = next(e for e in EFFECTS if e.name == "centripetal")
 SOME = tuple(e for e in EFFECTS if e.name in ("rotation", "centripetal", "cohesion", "pore_pressure", "shaking"))
 
 
 def test_a_wrong_sign_is_not_the_equation_of_motion() -> None:
     """Linked programs are proved to be (3.11), which is derived elsewhere from the balance laws."""
-    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], *(law for law in LAWS if law.name == "linear")))) == 24
+    assert len(linked.prove((CENTRIPETAL,), (LAWS[0], LINEAR))) == 30
     wrong = replace(CENTRIPETAL, stress=-CENTRIPETAL.stress)
     with pytest.raises(ProofError, match=r"\(3.11\), centripetal, constant, direction 1, at the start"):
         linked.prove((wrong,), LAWS[:1])
@@ -83,6 +85,20 @@ def placed_without_pairs(operation: Any, results: Any, places: Any) -> tuple[Any
     return kind, *rest
 
 
+def softening_without_term(known: Any, name: str, turns: bool) -> list[Any]:
+    """A softening cohesion that resists nothing."""
+    parts = OF_SOILS(known, name, turns)
+    return [part._replace(adds={}) for part in parts] if name.startswith("softening_cohesion") else parts
+
+
+def softening_by_friction(known: Any, name: str, turns: bool) -> list[Any]:
+    """A softening cohesion that follows the law of friction."""
+    if name != "linear#c":
+        return OF_SOILS(known, name, turns)
+    return [known["constant"]._replace(adds={"cohesion_law#c": known["constant"].adds["mu"]})]
+
+
+OF_SOILS = soils.fragments_of
 FLAT, PLACED, SIMPLIFIED = linker.Linker._flat, program._placed, linker._simplified
 # Faults of the linker, each in the place of one of its functions.
 FAULTS = {
@@ -99,14 +115,17 @@ FAULTS = {
         "_define_sum",
         lambda made, name, addends: made.cells.update({name: ("set", (*addends, ZERO)[0])}),
     ),
+    "the term of a softening cohesion is lost": (link, "fragments_of", softening_without_term),
+    "cohesion follows the law of friction": (link, "fragments_of", softening_by_friction),
 }
 
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_of_the_linker_is_not_the_equation_of_motion(fault: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(*FAULTS[fault])
+    cases = [*linked.cases(SOME, (LAWS[0], LINEAR))]
     with pytest.raises(ProofError, match=r"\(3.11\)"):
-        linked.prove(SOME, LAWS[:1])
+        list(starmap(linked.prove_case, reversed(cases)))
 
 
 # --- programs --------------------------------------------------------------------------------------------------------

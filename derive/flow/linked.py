@@ -5,6 +5,7 @@ proof therefore includes everything that the linker combines, omits, orders and 
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import chain, cycle, product
 from typing import Any
 
@@ -16,6 +17,7 @@ from derive.algebra.remainders import Select, unfold
 from derive.declare import effects as symbols
 from derive.declare.effects import (
     BY_PSI,
+    COHESION_LAW,
     DEGREE,
     DRIVING_MOMENT,
     EFFECTIVE,
@@ -29,6 +31,7 @@ from derive.declare.effects import (
     NORMAL_LOAD,
     OMEGA,
     OMEGA_2,
+    SECTION_EFFECTS,
     SLIP,
     SPEED,
     THETA,
@@ -37,7 +40,7 @@ from derive.declare.effects import (
 )
 from derive.flow.fragments import CALLABLE, degree
 from derive.flow.link import lookup
-from derive.flow.link.definitions import Recipe
+from derive.flow.link.definitions import OF_COHESION, OF_SOIL, Recipe
 from derive.flow.link.program import Program, build
 from derive.flow.lowering import ONE, ZERO, without_tanh
 from derive.flow.recurrences import CELLS, OPERATIONS, Operation
@@ -136,7 +139,7 @@ def on_numbers(kind: str, *operands: Any) -> Any:
         case "select", (condition, x, y):
             if condition in (True, False):
                 return x if condition else y
-            return Select(*condition.args, x, y)
+            return x if x == y else Select(*condition.args, x, y)
         case _:
             operation = CELLS[kind]
             meaning = operation.symbol or operation.meaning
@@ -181,6 +184,26 @@ def friction(law: Law, slip: Expr) -> Expr:
     return piece(law.name, degree(law), argument)
 
 
+def numbered(symbol: Symbol, number: str) -> Symbol:
+    """Return the symbol of a quantity of one soil."""
+    return Symbol(f"{symbol}{number}", real=True)
+
+
+def soil_of(law: Law) -> str:
+    """Return the number of the soil of a law with its mark, empty for a law of the whole surface."""
+    return "".join(law.name.partition(OF_SOIL)[1:])
+
+
+def effect_of(law: Law) -> Effect:
+    """Return the effect of cohesion that follows the law of a soil, with the symbols of this soil."""
+    (shared,) = (effect for effect in SECTION_EFFECTS if COHESION_LAW in effect.resistance.free_symbols)
+    number = soil_of(law)
+    names = {x: numbered(x, number) for x in (*shared.symbols, COHESION_LAW)}
+    parameters = tuple(replace(p, symbol=names[x]) for x, p in shared.symbols.items())
+    resistance = shared.resistance.xreplace(names)
+    return replace(shared, name=shared.name + number, parameters=parameters, resistance=resistance)
+
+
 def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
     """Return the parameters of effects at a moment; those that are ``moving`` change along the motion."""
     values: dict[Symbol, Expr] = {K_H: ZERO, K_V: ZERO}
@@ -195,8 +218,10 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
     return values | {x: now(str(x)) for effect in effects for x in effect.states}
 
 
-def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -> dict[Symbol, Expr]:
-    """Return the values of all symbols in declared terms at a moment, except friction and normal stress."""
+def symbols_at(
+    effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
+) -> dict[Symbol, Expr]:
+    """Return the values of all symbols in declared terms at a moment, except normal stress; mu is that of the laws."""
     turns = any(effect.turns for effect in effects)
     phi = ZERO
     if turns:
@@ -209,7 +234,10 @@ def symbols_at(effects: Sequence[Effect], moving: Sequence[str], known: Cells) -
         values[q] = expand_trig(here)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
-    return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: known["SLIP"] + now("x")}
+    slip = known["SLIP"] + now("x")
+    values |= {numbered(COHESION_LAW, soil_of(law)): friction(law, slip) for law in laws}
+    values[MU] = Mul(*(friction(law, slip) for law in laws if not soil_of(law)))
+    return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: slip}
 
 
 def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells) -> dict[str, Expr]:
@@ -217,7 +245,7 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
 
     Rotation and centripetal stress follow from the balance laws.
     """
-    values = symbols_at(effects, moving, known)
+    values = symbols_at(effects, laws, moving, known)
     others = [effect for effect in effects if effect.name != "centripetal"]
     polar = POLAR if len(others) < len(effects) else ZERO
 
@@ -225,8 +253,8 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         terms = (effect.terms[quantity] for effect in others)
         return Add(*terms).xreplace(values)
 
+    mu = values[MU] + total("mu")
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
-    mu = Mul(*(friction(law, values[SLIP]) for law in laws)) + total("mu")
     mobilised = mu * (1 - known["LIFTED"])
     terms = {
         dynamics.j_theta: known["DIRECTION"] * (values[J_THETA] + total("J_theta")) - total("resistance"),
@@ -250,13 +278,17 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
 
 
 def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequence[Effect], tuple[Law, ...]]]:
-    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws."""
+    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws, cohesion.
+
+    The cohesion of a mass that turns follows each law of slip.
+    """
     constant, *_ = laws
     yield from ((some, (constant,)) for some in (*((effect,) for effect in effects), effects))
     turning = [effect for effect in effects if not effect.parameters]
     yield from ((turning, (law,)) for law in laws)
     of_slip, of_speed = ([law for law in laws if law.depends_on == (x,)] for x in ("slip", "speed"))
     yield from (((), both) for both in zip(of_slip, cycle(of_speed), strict=False))
+    yield from ((turning, (constant, replace(law, name=law.name + OF_COHESION))) for law in of_slip)
 
 
 def prove(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = (*LAWS, CALLABLE)) -> list[str]:
@@ -271,10 +303,12 @@ def prove_case(effects: Sequence[Effect], laws: Sequence[Law]) -> list[str]:
     parameters that may change along the motion do.
     """
     claims = []
+    effects = (*effects, *(effect_of(law) for law in laws if soil_of(law)))
     declared = [p for effect in effects for p in effect.parameters if p.symbol]
     moving = tuple(str(p.symbol) for p in declared if p.kind in ("series", "rotation"))
     recipe = Recipe(tuple(effect.name for effect in effects), tuple(law.name for law in laws), moving)
-    program = build(recipe, lookup(effects, laws))
+    shared = [replace(law, name=law.name.removesuffix(soil_of(law))) for law in laws]
+    program = build(recipe, lookup((*SECTION_EFFECTS, *effects), shared))
     for direction, phase in product((1, -1), PHASES):
         claims.append(f"(3.11), {', '.join(recipe.effects + recipe.laws)}, direction {direction}, {phase}")
         known = {**PHASES[phase], "DIRECTION": Integer(direction)}

@@ -14,7 +14,6 @@ MODULES = {
     "forcing": "slipcircle.tables.forcing",  # shaking, or pore pressure that changes with time
     "tables": "slipcircle.tables.tables",  # a function of time, or a piecewise or tabulated law
     "functions": "slipcircle.tables.functions",  # friction is a Python function of slip
-    "soils": "slipcircle.layers.fragments",  # soils have friction laws of their own
     "water": "slipcircle.ground.water",  # a section has a water level
     "depths": "slipcircle.layers.depths",  # cohesion of one soil grows with depth
     "standing": "slipcircle.layers.standing",  # free water covers the exit of a section
