@@ -114,7 +114,8 @@ def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp
     done = alone(tmp_path, words, package)
     assert done.returncode == 1
     *_, last = done.stderr.splitlines()
-    assert words.startswith("import") or done.stderr.count("\n") == 1
+    notice = "slipcircle: computing; Ctrl-C stops it\n"  # on a slow machine, before a package is loaded
+    assert words.startswith("import") or done.stderr.removeprefix(notice).count("\n") == 1
     name = {"flint": "python-flint"}.get(package, package)
     assert EXTRAS[name] == extra
     assert re.fullmatch(

@@ -58,6 +58,7 @@ class Triangle(NamedTuple):
 
     @property
     def moments(self) -> Pair:
+        """Mean and standard deviation."""
         low, high, mode = self
         if mode is None:
             return (low + high) / 2, (high - low) / math.sqrt(12.0)

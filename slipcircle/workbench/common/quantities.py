@@ -251,6 +251,7 @@ class Interval(NamedTuple):
 
     @property
     def middle(self) -> float:
+        """Middle of the interval."""
         return (self.low + self.high) / 2
 
     @property

@@ -23,7 +23,7 @@ NUMBER_AND_STEP = re.compile(r"\s*(\d{1,15})[\s,;]+0?\.\d+\s*", re.ASCII)  # of 
 
 
 def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds: str) -> str:
-    """Return the text of a regular file with ``\\\\n`` between its lines, in UTF-8, UTF-16 or Latin-1.
+    """Return the text of a regular file with newlines between its lines, in UTF-8, UTF-16 or Latin-1.
 
     Raises
     ------
@@ -53,6 +53,7 @@ def text_of(path: Path, name: str, most_bytes: float, most_numbers: float, kinds
 
 
 def decoded(data: bytes) -> str:
+    """Return the text of bytes in UTF-8, UTF-16 with a byte order mark, or Latin-1."""
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return data.decode("utf-16", "replace")
     try:

@@ -149,6 +149,7 @@ class Uncertain:
 
     @property
     def key(self) -> str:
+        """Key of the number in the scene file."""
         return self.number.key
 
     @cached_property

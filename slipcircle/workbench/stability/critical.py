@@ -90,6 +90,7 @@ class Critical(Pictured):
 
     @property
     def factor_of_safety(self) -> float | None:
+        """Factor of safety by the method from which a motion starts; None if it does not exist."""
         return self.factors_of_safety[self.start]
 
     @property
@@ -128,6 +129,7 @@ class Critical(Pictured):
 
     @cached_property
     def section(self) -> Section:
+        """Section of the mass above the circle, with the water and loads of the slope."""
         slope = self.slope
         names = ("ground", "level", "water_unit_weight", "base", "confined", "ponds")
         common: ValueDict = {name: getattr(slope, name) for name in names}
@@ -213,6 +215,7 @@ class SlopeScene(Scene[Numbers]):
             raise InputError("", [_NO_START.format(self.start)])
 
     def start_anew(self) -> None:
+        """Set the strength factor again by the starting method, if that method has set it before."""
         if self.starts_by_method:
             self._start_with(strength_factor(self, self.start))
 
@@ -228,6 +231,7 @@ class SlopeScene(Scene[Numbers]):
             object.__setattr__(self, name, factor)
 
     def by_start(self, quantity: str, motion: Motion, kept: float = 1.0) -> Any:
+        """Return a factor of safety or yield coefficient by the starting method; None if the closure's applies."""
         if quantity not in _BY_START or self.start == OF_CLOSURE or not self.starts_by_method:
             return None
         if quantity == "yield_coefficient":  # under shaking, the strength factor has made it the closure's value

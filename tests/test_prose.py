@@ -1,0 +1,68 @@
+"""Prose: no docstring begins like a continued name, and few nouns are replaced by pronouns."""
+
+import ast
+import io
+import re
+import tokenize
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+FRAGMENT = re.compile(
+    "(Of|As|At|From|By|In|On|Over|With|Without|For|To|Until|Beyond|Before|After|Above|Below|Between|Beside|Also|And|Where|"
+    r"Which|What|That|Those|These|Such|Its|Their|The same|Each|Every|All|Is|Are)\b"
+)
+PATTERNS = {
+    "what for a noun": r"\b(what|whatever) (is|are|it|they|has|have|was|were|a|an|the|each|every|no|nobody|goes|stands|"
+    r"follows|remains)\b",
+    "everyday verb": r"\b(stands?|holds?|goes|is said|are said|is told|is asked|are asked|is kept|are kept) "
+    r"(for|in|at|by|of|on|to|with|beside)\b",
+    "that or those for a noun": r"\b(that|those) (of|in|from|by|with|which)\b",
+}
+AT_MOST = {"what for a noun": 30, "everyday verb": 20, "that or those for a noun": 100}
+
+
+def sources(suffix: str) -> list[Path]:
+    folders = [ROOT / name for name in ("slipcircle", "derive", "notebooks")]
+    return sorted(path for folder in folders for path in folder.rglob(f"*{suffix}"))
+
+
+@cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text("utf-8"))
+
+
+def docstrings(path: Path) -> Iterator[str]:
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and (text := ast.get_docstring(node)):
+            yield text
+
+
+def prose(path: Path) -> Iterator[str]:
+    """Yield strings and comments of several words in Python, and lines outside code blocks in pages."""
+    text = path.read_text("utf-8")
+    if path.suffix == ".md":
+        yield from re.sub(r"```.*?```", "", text, flags=re.DOTALL).splitlines()
+        return
+    strings = (node.value for node in ast.walk(tree(path)) if isinstance(node, ast.Constant))
+    yield from (value for value in strings if isinstance(value, str) and value.count(" ") >= 3)
+    tokens = tokenize.generate_tokens(io.StringIO(text).readline)
+    yield from (token.string for token in tokens if token.type == tokenize.COMMENT and token.string.count(" ") >= 3)
+
+
+def test_no_docstring_begins_with_a_preposition_or_pronoun() -> None:
+    found = [
+        f"{path.name}: {text[:60]}" for path in sources(".py") for text in docstrings(path) if FRAGMENT.match(text)
+    ]
+    assert [line for line in found if not line.startswith("truth.py")] == []
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+def test_nouns_and_technical_verbs_are_written_out(pattern: str) -> None:
+    expression = re.compile(PATTERNS[pattern], re.IGNORECASE)
+    files = [*sources(".py"), *sources(".md"), ROOT / "README.md"]
+    places = [f"{path.name}: {text[:60]}" for path in files for text in prose(path) for _ in expression.findall(text)]
+    assert len(places) <= AT_MOST[pattern], places
