@@ -30,8 +30,8 @@ PAPER = re.compile(r"1\.([1-9]|1[0-4])|2\.([1-9]|1\d|2[0-7])|3\.([1-9]|1\d|2[01]
 # Other tables and keys of scene files; functions of the package; modules of `generated`, and what else the text of a
 # kernel names; keys of a law beside its parameters, and what else the text of these names.
 TABLES = (
-    "accuracy arc circle end_time_s format friction ground initial_velocity_m_s layers name note observed pond search "
-    "report slip soils surcharge tension_crack water"
+    "accuracy arc circle end_time_s format friction ground initial_velocity_m_s layers name note observed output pond "
+    "search report slip soils surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
 MODULES = "definitions effects flow generated kernels layout printed program series slopes tiers walk"

@@ -286,7 +286,7 @@ def test_a_factor_of_safety_by_a_method_is_met_by_strengths_as_entered(method: s
     assert at_circle(slope, SLOPE.arc).factors_of_safety[method] == pytest.approx(factor, rel=1e-12)
     assert found.solutions[0].error_estimate < 1e-13
     (warning,) = found.warnings
-    assert "search it again" in warning
+    assert "search again" in warning
     arc: Any = VAIONT.arc
     assert backanalyse(VAIONT, factor_of_safety=1.0, field="friction").value == pytest.approx(
         arc.dimensionless.limit_friction, rel=1e-12

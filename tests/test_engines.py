@@ -230,7 +230,7 @@ def test_a_full_disk_is_said_and_loses_nothing(tmp_path: Path, monkeypatch: pyte
     with monkeypatch.context() as full:
         full.setattr(os, "posix_fallocate", Mock(side_effect=OSError(errno.ENOSPC, "No space left on device")))
         with pytest.raises(
-            ValueError, match=r"npy: cannot be written: No space left on device; free .* MB, and run it"
+            ValueError, match=r"npy: cannot be written: No space left on device; free .* MB and run the study"
         ):
             ensemble(SCENE, folder=tmp_path, **MANY)
     again = ensemble(SCENE, folder=tmp_path, **MANY)

@@ -257,7 +257,7 @@ def check_height_moment(root: Path) -> None:
 
 def check_page(root: Path, scene: str, printed: str) -> None:
     """Its scene is the one that is solved, its commands print what it shows."""
-    _, _, examples = PAGE.partition("## A quantity")
+    _, _, examples = PAGE.partition("## A result")
     _, shown = blocks(examples, "text")
     assert shown == scene
     (console,) = blocks(examples, "console")

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from slipcircle.base import JSON_FORMAT
+from slipcircle.base.checks import real_number
 from slipcircle.base.kinds import Floats, Function, Pair, ValueDict
 from slipcircle.base.text import DIGITS, digits_left, printed, shown
 from slipcircle.words import OUTSIDE, VelocityTimes, swings_back
@@ -276,8 +277,8 @@ class Interval(NamedTuple):
     @property
     def limit(self) -> float | None:
         """Finite end of an interval with one infinite end, else None."""
-        low, high = map(math.isfinite, self)
-        return None if low == high else self.low if low else self.high
+        low, high = (math.isinf(real_number(end)) for end in self)
+        return None if low == high else self.high if low else self.low
 
     def __str__(self) -> str:
         if self.limit is not None:

@@ -154,7 +154,13 @@ class Slope:
 
     def _law_mistakes(self) -> list[str]:
         """Return a message for each mistake in strengths that are laws; numbers are checked with the other fields."""
-        found = []
+        given = {"friction": self.friction, "cohesion": self.cohesion}
+        if found := [
+            f"{{{name}}} = {value!r}: must be a number, a law or a function of slip"
+            for name, value in given.items()
+            if isinstance(value, type)
+        ]:
+            return found
         if callable(self.friction) or isinstance(self.friction, Mapping):
             found += law_mistakes(self.friction)
         if callable(self.cohesion) or isinstance(self.cohesion, Mapping):

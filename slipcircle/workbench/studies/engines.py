@@ -95,7 +95,7 @@ class Store:
         self.design = design
         self.damaged = 0
         self._study = b""
-        path = None if folder is None else Path(folder)
+        path = None if folder is None else _path(folder)
         if path is not None:
             self._study = _opened(path, {"format": _FORMAT, **described()})
             self._digests = _mapped(path, "digests", np.dtype(np.uint8), (design.blocks, _DIGEST))
@@ -164,11 +164,16 @@ def _mapped(folder: Path | None, name: str, kind: np.dtype[Any], shape: Shape) -
         raise ValueError(f"{path}: cannot be written: {error.strerror}; {remedy}") from error
 
 
-def stored(folder: PathName) -> ValueDict | None:
-    """Return the description of the study whose blocks are in a folder; None if it does not have a study."""
+def _path(folder: PathName) -> Path:
+    """Return the path of a folder; ValueError for another type."""
     if not isinstance(folder, str | os.PathLike):
         raise ValueError(f"folder = {folder!r}: must be a path")
-    path = Path(folder) / "study.json"
+    return Path(folder)
+
+
+def stored(folder: PathName) -> ValueDict | None:
+    """Return the description of the study whose blocks are in a folder; None if it does not have a study."""
+    path = _path(folder) / "study.json"
     if not path.exists():
         return None
     try:
