@@ -155,15 +155,11 @@ class Slope:
     def _law_mistakes(self) -> list[str]:
         """Return a message for each mistake in strengths that are laws; numbers are checked with the other fields."""
         given = {"friction": self.friction, "cohesion": self.cohesion}
-        if found := [
-            f"{{{name}}} = {value!r}: must be a number, a law or a function of slip"
-            for name, value in given.items()
-            if isinstance(value, type)
-        ]:
-            return found
-        if callable(self.friction) or isinstance(self.friction, Mapping):
+        types = [name for name, value in given.items() if isinstance(value, type)]
+        found = [f"{{{x}}} = {given[x]!r}: must be a number, a law or a function of slip" for x in types]
+        if not types and (callable(self.friction) or isinstance(self.friction, Mapping)):
             found += law_mistakes(self.friction)
-        if callable(self.cohesion) or isinstance(self.cohesion, Mapping):
+        if not types and (callable(self.cohesion) or isinstance(self.cohesion, Mapping)):
             found += cohesion_mistakes(self.cohesion, "cohesion")
         return found
 
