@@ -12,7 +12,8 @@ from slipcircle.tables import STRONGEST
 # The international foot is 0.3048 m and the pound 0.45359237 kg (yard and pound agreement of 1959), standard gravity
 # 9.80665 m/s^2 (CGPM 1901); the US survey foot is 1200/3937 m (Mendenhall order of 1893).
 _FOOT = 0.3048
-_POUND = 0.45359237 * 9.80665  # N, of force
+_POUND_MASS = 0.45359237  # kg
+_POUND = _POUND_MASS * 9.80665  # N, of force
 _PSF = _POUND / _FOOT**2
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "ft": _FOOT, "in": 0.0254, "us_ft": 1200 / 3937}
 STRESSES = {"kPa": 1e3, "Pa": 1.0, "MPa": 1e6, "psf": _PSF, "ksf": 1e3 * _PSF, "psi": 144 * _PSF}
@@ -32,7 +33,7 @@ SYSTEMS: Mapping[str, Mapping[str, tuple[str, float]]] = {  # units of output by
         "m/s^2": ("ft/s^2", _FOOT),
         "m^2": ("ft^2", _FOOT**2),
         "Pa": ("psf", _PSF),
-        "kg/m": ("lb/ft", 0.45359237 / _FOOT),
+        "kg/m": ("lb/ft", _POUND_MASS / _FOOT),
         "J": ("kip-ft", 1e3 * _POUND * _FOOT),
     },
 }
