@@ -121,11 +121,15 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     """Return the design of an ensemble from its settings; ValueError names all invalid ones."""
     raise_all("ensemble", setting_mistakes(scene, given, records))
     drawn = uncertain_numbers(scene)
-    n, method, correlation = int(given["n"]), given["method"], given["correlation"] or {}
-    means, matrix = along_means(scene), _correlation(drawn, correlation)
+    n = int(given["n"])
+    method = given["method"]
+    correlation = given["correlation"] or {}
+    means = along_means(scene)
+    matrix = _correlation(drawn, correlation)
     inputs = {k: u.number for k, u in drawn.items()}
     base = _base_points(given["sensitivity"], len(drawn), n, correlation) if records is None else 0
-    tolerance, seed = plan(means, accuracy).accuracy, _seed(rng, folder)
+    tolerance = plan(means, accuracy).accuracy
+    seed = _seed(rng, folder)
     size = int(given["size"] or _size(n, method))
     each = given["search_each"]
     design = Design(means, tolerance, inputs, drawn, (), method, n, base, matrix, seed, size, each)
@@ -170,8 +174,7 @@ def _size(n: int, method: str) -> int:
     sequences = REPLICATES if method == "sobol" else 1
     each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
-    eighth = max(each // 8, 1)
-    power_of_two = 2 ** eighth.bit_length() // 2
+    power_of_two = 2 ** max(each // 8, 1).bit_length() // 2
     return min(max(power_of_two, 256), most)
 
 
@@ -212,7 +215,8 @@ def grid(
         found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
     axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
-    accuracy, independent = plan(scene, accuracy).accuracy, np.eye(len(inputs))
+    accuracy = plan(scene, accuracy).accuracy
+    independent = np.eye(len(inputs))
     design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
 

@@ -59,8 +59,7 @@ class Shaken:
     def displacement(self) -> Floats:
         """Permanent displacement along the arc, m, (record, polarity, scale, sample); infinite without a result."""
         without_result = np.isin(self.values["status"], NO_RESULT)
-        permanent = np.abs(self.values["end_displacement"])
-        return np.where(without_result, np.inf, permanent)
+        return np.where(without_result, np.inf, np.abs(self.values["end_displacement"]))
 
     @property
     def factors(self) -> Floats:
@@ -125,7 +124,8 @@ class Shaken:
     def fragility(self) -> list[FragilityCurve]:
         """Return lognormal fragility curves over the peak acceleration, one for each threshold."""
         thresholds = self.records.thresholds.tolist()
-        displacement, pga = self.displacement, self.pga
+        displacement = self.displacement
+        pga = self.pga
         return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
 
     def fragility_columns(self) -> dict[str, list[Any]]:
