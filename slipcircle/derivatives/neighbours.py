@@ -28,7 +28,11 @@ ROUNDING = 4e-16  # least relative rounding error of an outcome
 GOAL = 1e-9  # error times scale, over the greatest effect of any number, at which no further ladder is needed
 KNOWN = 1e-3  # error times scale, over the greatest effect of any number, above which a derivative is unknown
 SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
-SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
+SMOOTH = "smooth"
+KINK = "kink"
+JUMP = "jump"
+ONE_SIDE = "one side"
+UNRESOLVED = "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
 Outcomes = Callable[[Any], Sequence[Any] | Floats]
 

@@ -38,7 +38,11 @@ def sensitivity(motion: Motion) -> Sensitivity:
         free = {names[k]: free[names[k]] for k in kept}
         warnings += _warnings(found, free)
     else:
-        found = _of_a_mass_at_rest(len(free))
+        shape = len(OUTPUTS), len(free)
+        none = np.zeros(shape)
+        both = np.zeros((*shape, 2))
+        kinds = np.full(shape, SMOOTH)
+        found = Derivatives(kinds, none, none, both, both, both)
         warnings.append("does not move, so that small changes have no effect")
     units = {name: number.unit for name, number in free.items()}
     values = {name: number.value for name, number in free.items()}
@@ -60,14 +64,6 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
         is_place = name.startswith(("ground.", "level."))
         if not is_place or by_slope[k] or by_jump[k] or by_kind[k]:
             yield k
-
-
-def _of_a_mass_at_rest(count: int) -> Derivatives:
-    shape = len(OUTPUTS), count
-    none = np.zeros(shape)
-    both = np.zeros((*shape, 2))
-    kinds = np.full(shape, SMOOTH)
-    return Derivatives(kinds, none, none, both, both, both)
 
 
 def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:

@@ -112,7 +112,8 @@ def _below(ground: Floats, level: Floats) -> Bodies:
     bodies = []
     for first, last in shores.reshape(-1, 2).tolist():
         heights = np.interp(x[first : last + 1], *level.T)
-        low, high = heights.min(), heights.max()
+        low = heights.min()
+        high = heights.max()
         bodies.append([x[first], x[last], (low + high) / 2, high - low])
     return bodies
 

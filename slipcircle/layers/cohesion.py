@@ -27,14 +27,12 @@ class SoilCohesion:
     @cached_property
     def peak(self) -> Floats:
         """Cohesion at the start."""
-        values: Floats = self.section.of_soils("peak_cohesion")
-        return values
+        return self.section.of_soils("peak_cohesion")
 
     @cached_property
     def growth(self) -> Floats:
         """Increase of the cohesion with depth."""
-        values: Floats = self.section.of_soils("cohesion_gradient")
-        return values
+        return self.section.of_soils("cohesion_gradient")
 
     @cached_property
     def _laws(self) -> list[Law | None]:

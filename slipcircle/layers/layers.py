@@ -189,8 +189,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         of_geometry = len(values) == circles
         shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
-        shaped = values.reshape((*shape, *components))
-        return shaped[()]
+        return values.reshape((*shape, *components))[()]
 
     # --- geometry ----------------------------------------------------------------------------------------------------
 
@@ -285,8 +284,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
-        per_mean_weight = self._moments_of_weight / self._weights_per_area
-        return dict(zip(MEASURES, per_mean_weight, strict=True))
+        return dict(zip(MEASURES, self._moments_of_weight / self._weights_per_area, strict=True))
 
     @cached_property
     def mean_unit_weight(self) -> Any:

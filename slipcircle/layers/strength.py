@@ -117,15 +117,10 @@ class ArcStrength(StretchIntegrals):
         total: Floats = by_soil.sum(axis=0)
         return total
 
-    @property
-    def _normal_load(self) -> Floats:
-        """Normal load J_r at the start, (lanes,)."""
-        load: Floats = -self.section._weighted_moments["radial_y"]
-        return load
-
     def _mean(self, quantity: Floats) -> Floats:
         """Return the mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
-        return self._at_start("normal", quantity) / self._normal_load
+        load: Floats = -self.section._weighted_moments["radial_y"]
+        return self._at_start("normal", quantity) / load
 
     @cached_property
     def _peak(self) -> Floats:

@@ -144,20 +144,17 @@ class StretchIntegrals:
         """Return parts by name. All weights are computed together."""
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
-            every |= self._of_weight(rotation)
+            # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
+            pressing = self._pressing(rotation)
+            by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
+            radial_y, radial_x, polar, overburden = by_joint
+            cosine = np.cos(rotation)
+            sine = np.sin(rotation)
+            slope = radial_x * sine
+            normal = -radial_y * cosine - slope
+            tilt = radial_x * cosine - radial_y * sine
+            every |= {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
         return every
-
-    def _of_weight(self, rotation: Floats) -> ArrayDict:
-        """Return parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover."""
-        pressing = self._pressing(rotation)
-        by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
-        radial_y, radial_x, polar, overburden = by_joint
-        cosine = np.cos(rotation)
-        sine = np.sin(rotation)
-        slope = radial_x * sine
-        normal = -radial_y * cosine - slope
-        tilt = radial_x * cosine - radial_y * sine
-        return {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
 
     def space(self, rotation: Floats) -> Floats:
         """Return directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""

@@ -74,8 +74,7 @@ class Equation:
         meanings = {name: words for name, (words, _) in self._quantities.items()}
         meanings |= {name: words for name, words in VARIABLES.items() if name in used}
         last = [f"  {name:8} {words}" for name, words in meanings.items()]
-        lines = [self._balance_in_words, *self._lines(), "with", *self._values(), "where", *last]
-        return "\n".join(lines)
+        return "\n".join([self._balance_in_words, *self._lines(), "with", *self._values(), "where", *last])
 
     @property
     def _balance_in_words(self) -> str:
@@ -83,7 +82,9 @@ class Equation:
 
     @property
     def _quantities(self) -> dict[str, tuple[str, str]]:
-        return SOIL_QUANTITIES if self.soils else EQUATION_QUANTITIES
+        if self.soils:
+            return SOIL_QUANTITIES
+        return EQUATION_QUANTITIES
 
     def _lines(self) -> Iterator[str]:
         """Yield a line for each term. A quantity without terms is 0."""

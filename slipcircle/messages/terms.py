@@ -95,8 +95,7 @@ def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
     rate_law = shared[-1]
     rate = _term_of_law("mu_rate", rate_law)
     names = "|".join(p.name for p in LAWS[rate_law].parameters)
-    formula = re.sub(rf"\b({names})\b", r"rate_\1", rate.formula)
-    return [factor, *slip, rate._replace(formula=formula)]
+    return [factor, *slip, rate._replace(formula=re.sub(rf"\b({names})\b", r"rate_\1", rate.formula))]
 
 
 def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
@@ -143,7 +142,9 @@ def place(term: EquationTerm) -> int:
     if term.symbol.startswith(("mu_slip", "mu_rate")):
         return len(order)
     quantity, _, _ = term.symbol.partition("_")
-    return order.index(quantity) if quantity in order else len(order) + 1
+    if quantity in order:
+        return order.index(quantity)
+    return len(order) + 1
 
 
 def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator[EquationTerm]:

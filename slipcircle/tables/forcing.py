@@ -28,7 +28,10 @@ def resolved(name: str, given: Parameters) -> ValueDict:
     """
     try:
         if name == "shaking":
-            return _shaking(given)
+            # The shaking parameters with k_h(t) and k_v(t), after checking their plausibility.
+            made = _as_series(given)
+            _check_strength(made)
+            return made
         if name == "pore_pressure":
             return _water(given)
     except InputError as error:
@@ -90,13 +93,6 @@ def _water(given: Parameters) -> ValueDict:
         values = array_of(rest[name])
         rest[name] = Series(time, values)
     return rest
-
-
-def _shaking(given: Parameters) -> ValueDict:
-    """Return the shaking parameters with k_h(t) and k_v(t), after checking their plausibility."""
-    made = _as_series(given)
-    _check_strength(made)
-    return made
 
 
 def _as_series(given: Parameters) -> ValueDict:

@@ -86,8 +86,7 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
             )
     breaks.append(end)
     pieces.append(pieces[-1])
-    table = continuous(np.array(breaks), np.array(pieces))
-    return table._replace(open=True)
+    return continuous(np.array(breaks), np.array(pieces))._replace(open=True)
 
 
 def _piece(function: Function, left: float, width: float) -> Floats | None:

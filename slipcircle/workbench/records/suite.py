@@ -367,5 +367,6 @@ def _entry(
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     reading = reading or {}
     gravity = float(reading.get("gravity", 9.81))
-    measures, drift = intensities(series, gravity), drift_warning(series, gravity)
+    measures = intensities(series, gravity)
+    drift = drift_warning(series, gravity)
     return Entry(name, file, place, series.time.size, step, unit, measures, digest, is_vertical, drift, series, reading)

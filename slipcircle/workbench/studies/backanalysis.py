@@ -355,8 +355,7 @@ def _numerical_errors(problem: SearchProblem, motion: Motion, outcomes: Floats) 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
     """Return the derivatives of the scaled residuals with respect to the fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
-    per_key = np.array([field.slope(value) for field, value in with_values])
-    return slopes / problem.scales[:, None] * per_key
+    return slopes / problem.scales[:, None] * np.array([field.slope(value) for field, value in with_values])
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:

@@ -174,8 +174,7 @@ def _size(n: int, method: str) -> int:
     sequences = REPLICATES if method == "sobol" else 1
     each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
-    power_of_two = 2 ** max(each // 8, 1).bit_length() // 2
-    return min(max(power_of_two, 256), most)
+    return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
 
 
 def grid(

@@ -62,8 +62,7 @@ class FragilityCurve(NamedTuple):
         middle = intercept + slope * log_pga
         variance = of_intercept + 2.0 * joint * log_pga + of_slope * log_pga**2
         half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
-        bounds = np.stack([middle, middle - half, middle + half])
-        return np.asarray(special().ndtr(bounds))
+        return np.asarray(special().ndtr(np.stack([middle, middle - half, middle + half])))
 
     def to_dict(self) -> ValueDict:
         """Return the curve as a mapping for JSON."""
@@ -192,8 +191,7 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
         likelihood, score, _ = _likelihood(terms @ coefficients, share)
         return -float(likelihood.sum()), -score @ terms
 
-    found = minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9})
-    return found.x
+    return minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9}).x
 
 
 def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Floats:
@@ -211,8 +209,7 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
     above = np.exp(log_density - log_above)
     below = np.exp(log_density - log_below)
     rest = 1.0 - share
-    likelihood = share * log_above + rest * log_below
-    return likelihood, share * above - rest * below, above * below
+    return share * log_above + rest * log_below, share * above - rest * below, above * below
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:

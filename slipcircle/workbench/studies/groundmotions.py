@@ -39,8 +39,7 @@ class GroundMotions:
 
     def together(self, samples: int) -> int:
         """Return the number of records that are solved in one call with this number of samples."""
-        motions = len(self.polarities) * self.scales.size * samples
-        return max(1, _LANES // motions)
+        return max(1, _LANES // (len(self.polarities) * self.scales.size * samples))
 
     def part(self, first: int, end: int) -> "GroundMotions":
         """Return the ground motions with the records from ``first`` to ``end`` only."""

@@ -103,8 +103,7 @@ class SearchProblem:
     def seen(self, motion: Any) -> Floats:
         """Return the observed outcomes of a motion, (observations, ...), relative to their origins."""
         found = np.stack([observable(motion, name) for name in self.observed])
-        origins = self.origins.reshape(-1, *[1] * (found.ndim - 1))
-        return found - origins
+        return found - self.origins.reshape(-1, *[1] * (found.ndim - 1))
 
     def values_at(self, shares: Floats) -> Floats:
         """Return the values of the fields in their units, (fields, count), at shares of the ranges."""
@@ -129,8 +128,7 @@ class SearchProblem:
         places = np.where(is_known, places, here)
         _, up, down = np.split(places, [1, 1 + len(shares)], axis=1)
         _, above, below = np.split(residuals, [1, 1 + len(shares)], axis=1)
-        slopes = (above - below) / np.maximum(np.diag(up - down), 1e-300)
-        return at_here, slopes
+        return at_here, (above - below) / np.maximum(np.diag(up - down), 1e-300)
 
 
 # --- observations and fields -----------------------------------------------------------------------------------------
@@ -279,8 +277,7 @@ def _between(name: str, low: float, high: float) -> Floats:
         raise ValueError(
             f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
         )
-    is_far_apart = 0.0 < 100 * low < high
-    return np.geomspace(low, high, 401) if is_far_apart else np.linspace(low, high, 401)
+    return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
 
 
 def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:

@@ -127,8 +127,7 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     row_of_dip, before_dip = np.nonzero(turns_back)
     rows = np.concatenate([row, row_of_dip])
     starts = np.concatenate([column, before_dip])
-    ends = np.concatenate([column + 1, before_dip + 2])
-    return (rows, starts), (rows, ends)
+    return (rows, starts), (rows, np.concatenate([column + 1, before_dip + 2]))
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:

@@ -157,8 +157,7 @@ class Shaken:
         columns: dict[str, list[Any]] = {
             name: [None if math.isnan(value) else value for value in row] for name, row in zip(names, rows, strict=True)
         }
-        reasons = np.repeat([curve.reason for curve in curves], levels.size)
-        return columns | {"reason": reasons.tolist()}
+        return columns | {"reason": np.repeat([curve.reason for curve in curves], levels.size).tolist()}
 
     def median_record(self, scale: int) -> int:
         """Return the place of the record with the median displacement at a scale, the lower of two middle records."""

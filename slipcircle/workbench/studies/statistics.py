@@ -85,8 +85,7 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
     share = np.mean(shares, axis=0)
     is_in_tail = size * np.minimum(share, 1.0 - share) < _LEAST_IN_TAIL
     varies = size * np.std(shares, axis=0, ddof=1) >= _LEAST_SPREAD
-    is_resolved = (size >= _LEAST_SIZE) & ~is_in_tail & varies
-    return np.where(is_resolved, student(shares, confidence), np.nan)
+    return np.where((size >= _LEAST_SIZE) & ~is_in_tail & varies, student(shares, confidence), np.nan)
 
 
 def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
@@ -231,8 +230,7 @@ def _indices(sums: Floats) -> Floats:
     mean = both / samples
     variance = squares / samples - mean**2
     variance = np.where(variance > 1e-13 * mean**2, variance, np.nan)
-    first = (saltelli - mean * shift) / (n * variance)
-    return np.stack([first, jansen / (samples * variance)], axis=-2)
+    return np.stack([(saltelli - mean * shift) / (n * variance), jansen / (samples * variance)], axis=-2)
 
 
 def sums(y: Floats) -> Floats:
