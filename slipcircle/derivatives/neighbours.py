@@ -173,7 +173,7 @@ def _judged(
     shortest = np.broadcast_to(steps[:, 0, -1], central.shape)
     by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
     by_number = [column.swapaxes(0, 1) for column in by_outcome]
-    every = list[list[Derivatives]]()
+    every = []
     for of_number in zip(*by_number, strict=True):
         outcomes = zip(*of_number, strict=True)
         every.append([_of_one(*one) for one in outcomes])
@@ -186,7 +186,7 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
     goals = np.maximum(GOAL * size, from_rounding)
-    by_number: list[list[float]] = goals[..., 0].T.tolist()
+    by_number = goals[..., 0].T.tolist()
     return by_number
 
 

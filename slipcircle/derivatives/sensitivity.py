@@ -29,7 +29,7 @@ def sensitivity(motion: Motion) -> Sensitivity:
     scene = motion.plan.scene
     outputs = {name: float(value) if motion.moves else 0.0 for name, value in motion.outcomes.items()}
     free = parameters(scene)
-    warnings = list[str]()
+    warnings = []
     if any(outputs.values()):
         found = neighbour_derivatives(scene, _outcomes, free, motion.error_estimate)
         kept = list(_mattering(found, free))
@@ -68,10 +68,10 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
 
 def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:
     """Return warnings about the largest jump of each output by a number, and about unknown derivatives."""
-    warnings = list[str]()
+    warnings = []
     for k, name in enumerate(free):
-        jumps = list[str]()
-        unresolved = list[str]()
+        jumps = []
+        unresolved = []
         for row, (output, unit) in enumerate(OUTPUTS.items()):
             kind = found.kinds[row, k]
             if kind == JUMP:

@@ -78,7 +78,7 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
 
 def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> Bodies:
     """Return shores, mean level and fall of the free water over a ground."""
-    bodies: Bodies = []
+    bodies = []
     if level is not None and not confined:
         bodies += _below(ground, level)
     for pond in ponds:
@@ -128,7 +128,7 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
     divisor = np.where(fall == 0.0, np.inf, 2 * fall)
     place = 0.25 + early / divisor
     share = np.clip(place, 0.0, 1.0)
-    roots: Floats = x[:-1] + share * step
+    roots = x[:-1] + share * step
     return roots
 
 

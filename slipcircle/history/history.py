@@ -207,8 +207,8 @@ class History:
             (share,) = self.forces.kept_cohesion(end)
             kept = float(share)
         of_closure = {"residual": residual, "at_rest": at_rest}
-        values = list[Any]()
-        methods = list[str]()
+        values = []
+        methods = []
         for quantity, value in of_closure.items():
             by_start = self.plan.scene.by_start(quantity, self.motion, kept)
             found, method = by_start or (self.motion._shaped(value), "")
@@ -284,7 +284,7 @@ class History:
     def lift_off(self) -> tuple[float, ...]:
         """Return the times of lift-off, s. See `Motion.lift_off`."""
         scale = self._time_scale
-        times = list[float]()
+        times = []
         lifted = False
         resumed = -1.0
         for event, time, _, _ in self._events:
@@ -300,7 +300,7 @@ class History:
         """Return the phases of the motion. See `Motion.phases`."""
         scale = self._time_scale
         last = self.motion.settling_time
-        phases = list[Phase]()
+        phases = []
         for event, time, rotation, direction in self._events:
             if event == ix.NOTE_BEGINS:
                 phase = Phase(time * scale, last, rotation, int(direction))

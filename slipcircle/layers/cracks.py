@@ -38,7 +38,7 @@ class CrackedSection(Section):
     @cached_property
     def _uncracked(self) -> Any:
         """Section of the complete circle."""
-        whole: Any = replace_unchecked(self, {"crack": 0.0})
+        whole = replace_unchecked(self, {"crack": 0.0})
         vars(whole)["shape"] = self.shape
         return whole
 

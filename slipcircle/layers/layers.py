@@ -165,7 +165,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def depths(self) -> list[Depths | None]:
         """Depths of the arc below the datums of the soils, None where the cohesion does not grow."""
         raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
-        depths: list[Depths | None] = []
+        depths = []
         for soil, datum in zip(self.soils, self.datums, strict=True):
             grows = np.any(soil.cohesion_gradient)
             depths.append(depths_below(self, datum) if grows else None)
@@ -179,7 +179,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Return numbers or arrays as rows, (numbers, lanes)."""
         of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
-        rows: Floats = np.add(of_lanes, 0.0)
+        rows = np.add(of_lanes, 0.0)
         return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:

@@ -148,8 +148,8 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     edges = strips.beta.T
     circles = np.arange(edges.shape[1])
     has_many = circles.size > 1
-    parts = list[Part]()
-    whole = list[Floats]()
+    parts = []
+    whole = []
     for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
         # The integrals of all columns along the arcs of some circles with the given edges of strips.

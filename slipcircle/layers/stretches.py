@@ -75,7 +75,7 @@ class StretchIntegrals:
     @cached_property
     def span(self) -> ArrayPair:
         """Directions of the entry and of the exit, (circles,)."""
-        span: ArrayPair = self.section._span
+        span = self.section._span
         return span
 
     @property
@@ -184,7 +184,7 @@ class StretchIntegrals:
         there = self.space(rotation)
         *_, entry = there
         pressure = relieved(self.section.standing_level, entry, there)
-        taken: Floats = normal - pressure
+        taken = normal - pressure
         return LIKE_WEIGHTS * taken
 
     def displaced(self, rotation: Floats) -> Floats:
@@ -192,7 +192,7 @@ class StretchIntegrals:
         nowhere = np.empty((0, *rotation.shape))
         _, moment = displaced(self.section, rotation, nowhere)
         inertia = self.section._moments["inertia"]
-        over_inertia: Floats = moment / inertia
+        over_inertia = moment / inertia
         return LIKE_WEIGHTS * over_inertia[None]
 
     def growth_up_to(self, there: Floats) -> Floats:
@@ -216,7 +216,7 @@ class StretchIntegrals:
         growth = self.growth_up_to(there)
         by_soil = self.incidence.transpose(1, 0, 2)
         by_direction = by_soil[:, :, None] * growth
-        parts: Floats = by_direction.sum(axis=1)
+        parts = by_direction.sum(axis=1)
         return parts
 
     @cached_property
@@ -259,7 +259,7 @@ class StretchIntegrals:
         at_entry = of_soil[joints.first]
         at_joints = before - after
         by_soil = np.stack([*at_joints, at_exit, -at_entry])
-        incidence: Floats = by_soil.transpose(0, 2, 1)
+        incidence = by_soil.transpose(0, 2, 1)
         return incidence
 
 

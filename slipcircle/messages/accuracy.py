@@ -78,7 +78,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
+    cells = problem.cells() * _moves(problem.program, rounding)[:, runs]
     orders = cells[ix.ORDER]
     orders += FURTHER[runs]
     return cells

@@ -48,8 +48,8 @@ def describe_integrator() -> str:
 def _words(recipe: Recipe) -> PlanWords:
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
-    of_rotation = list[str]()
-    of_time = set[str]()
+    of_rotation = []
+    of_time = set()
     for effect in effects:
         for p in ALL_EFFECTS[effect].parameters:
             if p.symbol not in symbols:

@@ -101,7 +101,7 @@ class Equation:
 
     def _values(self) -> Iterator[str]:
         """Yield a line for each number, with the numbers of the soils last."""
-        of_soils = list[tuple[str, str]]()
+        of_soils = []
         for number in self.numbers:
             if isinstance(number.value, tuple):
                 values = ", ".join(_shown(value, 4) for value in number.value)
@@ -125,7 +125,7 @@ class Equation:
         sums = {self.balance.symbol: [self.balance.latex]}
         for term in self.sums:
             sums.setdefault(term.symbol, []).append(term.latex)
-        rows = list[str]()
+        rows = []
         for symbol, addends in sums.items():
             right = " + ".join(addends).replace("+ - ", "- ")
             rows.append(f"{_latex(symbol)} &= {right}")

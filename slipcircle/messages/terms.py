@@ -53,7 +53,7 @@ def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> li
         names.append("soils")
     table = SOIL_TERMS if soils else TERMS
     missing = absent.union(plan.recipe.absent)
-    terms = list[EquationTerm]()
+    terms = []
     for name in names:
         for quantity, formula, latex in table[name]:
             if missing.isdisjoint(symbols_in(formula)):
@@ -125,8 +125,8 @@ def symbols_in(formula: str) -> list[str]:
 
 def used(terms: list[EquationTerm]) -> list[EquationTerm]:
     """Return the terms without components of the weight that no other term contains."""
-    taken = set[str]()
-    of_weight = set[str]()
+    taken = set()
+    of_weight = set()
     for term in terms:
         if term.symbol.startswith("J_"):
             of_weight.add(term.symbol)

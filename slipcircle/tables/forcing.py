@@ -118,7 +118,7 @@ def _as_series(given: Parameters) -> ValueDict:
     duration = float(given["duration"])
     cycles = float(given.get("cycles", 1.0))
     pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
-    made: ValueDict = {"horizontal": pulse}
+    made = {"horizontal": pulse}
     if "vertical_amplitude" in given:
         made["vertical"] = pulse
     for name in (*_FACTORS, "two_way"):

@@ -148,10 +148,10 @@ class Pulse:
     cycles: float = 1.0
 
     def __post_init__(self) -> None:
-        faults = list[str]()
+        faults = []
         if self.name not in PULSES:
             faults.append(f"name = {self.name!r}: must be one of {', '.join(PULSES)}")
-        bounds: dict[str, Bounds] = {
+        bounds = {
             "amplitude": (-INFINITY, INFINITY, "a finite number"),
             "start": (-5e-324, INFINITY, "a time in s, not before 0"),
             "duration": (0.0, INFINITY, "a positive time in s"),

@@ -315,7 +315,7 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
 
 def _slope_message(error: InputError, keys: Callable[[str], str], file: str) -> str:
     """Return the message of an error in a slope, a section or a search, with the keys of its file."""
-    tables: dict[str, Table] = {**SLOPING, **LOADS}
+    tables = {**SLOPING, **LOADS}
     about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
     of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
     of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}

@@ -285,8 +285,8 @@ def read_suite(
 
 def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> tuple[list[Entry], list[Unread]]:
     """Return the records of files, the first of which remain in memory, and the unused files and columns."""
-    entries = list[Entry]()
-    unread = list[Unread]()
+    entries = []
+    unread = []
     remaining = _KEPT
     for file in track(files, "records read"):
         try:

@@ -134,7 +134,7 @@ class Slope:
     def _field_mistakes(self) -> list[str]:
         """Return a message for each field that is missing, out of range, or excluded by another field."""
         fields = {name: value for name, value in vars(self).items() if name not in _LAYERED}
-        mistakes = list[str]()
+        mistakes = []
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
             excluded = [name for name in _OF_ONE_SOIL if getattr(self, name) not in (0.0, None)]

@@ -278,7 +278,7 @@ def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
     if not minima:
         raise Unattainable(f"{names}: no values within the bounds make this scene move and come to rest", {})
     solutions = []
-    refusals = list[ValueError]()
+    refusals = []
     for fit in minima:
         try:
             solutions.append(_solution(problem, problem.values_at(fit.shares[:, None])[:, 0].tolist()))

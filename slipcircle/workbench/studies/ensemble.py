@@ -151,7 +151,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
     """Return the correlation matrix of all inputs from correlations by pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
-    mistakes = list[str]()
+    mistakes = []
     for pair, value in given.items():
         places = {known.index(k) % len(drawn) for k in pair if k in known}
         if unknown := [k for k in pair if k not in known]:

@@ -136,7 +136,7 @@ class SearchProblem:
 
 def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Return observed values with standard errors (None if not given) by outcome, and those that are intervals."""
-    found = dict[str, tuple[float, float | None]]()
+    found = {}
     unknown = [name for name in given if name not in OBSERVABLE]
     mistakes = [f"observed.{name}: is not an outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
     asked = {name: value for name, value in given.items() if name in OBSERVABLE}

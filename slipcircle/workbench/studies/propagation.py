@@ -41,7 +41,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     if not design.drawn:
         raise ValueError("values on a grid do not have a distribution")
     keys = {n: number.key for n, number in design.inputs.items()}
-    means = dict[str, float]()  # SI
+    means = {}  # SI
     stds = []
     for name, uncertain in design.drawn.items():
         mean, std = uncertain.moments

@@ -30,8 +30,8 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     """
     scale = abs(float(problem.targets[0]))
     rows = problem.ranges[0][None, :]
-    fine: list[Floats] = []
-    at_ends: Any = None
+    fine = []
+    at_ends = None
     for _ in range(_ROUNDS):
         outcomes, kind = problem.outcomes(rows.reshape(1, -1))
         misfit = outcomes.reshape(rows.shape) - problem.targets[0]

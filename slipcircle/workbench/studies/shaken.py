@@ -154,7 +154,7 @@ class Shaken:
             fitted = curve.probability(levels)
             blocks.append(np.stack([threshold, self.scales, levels, *shares[:, k].T, *fitted]))
         rows = np.concatenate(blocks, axis=1).tolist()
-        columns: dict[str, list[Any]] = {
+        columns = {
             name: [None if math.isnan(value) else value for value in row] for name, row in zip(names, rows, strict=True)
         }
         return columns | {"reason": np.repeat([curve.reason for curve in curves], levels.size).tolist()}
@@ -195,7 +195,7 @@ class Shaken:
         Columns are the displacement for each polarity and their mean, m, and, as the greater of both polarities, the
         peak velocity, m/s, the number of slips and the rotation, rad.
         """
-        columns: dict[str, list[Any]] = {
+        columns = {
             "record": [entry.name for entry in self.suite],
             "pga_g": self.pga[:, scale].tolist(),
         }

@@ -83,7 +83,7 @@ class Study(Shaken, Pictured):
     @cached_property
     def samples(self) -> dict[str, NDArray[Any]]:
         """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
-        found: dict[str, NDArray[Any]] = {**self.inputs}
+        found = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
             if values.dtype == np.float64:
                 magnitude = np.abs(values) if name in OUTCOMES else values
