@@ -62,6 +62,7 @@ class Series:
     held: bool = True
 
     def __post_init__(self) -> None:
+        """Check times and values, and freeze them."""
         for name in ("time", "values"):
             given = array_of(getattr(self, name))
             if given.ndim != 1 or given.dtype.kind not in "iuf":
@@ -148,6 +149,7 @@ class Pulse:
     cycles: float = 1.0
 
     def __post_init__(self) -> None:
+        """Check name, amplitude, start, duration and number of cycles."""
         faults = list[str]()
         if self.name not in PULSES:
             faults.append(f"name = {self.name!r}: must be one of {', '.join(PULSES)}")
