@@ -62,8 +62,6 @@ class Motion(Conversions, Generic[Numbers]):
             return np.reshape(values, self.shape)
         return values.item() if hasattr(values, "item") else values
 
-    # --- how it ended ------------------------------------------------------------------------------------------------
-
     @cached_property
     def status(self) -> Any:
         """State at the end, a `Status`."""
@@ -367,8 +365,6 @@ class Motion(Conversions, Generic[Numbers]):
             If the scene is an ensemble, or exactly at its limit, where the motion has no derivative.
         """
         return lazy_import("sensitivity").sensitivity(self)
-
-    # --- lanes, and one line of text ---------------------------------------------------------------------------------
 
     def __len__(self) -> int:
         """Return the length of the scene's first dimension."""
