@@ -68,12 +68,12 @@ class Series:
             if given.ndim != 1 or given.dtype.kind not in "iuf":
                 raise ValueError(f"Series: {name}: must be a plain list of numbers, without mask or unit")
             object.__setattr__(self, name, frozen(given.astype(float, copy=False)))
-        if self.time.shape != self.values.shape or self.time.size < 2:
+        time, values = self.time, self.values
+        if time.shape != values.shape or time.size < 2:
             raise ValueError(
-                f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "
-                "two at least"
+                f"Series: has {time.size} times and {values.size} values: must have equal numbers of both, two at least"
             )
-        fault = bad_sample(self.time, self.values)
+        fault = bad_sample(time, values)
         if fault:
             index, sentence = fault
             raise ValueError(f"Series: sample {index + 1}: {sentence}")
