@@ -64,10 +64,11 @@ class Series:
     def __post_init__(self) -> None:
         """Check times and values, and freeze them."""
         for name in ("time", "values"):
-            given = array_of(getattr(self, name))
-            if given.ndim != 1 or given.dtype.kind not in "iuf":
+            samples = array_of(getattr(self, name))
+            if samples.ndim != 1 or samples.dtype.kind not in "iuf":
                 raise ValueError(f"Series: {name}: must be a plain list of numbers, without mask or unit")
-            object.__setattr__(self, name, frozen(given.astype(float, copy=False)))
+            samples = samples.astype(float, copy=False)
+            object.__setattr__(self, name, frozen(samples))
         time, values = self.time, self.values
         if time.shape != values.shape or time.size < 2:
             raise ValueError(
