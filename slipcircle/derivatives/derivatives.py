@@ -77,6 +77,7 @@ class Sensitivity:
         return list(self.outputs).index(output), list(self.parameters).index(parameter)
 
     def __str__(self) -> str:
+        """Return the table of derivatives and elasticities as text."""
         heads = [f"d {name} [{unit}] (elasticity)" for name, unit in self.outputs.items()]
         rows = [["by", "value", *heads]]
         for name, unit in self.parameters.items():

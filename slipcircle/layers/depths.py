@@ -91,6 +91,7 @@ class MeanDepth(NamedTuple):
     depths: Depths
 
     def __call__(self, rotation: Any) -> Any:
+        """Return the mean depth in m at rotations in rad, in the shape of the rotations."""
         shape, turned = self.section._rotations(rotation)
         return self.depths.mean(turned).reshape(shape) * self.section.radius
 
