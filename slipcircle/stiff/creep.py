@@ -158,7 +158,9 @@ def _first_steps(explicit_steps: Floats) -> Floats:
 
     Implicit steps then begin after the first explicit step.
     """
-    most = COMPILED if compiled.engine() is compiled else IN_NUMPY
+    most = IN_NUMPY
+    if compiled.engine() is compiled:
+        most = COMPILED
     return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 

@@ -1,7 +1,6 @@
 """JSON Schema of a scene file, for editors: tables, keys and their allowed values."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS

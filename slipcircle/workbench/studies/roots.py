@@ -1,7 +1,6 @@
 """Back-analysis of one parameter from one observation: all roots in its range, many candidates in each call."""
 
 import math
-from typing import Any
 
 import numpy as np
 

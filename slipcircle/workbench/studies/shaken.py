@@ -195,10 +195,7 @@ class Shaken:
         Columns are the displacement for each polarity and their mean, m, and, as the greater of both polarities, the
         peak velocity, m/s, the number of slips and the rotation, rad.
         """
-        columns = {
-            "record": [entry.name for entry in self.suite],
-            "pga_g": self.pga[:, scale].tolist(),
-        }
+        columns = {"record": [entry.name for entry in self.suite], "pga_g": self.pga[:, scale].tolist()}
         medians = {n: np.median(np.abs(self.values[n][:, :, scale]), axis=-1) for n in RESULTS}
         both = medians["end_displacement"]
         for place, polarity in enumerate(self.records.polarities):
