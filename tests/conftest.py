@@ -137,5 +137,5 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
     """Replace pictures by empty ones, as drawing takes most of the time of some tests of other outputs."""
     monkeypatch.setattr(
-        "slipcircle.workbench.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
+        "slipcircle.workbench.outputs.pictures.files.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     )

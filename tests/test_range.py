@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Scene, Section, Series, ensemble, load, solve
-from slipcircle.workbench.outputs import plots
+from slipcircle.workbench.outputs.pictures import plots
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support.along_the_arc import of_scene, under_chord
 from tests.support.outputs import columns
