@@ -47,7 +47,7 @@ NEXT = 1e-6  # remaining rotation, relative, at which the stiffness is taken; re
 LONGEST = 2.0**200  # dimensionless time
 STEPS = 0.145  # number of explicit steps of a creeping mass over d t, as stability bounds their length
 COMPILED = ix.MOST_STEPS / ix.STIFF_STEP  # explicit steps that take as long as the implicit solution
-IN_NUMPY = 200
+IN_NUMPY = 200.0
 
 
 class Now(NamedTuple):

@@ -27,33 +27,28 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     they are computed with other lanes. A point that meets the observation is a root even without a bracket, because
     the outcome may jump there.
     """
-    scale = abs(float(problem.targets[0]))
+    scale = abs(problem.targets[0])
     rows = problem.ranges[0][None, :]
     fine = []
     at_ends = None
     for _ in range(_ROUNDS):
         outcomes, kind = problem.outcomes(rows.reshape(1, -1))
         misfit = outcomes.reshape(rows.shape) - problem.targets[0]
-        size = np.abs(misfit)
         if at_ends is not None:
             misfit[:, 0], misfit[:, -1] = at_ends
-            size = np.abs(misfit)
-        elif np.fmax.reduce(size, axis=None) <= _FLAT * scale:  # the field does not affect the outcome
+        elif np.fmax.reduce(np.abs(misfit), axis=None) <= _FLAT * scale:  # the field does not affect the outcome
             return []
-        first, last = bracket_candidates(rows, misfit, kind.reshape(rows.shape), scale)
-        is_met = size <= _ROUNDING * scale
-        fine.append(rows[is_met])
-        left = rows[first]
-        right = rows[last]
-        is_level = np.maximum(size[first], size[last]) <= _FLAT * scale
-        is_flat = is_level & _apart(left, right, _WIDE)
-        is_fine = is_flat | (is_met[first] & is_met[last]) | ~_apart(left, right, 4 * EPS)
-        fine += [left[is_fine], right[is_fine]]
+        places = bracket_candidates(rows, misfit, kind.reshape(rows.shape), scale)
+        left, right = (rows[place] for place in places)
+        at_ends = np.stack([misfit[place] for place in places])
+        greatest = np.abs(at_ends).max(axis=0)
+        is_flat = (greatest <= _FLAT * scale) & _apart(left, right, _WIDE)
+        is_fine = is_flat | (greatest <= _ROUNDING * scale) | ~_apart(left, right, 4 * EPS)
+        fine += [rows[np.abs(misfit) <= _ROUNDING * scale], left[is_fine], right[is_fine]]
         if is_fine.all():
             break
-        rough = ~is_fine
-        at_ends = misfit[first][rough], misfit[last][rough]
-        rows = np.linspace(left[rough], right[rough], _PARTS + 1, axis=1)
+        at_ends = at_ends[:, ~is_fine]
+        rows = np.linspace(left[~is_fine], right[~is_fine], _PARTS + 1, axis=1)
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
 
 
@@ -106,27 +101,24 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     A root is possible where the outcome passes the observed value, where the kind of motion changes near it, and where
     the outcome has an extremum near it.
     """
-    left = x[:, :-1]
-    right = x[:, 1:]
-    size = np.abs(misfit)
-    before = size[:, :-2]
-    here = size[:, 1:-1]
-    after = size[:, 2:]
+    left = np.abs(misfit[:, :-1])
+    right = np.abs(misfit[:, 1:])
+    here = right[:, :-1]
+    before = left[:, :-1]
+    after = right[:, 1:]
     with np.errstate(invalid="ignore"):
         product = misfit[:, :-1] * misfit[:, 1:]  # NaN where one is
-        nearest = np.fmin(size[:, :-1], size[:, 1:])
-        magnitude = np.maximum(np.abs(left), np.abs(right))
-        relative_width = (right - left) / np.maximum(magnitude, 1e-300)
-        reachable = _STEEP * np.minimum(relative_width, 1.0) * target
-        passes = (product <= 0.0) | ((kind[:, :-1] != kind[:, 1:]) & (nearest <= reachable))
+        magnitude = np.maximum(np.abs(x[:, :-1]), np.abs(x[:, 1:]))
+        reachable = _STEEP * np.minimum(np.diff(x) / np.maximum(magnitude, 1e-300), 1.0) * target
+        passes = (product <= 0.0) | ((np.diff(kind) != 0) & (np.fmin(left, right) <= reachable))
         # At an extremum the size is at most both neighbours', and at most half of the larger neighbour's.
         is_dip = (here <= np.fmin(before, after)) & (2 * here <= np.fmax(before, after))
         turns_back = is_dip & (product[:, :-1] > 0.0) & (product[:, 1:] > 0.0)
-    row, column = np.nonzero(passes)
-    row_of_dip, before_dip = np.nonzero(turns_back)
-    rows = np.concatenate([row, row_of_dip])
-    starts = np.concatenate([column, before_dip])
-    return (rows, starts), (rows, np.concatenate([column + 1, before_dip + 2]))
+    sections = np.nonzero(passes)
+    dips = np.nonzero(turns_back)
+    rows, starts = np.hstack([sections, dips])
+    lengths = np.repeat([1, 2], [len(sections[0]), len(dips[0])])
+    return (rows, starts), (rows, starts + lengths)
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:
