@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from slipcircle.base.kinds import ArrayPair, Floats, Integers
+from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
 from slipcircle.layers.strips import Strips
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
@@ -203,7 +203,7 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
     return done
 
 
-def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
+def _developed(values: Floats) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
     The head is the greater of the first two coefficients, the tail the greater of the last two.

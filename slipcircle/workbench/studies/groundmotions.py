@@ -74,8 +74,7 @@ def ground_motions(
     ValueError
         If records are invalid or do not fit the scene and the scales; the message lists them.
     """
-    gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = Suite.of(records, strict=settings["strict"], gravity=gravity)
+    suite = Suite.of(records, strict=settings["strict"], gravity=float(np.ravel(scene.arc.gravity)[0]))
     shaking = scene.checked_effects.get("shaking", {})
     still = {effect: given for effect, given in scene.checked_effects.items() if effect != "shaking"}
     two_way = {key: given for key, given in shaking.items() if key == "two_way"}

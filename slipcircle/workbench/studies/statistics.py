@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import ArrayTriple, Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 
@@ -88,7 +88,7 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
     return np.where((size >= _LEAST_SIZE) & ~is_in_tail & varies, student(shares, confidence), np.nan)
 
 
-def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
+def probability(hits: Any, valid: Any, confidence: float) -> ArrayTriple:
     """Return probabilities and the ends of intervals; ``hits`` (replicates, ...), ``valid`` samples (replicates,)."""
     samples = int(valid.sum())
     total = hits.sum(axis=0)
@@ -216,8 +216,7 @@ def indices(sums: Floats, confidence: float) -> Indices:
     with np.errstate(all="ignore"):
         whole = _indices(together)
         # The jackknife estimate behaves like a mean of pseudo-values, one for each batch (Tukey 1958).
-        pseudo_values = batches * whole - (batches - 1) * _indices(together - sums)
-        half = student(pseudo_values, confidence)
+        half = student(batches * whole - (batches - 1) * _indices(together - sums), confidence)
     intervals = np.stack([whole, whole - half, whole + half], axis=-1)
     return Indices(*([Estimate(*interval) for interval in of_inputs] for of_inputs in intervals.tolist()))
 
