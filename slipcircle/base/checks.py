@@ -119,6 +119,11 @@ def may_overflow(shape: Shape) -> Any:
     return np.errstate(over="ignore")
 
 
+def quiet() -> Any:
+    """Return a context without NumPy's warnings, for arrays in which some lanes have no result."""
+    return np.errstate(all="ignore")
+
+
 _NUMBERS = frozenset((bool, int, float, np.float64))
 
 

@@ -54,10 +54,8 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     """Return by how much values at shorter steps differ beyond their noise."""
-    one = following[..., :, None]
-    differences = np.abs(one - following[..., None, :])
-    allowed = NOISY * noise
-    return np.triu(differences - allowed[..., None, :]).max(axis=-1)
+    differences = np.abs(following[..., :, None] - following[..., None, :])
+    return np.triu(differences - (NOISY * noise)[..., None, :]).max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
@@ -65,6 +63,4 @@ def noise_of(values: Floats) -> Floats:
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)
-    changes = np.abs(np.diff(column))
-    known = np.nan_to_num(changes)
-    return np.asarray(np.max(known, axis=-1, keepdims=True))
+    return np.asarray(np.max(np.nan_to_num(np.abs(np.diff(column))), axis=-1, keepdims=True))

@@ -81,7 +81,7 @@ class SectionGeometry(TurningMass):
         left = x + r * first.x
         right = x + r * last.x
         width = right - left
-        meant = np.ones_like(width, dtype=bool)
+        meant = np.ones_like(width, bool)
         if self.between is not None:
             low, high = self.between
             rounding = 1e-9 * r

@@ -6,7 +6,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, array_of, complaint, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import (
+    INFINITY,
+    Bounds,
+    Fault,
+    array_of,
+    complaint,
+    mistakes,
+    quiet,
+    raise_all,
+    shape_mistakes,
+)
 from slipcircle.base.kinds import Floats, Texts, ValueDict, Values
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.plane import Vectors
@@ -17,7 +27,7 @@ AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, fo
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Yield the errors of lines (n, V, 2) that do not run from left to right."""
-    with np.errstate(invalid="ignore"):
+    with quiet():
         before_first = lines[:, :1] - 1.0
         step = np.diff(lines, axis=1, prepend=before_first)
 
@@ -53,7 +63,7 @@ def points_errors(name: str, given: Any, many: bool) -> Texts:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     *lanes, count, _ = shape
     one_axis = points.reshape(-1, count, 2)
-    lines = one_axis.astype(np.float64)
+    lines = one_axis.astype(float)
     faults = line_errors(name, lines)
     return complaint(faults, tuple(lanes))
 

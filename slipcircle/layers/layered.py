@@ -90,8 +90,7 @@ class RotationTables(NamedTuple):
                 return np.concatenate([parts[name] for name in names])
             return np.stack([function.combined(parts) for function in functions.values()])
 
-        kinks = strength.rotation_kinks
-        breaks, coefficients = between_kinks(values, kinks, first, last, self.tolerance)
+        breaks, coefficients = between_kinks(values, strength.rotation_kinks, first, last, self.tolerance)
         rows = [*np.moveaxis(coefficients, 2, 0)]
         if self.share_geometry:
             breaks = breaks[:, 0]

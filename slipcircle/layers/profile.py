@@ -61,7 +61,7 @@ class Part(NamedTuple):
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
-        piece = np.zeros(beta.shape, dtype=np.intp)
+        piece = np.zeros(beta.shape, np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
         number = piece * circles + np.arange(circles)

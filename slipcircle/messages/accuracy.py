@@ -108,7 +108,7 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
-    unlike = np.zeros(problem.lanes, dtype=bool)
+    unlike = np.zeros(problem.lanes, bool)
     for run in range(1, RUNS):
         cells = integrate(problem, perturbed_runs(problem, slice(run, run + 1), rounding))
         greatest = np.fmax.reduce(np.abs(np.array(_summary(cells)) - of_motion) / sizes)

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from generated.flow import PIECES
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
@@ -117,7 +118,7 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
     weight_before = 2 * step_after + step_before
     weight_after = step_after + 2 * step_before
     weight = weight_before + weight_after
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         reciprocal = weight_before / before + weight_after / after
         mean = weight / reciprocal
     same_sign = before * after > 0.0

@@ -159,7 +159,7 @@ def _number(name: str, line: int, field: str) -> float:
 def plain_numbers(cells: Texts) -> Floats:
     """Return the cells of a column as numbers; an empty array if a cell is not a plain number."""
     try:
-        return np.array(cells, dtype=np.float64)
+        return np.array(cells, float)
     except ValueError:
         return np.empty(0)
 

@@ -82,7 +82,7 @@ def toe_height(motion: Motion) -> float:
     if not isinstance(section, Section):
         return np.nan
     toe = motion.journey
-    ground_x, ground_y = np.asarray(section.ground, dtype=np.float64).T
+    ground_x, ground_y = np.asarray(section.ground, float).T
     below = np.interp(float(toe.toe_x), ground_x, ground_y, left=np.nan, right=np.nan)
     return float(toe.toe_y - below)
 

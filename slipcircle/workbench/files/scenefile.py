@@ -10,10 +10,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from generated.effects import EFFECTS
-from slipcircle.base.checks import InputError, Message
+from slipcircle.base.checks import InputError, Message, plain
 from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
 from slipcircle.core import Arc, Scene, law_mistakes
 from slipcircle.ground import Section
@@ -49,7 +47,7 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability = parts.pop("stability")
     remarks = parts.pop("remarks")
     try:
-        gravity = float(np.asarray(parts["arc"].gravity))
+        gravity = plain(parts["arc"].gravity)
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
         remarks = (*remarks, *of_records)
         scene: Any

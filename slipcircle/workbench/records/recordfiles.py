@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import InputError
+from slipcircle.base.checks import InputError, quiet
 from slipcircle.base.kinds import Floats, Names, Texts
 from slipcircle.workbench.common.textfiles import (
     CLOCK,
@@ -141,7 +141,7 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
     check_count(name, len(fields), header.samples)
     samples = _samples(name, header.step, fields, lines, _unit(ACCELERATION, name, header.units))
     if header.scale:
-        with np.errstate(invalid="ignore", over="ignore"):  # numbers that are not finite are refused later
+        with quiet():  # numbers that are not finite are refused later
             return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
     return samples
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.bases import Arcs, angle_from_below
@@ -63,11 +64,11 @@ def circle_factors(
     """
     driven = driven_slices(slope, centre, radius, left, right, pieces)
     slices = driven.slices
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         factors = {method: value(driven) for method, value in _VALUES.items()}
     ordinary = slices.integral(slices.ordinary_normal() < 0.0)
     bishop = slices.integral(bishop_normal(slices, factors["bishop"]) < 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         negative = np.maximum(ordinary, bishop) / slices.integral(1.0)
     return factors | {"facing": driven.facing, "negative": negative}
 
@@ -77,7 +78,7 @@ def factors_by(
 ) -> ArrayPair:
     """Return factors of safety (or yield coefficients) by one method, and the direction in which each mass slides."""
     driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         return factor_by(method, driven), driven.facing
 
 

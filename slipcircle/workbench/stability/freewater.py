@@ -56,8 +56,7 @@ def submerged(slices: Slices, level: Floats) -> Slices:
     water = slices.water * above_arc
     none = np.zeros_like(water)
     of_weight = np.stack([constant, gradient, np.ones_like(water)])
-    of_pressure = np.stack([height, none, np.ones_like(water)])
-    relieved = water * of_pressure
+    relieved = water * np.stack([height, none, np.ones_like(water)])
     buoyancy = -water * of_weight
     on_ground = relieved + buoyancy
     stresses = slices.stresses

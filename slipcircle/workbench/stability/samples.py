@@ -70,7 +70,6 @@ def _promising(values: Floats) -> Any:
     """Return the numbers of the best values, and of some values not far above."""
     order = np.argsort(values, kind="stable")
     least = values[order[0]]
-    limit = least + _NEAR * max(abs(least), 0.1)
-    near = order[values[order] <= limit]
+    near = order[values[order] <= least + _NEAR * max(abs(least), 0.1)]
     others = near[_BEST:]
     return np.concatenate([near[:_BEST], others[:: max(len(others) // _OTHERS, 1)]])

@@ -126,9 +126,9 @@ class Slope:
         mistakes = self._field_mistakes()
         if not mistakes:
             freeze(self, ("cohesion", "friction"))
-            object.__setattr__(self, "ground", np.array(self.ground, dtype=np.float64))
+            object.__setattr__(self, "ground", np.array(self.ground, float))
             if self.level is not None:
-                object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
+                object.__setattr__(self, "level", np.array(self.level, float))
             mistakes = self._joint_mistakes()
         raise_all("Slope", mistakes)
 

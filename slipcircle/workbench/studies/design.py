@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
@@ -191,7 +192,7 @@ class Design:
 
     def _si(self, index: int) -> ArrayDict:
         """Return the values of the inputs in the scenes of a block by name, in SI units."""
-        with np.errstate(all="ignore"):
+        with quiet():
             return {
                 name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
             }

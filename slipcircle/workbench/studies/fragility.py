@@ -56,7 +56,7 @@ class FragilityCurve(NamedTuple):
 
     def probability(self, pga: ArrayLike) -> Floats:
         """Return probabilities of exceedance and their intervals at peak accelerations over gravity, (3, ...)."""
-        log_pga = np.log(np.asarray(pga, dtype=np.float64))
+        log_pga = np.log(np.asarray(pga, float))
         intercept, slope = self.coefficients
         (of_intercept, joint), (_, of_slope) = self.covariance
         middle = intercept + slope * log_pga

@@ -84,7 +84,7 @@ def ground_motions(
     thresholds = settings["thresholds"]
     scales = pga if pga is not None else 1.0 if settings["scales"] is None else settings["scales"]
     thresholds = THRESHOLDS if thresholds is None else thresholds
-    scales, thresholds = (np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (scales, thresholds))
+    scales, thresholds = (np.atleast_1d(np.asarray(x, float)) for x in (scales, thresholds))
     motions = GroundMotions(suite, polarities, scales, pga is not None, two_way, replaces, thresholds)
     raise_all("ensemble", [*_input_mistakes(inputs), *_record_mistakes(motions)])
     return replace(scene, effects=still, uncertain={}), motions

@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import Flags, Floats, NumberMap, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
@@ -163,7 +164,7 @@ _FEATURES: dict[str, Callable[[Shaking], Any]] = {
 
 
 def _sum(coefficients: NumberMap, shaking: Shaking) -> Floats:
-    with np.errstate(invalid="ignore", divide="ignore"):
+    with quiet():
         return np.asarray(sum(factor * _FEATURES[name](shaking) for name, factor in coefficients.items()))
 
 

@@ -81,7 +81,7 @@ def _noise(rng: np.random.Generator, duration: float) -> Series:
     scaled = time / scale
     density = np.exp(special().xlogy(_SHAPE - 1.0, scaled) - scaled - special().gammaln(_SHAPE))
     noise = np.fft.rfft(rng.normal(size=count))
-    filtered = np.fft.irfft(noise * _filter(np.fft.rfftfreq(count, _STEP).astype(np.float64)), count)
+    filtered = np.fft.irfft(noise * _filter(np.fft.rfftfreq(count, _STEP).astype(float)), count)
     return Series(time, np.sqrt(density) * filtered, held=False)
 
 
