@@ -34,7 +34,7 @@ TABLES = (
     "search report slip soils surcharge tension_crack water"
 )
 FUNCTIONS = "backanalyse critical ensemble grid load parameters plan read_suite solve synthetic_records"
-MODULES = "definitions effects flow generated kernels layout printed program series slopes tiers walk"
+MODULES = "definitions effects flow generated kernels layout printed program series slopes tiers integrator"
 ARGUMENTS = "resistance_factor limit_friction alpha theta_1 theta_2 out where accuracy"
 KEYS = "law rate soils function value scales half_angle gravity radius density reference_stress cover strength_factor"
 # Arguments of laws without formula.

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "4693bfdcd4873477c728a9bbed2d6da40d0ce14ea34506bbb4c912ee2fef6d4d"
+#define DIGEST "c1b641941727fb271bc187efcbbf6cfc50812a4492356282158049b9d06b1c14"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -9,7 +9,7 @@
  * neither on its neighbours nor on its place. The whole state of a lane is in its cells: integration may be interrupted
  * after any step and resumed.
  *
- * How a lane is integrated is written once, in `derive/flow/walk`, for this file and for `walk.py`, the same in NumPy.
+ * How a lane is integrated is written once, in `derive/flow/integrator`, for this file and for `integrator.py`, the same in NumPy.
  * This file is compiled once for every kind of processor (with LEVEL, its name), and once more for the module, which
  * runs the best of those that the machine has; for a browser it is one module of WebAssembly. */
 #define PY_SSIZE_T_CLEAN
@@ -229,7 +229,7 @@ static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
 static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
-    "`program` are integers (see `slipcircle.core.walk.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
+    "`program` are integers (see `slipcircle.core.integrator.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
@@ -1140,7 +1140,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     }
 }
 
-/* --- the text of derive/flow/walk --- */
+/* --- the text of derive/flow/integrator --- */
 
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200

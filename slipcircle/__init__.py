@@ -42,7 +42,7 @@ if _project != "slipcircle":  # another package, or a dependency is missing
     ) from (_project if isinstance(_project, Exception) else None)
 
 from slipcircle.base import VERSION
-from slipcircle.base.forms import use_forms
+from slipcircle.base.conversions import use_conversions
 
 if TYPE_CHECKING:
     from slipcircle.core import Arc, Dimensionless, Motion, Plan, Scene, State, Status, plan, solve
@@ -64,7 +64,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.suites.synthetic import synthetic_records
 
 __version__ = VERSION
-use_forms("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
+use_conversions("slipcircle.workbench.outputs.display")  # by `Motion.plot`, `animate`, `to_dict`, ... and in notebooks
 # Module of each public name, imported at the first access.
 _PLACES = {
     "core": "Arc Dimensionless Motion Plan Scene State Status plan solve",

@@ -10,7 +10,7 @@ import pytest
 from flint import arb, ctx
 
 from slipcircle import Arc
-from slipcircle.given import GIVEN
+from slipcircle.tabulated import GIVEN
 from tests.support import oracle
 from tests.support.vaiont import FIELDS as VAIONT
 

@@ -306,7 +306,7 @@ def test_a_binary_stands_for_its_source(tmp_path: Path) -> None:
 
 
 def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:
-    """Of a copy with one kernel and no walk; with one, `test_house` builds it."""
+    """Of a copy with one kernel and no integrator; with one, `test_architecture` builds it."""
     checkout, nothing = tmp_path / "checkout", tmp_path / "nothing"
     nothing.mkdir()
     small(checkout / "generated")

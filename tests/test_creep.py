@@ -14,7 +14,7 @@ import pytest
 from mpmath import mpf
 from scipy.integrate import solve_ivp
 
-from generated import walk as in_numpy
+from generated import integrator as in_numpy
 from slipcircle import Arc, Pulse, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.core import Status, numpy_only

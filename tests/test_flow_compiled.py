@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import slipcircle
+from generated import integrator as in_numpy
 from generated import layout as ix
-from generated import walk as in_numpy
-from slipcircle.core.walk.compiled import encoded
+from slipcircle.core.integrator.compiled import encoded
 from slipcircle.tables import Series
 from tests.support.lanes import (
     BACKENDS,
@@ -26,7 +26,7 @@ from tests.support.lanes import (
     needs_binary,
     posed,
 )
-from tests.support.walks import LANES, MU, PUSHED, SCENES, SHAKEN, TURNING, problem
+from tests.support.problems import LANES, MU, PUSHED, SCENES, SHAKEN, TURNING, problem
 
 pytestmark = needs_binary
 

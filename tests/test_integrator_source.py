@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from derive.flow import restricted, restricted_c, restricted_numpy
-from derive.flow.walk import TEXT
+from derive.flow.integrator import TEXT
+from generated import integrator
 from generated import layout as ix
-from generated import walk
 from tests.support import lanes, one_lane
-from tests.support.walks import LANES, problem
+from tests.support.problems import LANES, problem
 
 SOME = (3, 20)  # of the lanes: pushed up-slope, from rest
 RESULTS = (ix.TIME, ix.ROTATION, ix.SLIP, ix.PEAK_TIME, ix.PEAK_OMEGA, ix.REACH_ROTATION, ix.END_ROTATION)
@@ -69,7 +69,7 @@ def written(module: str, old: str, new: str) -> dict[str, Any]:
             assert source.count(old) >= 1
             source = source.replace(old, new)
         text.read(source, f"{name}.py")
-    scope = dict(vars(walk))
+    scope = dict(vars(integrator))
     exec(restricted_numpy.functions(text), scope)
     return scope
 
@@ -79,15 +79,15 @@ def ends_as_written(monkeypatch: pytest.MonkeyPatch, module: str, old: str, new:
     expected = {name: lanes.integrate(problem(name)) for name in ("constant", "pulse")}
     scope = written(module, old, new)
     for name in restricted.integrator().functions:
-        monkeypatch.setattr(walk, name, scope[name])
-    monkeypatch.setattr(walk, "ROUNDS", 200)
+        monkeypatch.setattr(integrator, name, scope[name])
+    monkeypatch.setattr(integrator, "ROUNDS", 200)
     for name, finals in expected.items():
         bound = problem(name)
-        s = walk.Lanes(bound.program, bound.tables(), bound.cells())
+        s = integrator.Lanes(bound.program, bound.tables(), bound.cells())
         with np.errstate(all="ignore"):
-            walk.load(s)
+            integrator.load(s)
             for _ in range(200):
-                walk.advance(s, s.cells[ix.STATUS] <= ix.RESTING)
+                integrator.advance(s, s.cells[ix.STATUS] <= ix.RESTING)
         if not all(alike(finals[:, k], s.cells[:, k], 1e-11) for k in range(LANES)):
             return False
     return True

@@ -8,7 +8,7 @@ import pytest
 
 from slipcircle import Scene, Section, solve
 from slipcircle import load as load_scene
-from slipcircle.core.walk.lanes import BLOCK
+from slipcircle.core.integrator.lanes import BLOCK
 from slipcircle.derivatives.parameters import with_parameter_arrays, with_parameters
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.tables.interpolation import between_kinks

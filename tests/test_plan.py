@@ -19,12 +19,11 @@ from generated.flow import FRAGMENTS, SOIL_TERMS, TERMS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection, Soil, stretches
+from slipcircle.messages.choice import FLOW
+from slipcircle.messages.equation import Equation
 from slipcircle.tables import Series
-from slipcircle.words.choice import FLOW
-from slipcircle.words.equation import Equation
 from slipcircle.workbench.files.shipped import shipped
 from slipcircle.workbench.studies.ladder import ladder
-from tests.support.lanes import walked
 
 ARC = load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}
@@ -78,7 +77,7 @@ def test_accuracy_counts_in_ensembles_alone() -> None:
     """A single scene is solved to rounding, with the same digits and the same order."""
 
     def order(scene: Scene[Any], accuracy: float) -> float:
-        (terms,) = {*walked(solve(scene, accuracy)).cells()[ix.ORDER].tolist()}
+        (terms,) = {*solve(scene, accuracy).problem.cells()[ix.ORDER].tolist()}
         return float(terms)
 
     alone: Scene[Any] = load("vaiont-softening")

@@ -16,7 +16,7 @@ from matplotlib.text import Text
 from PIL import Image, ImageSequence
 
 from slipcircle import Arc, Scene, Section, Slope, critical, grid, load, solve
-from slipcircle.words import swings_back
+from slipcircle.messages import swings_back
 from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot

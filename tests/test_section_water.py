@@ -1,4 +1,4 @@
-"""A mass that turns through a water level: random sections against 30 digits, energy, both walks, ensembles, words."""
+"""A mass that turns through a water level: random sections against 30 digits, energy and lanes, both integrators."""
 
 import dataclasses
 import json

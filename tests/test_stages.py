@@ -32,7 +32,7 @@ CHANGES = {
     "derive/declare/effects.py": (")  # fmt: skip", LAW, {"declare", "flow files"}),
     "derive/declare/quantities.py": (")  # fmt: skip", MOMENT, {"declare", "flow files"}),
     "derive/flow/link/linker.py": ("def ", "def  ", {"balance", "flow files"}),
-    "derive/flow/walk/step.py": ("if ", "if  ", {"flow files"}),
+    "derive/flow/integrator/step.py": ("if ", "if  ", {"flow files"}),
     "derive/algebra/prove.py": ("def ", "def  ", {*STAGES} - {"both ends"}),
     "derive/check/losses.py": ("def ", "def  ", {"both ends", "flow files"}),
     "derive/judge/verify.py": ("def ", "def  ", set[str]()),

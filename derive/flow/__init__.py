@@ -6,7 +6,7 @@ stage    input                                            output
 declare  `derive.declare.effects`: effects and laws       symbols of SymPy, by quantity
 lower    one declaration (``lowering``, ``fragments``)    `Fragment`: operations on cells and series
 link     the fragments of a recipe (``link``)             `Program`: ordered operations
-write    fragments, linker, ``series`` and ``walk``       ``flow``, ``program``, ``series``, ``walk``, ``_flow.c``
+write    fragments, linker, ``series``, ``integrator``    ``generated/{flow,program,series,integrator}``, ``_flow.c``
 prove    programs (``linked``), series (``recurrences``)  claims, or `ProofError`
 =======  ===============================================  ========================================================
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from derive.flow import layout
-from derive.flow.walk import TEXT, one_lane
+from derive.flow.integrator import TEXT, one_lane
 
 FOLDER = Path(one_lane.__file__).parent
 
@@ -158,5 +158,5 @@ def integrator() -> Text:
     text = Text()
     for name in TEXT:
         path = FOLDER / f"{name}.py"
-        text.read(path.read_text("utf-8"), f"derive/flow/walk/{path.name}")
+        text.read(path.read_text("utf-8"), f"derive/flow/integrator/{path.name}")
     return text

@@ -32,15 +32,15 @@ MEND = "python -m derive"
 def flow_files(_: Stages) -> dict[str, str]:
     """Return the files that depend on `derive.flow`, by name."""
     integrator = restricted.integrator()
-    walk = {"WALK": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
-    c_flow = emit.filled("_flow.c", layout.c() | series.c() | straight.c() | walk)
+    text = {"INTEGRATOR": restricted_c.functions(integrator), "PROCESSOR": emit.PROCESSOR}
+    c_flow = emit.filled("_flow.c", layout.c() | series.c() | straight.c() | text)
     texts = {
         "layout.py": layout.python(),
         "effects.py": effects.module(),
         "flow.py": module.module(),
         "_flow.c": c_flow,
         "series.py": series.numpy_text(digest_of(c_flow)),
-        "walk.py": emit.filled("_walk.py.in", {"WALK": restricted_numpy.functions(integrator)}),
+        "integrator.py": emit.filled("_integrator.py.in", {"INTEGRATOR": restricted_numpy.functions(integrator)}),
         "program.py": module.linker_module(),
     }
     written = _written(texts)

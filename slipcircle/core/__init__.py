@@ -6,6 +6,7 @@ The names listed here are public and sufficient for the workbench and other prog
 only some scenes need are imported lazily. `slipcircle.core.lazy` lists them.
 """
 
+from slipcircle.core.integrator.compiled import numpy_only, program_integers
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
@@ -17,7 +18,6 @@ from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
-from slipcircle.core.walk.compiled import numpy_only, program_integers
 
 __all__ = [
     "ANSWERED",

@@ -5,8 +5,8 @@ from importlib import import_module
 from typing import Any
 
 MODULES = {
-    "given": "slipcircle.given",  # tabulated coefficients replace the computed ones
-    "arc": "slipcircle.words.arc",  # an arc is invalid
+    "tabulated": "slipcircle.tabulated",  # tabulated coefficients replace the computed ones
+    "arc": "slipcircle.messages.arc",  # an arc is invalid
     "history": "slipcircle.history.history",  # states, forces, stresses or energy are requested
     "journey": "slipcircle.history.journey",  # the displacement of toe or centroid is requested
     "validity": "slipcircle.history.validity",  # the range of validity is requested
@@ -19,14 +19,14 @@ MODULES = {
     "standing": "slipcircle.layers.standing",  # free water covers the exit of a section
     "creep": "slipcircle.stiff.creep",  # a viscous layer without end time, or the slow run-out is requested
     "stiff": "slipcircle.stiff.implicit",  # explicit steps are too many
-    "plan": "slipcircle.words.choice",  # the description of a plan is requested
-    "equation": "slipcircle.words.equation",  # the equation of motion is requested
-    "estimate": "slipcircle.words.accuracy",  # the error estimate is requested
-    "warnings": "slipcircle.words.warnings",  # warnings are requested
-    "plausible": "slipcircle.words.plausible",  # a scene has an unusual number
-    "summary": "slipcircle.words.summary",  # the one-line summary is requested
-    "refusal": "slipcircle.words.refusal",  # a single scene has no result
-    "velocity": "slipcircle.words.velocity",  # velocity classes are requested
+    "plan": "slipcircle.messages.choice",  # the description of a plan is requested
+    "equation": "slipcircle.messages.equation",  # the equation of motion is requested
+    "estimate": "slipcircle.messages.accuracy",  # the error estimate is requested
+    "warnings": "slipcircle.messages.warnings",  # warnings are requested
+    "plausible": "slipcircle.messages.plausible",  # a scene has an unusual number
+    "summary": "slipcircle.messages.summary",  # the one-line summary is requested
+    "refusal": "slipcircle.messages.refusal",  # a single scene has no result
+    "velocity": "slipcircle.messages.velocity",  # velocity classes are requested
     "parameters": "slipcircle.derivatives.parameters",  # lanes of an ensemble are selected
     "sensitivity": "slipcircle.derivatives.sensitivity",  # derivatives are requested
 }

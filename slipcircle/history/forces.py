@@ -10,12 +10,12 @@ from generated import layout as ix
 from generated.program import Program, Recipe
 from slipcircle.base.checks import EPS, plain
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
+from slipcircle.core.integrator.compiled import engine
+from slipcircle.core.integrator.lanes import BLOCK
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.program import build_program
 from slipcircle.core.scene.effects import in_order, symbols_of
 from slipcircle.core.scene.mass import Mass
-from slipcircle.core.walk.compiled import engine
-from slipcircle.core.walk.lanes import BLOCK
 from slipcircle.history.states import States, begin
 
 OUTPUTS = ("pressing", "normal", "mu")  # registers that are evaluated in addition to the states

@@ -7,10 +7,10 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.core.integrator.compiled import Samples, engine
+from slipcircle.core.integrator.lanes import BLOCK, integrate
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.walk.compiled import Samples, engine
-from slipcircle.core.walk.lanes import BLOCK, integrate
 
 
 class States(NamedTuple):

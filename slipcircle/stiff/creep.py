@@ -23,11 +23,11 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.base.sections import first_section
+from slipcircle.core.integrator import compiled
+from slipcircle.core.integrator.compiled import Samples
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.friction import depends_on
-from slipcircle.core.walk import compiled
-from slipcircle.core.walk.compiled import Samples
 
 Integrate = Callable[[Floats, Samples | None], Floats]  # final cells from initial cells
 

@@ -3,7 +3,7 @@
 The states at the points of a step (`slipcircle.stiff.radau`) solve residual = 0 by Newton's iteration with the
 Jacobian I - h a_ij df/dy(Y_j), approximated by differences. Fast transients decay within one step of any length, and
 the end is accurate to order 2 s - 1. The last Legendre coefficients of the polynomial of a step determine its length,
-so that the polynomial equals the motion to rounding. Events and samples are evaluated from it. `generated.walk`
+so that the polynomial equals the motion to rounding. Events and samples are evaluated from it. `generated.integrator`
 supplies phases and events.
 """
 
@@ -12,13 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from generated import integrator
 from generated import layout as ix
-from generated import walk
 from slipcircle.base.checks import EPS
 from slipcircle.base.kinds import Floats, Integers
+from slipcircle.core.integrator.compiled import Log, Samples, engine
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.piecewise import Data
-from slipcircle.core.walk.compiled import Log, Samples, engine
 from slipcircle.stiff.radau import (
     AT,
     LEAST_SIZE,
@@ -46,7 +46,7 @@ FIRST, GROWS, SHRINKS, DIVERGES = 4.0, 4.0, 0.1, 0.25  # factors of explicit ste
 
 
 def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers) -> None:
-    """Integrate some lanes one after the other from their present states, as `generated.walk.integrate` does."""
+    """Integrate some lanes one after the other from their present states, as `generated.integrator.integrate` does."""
     for number in which:
         lane_number = np.array([number])
         begun = cells[:, lane_number]
@@ -55,9 +55,9 @@ def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log
         state[ix.STATUS] = ix.MOVING
         state[ix.STEPS] = 0.0
         with np.errstate(all="ignore"):
-            walk.advance_origin(lane, _ONE)
+            integrator.advance_origin(lane, _ONE)
             state[ix.PENDING] = ix.BEGIN_PHASE
-            walk.begin_phases(lane)
+            integrator.begin_phases(lane)
             while lane.status <= ix.RESTING:
                 lane.advance()
         cells[:, number] = lane.stored[:, 0]
@@ -81,7 +81,7 @@ class Event(NamedTuple):
         return self.sign * beyond_bound
 
 
-class _Implicit(walk.Lanes):
+class _Implicit(integrator.Lanes):
     """Single lane whose step extends to the next event or break and consists of any number of implicit steps."""
 
     steps_left = MOST_STEPS
@@ -92,13 +92,13 @@ class _Implicit(walk.Lanes):
         return float(self.cells[ix.STATUS, 0])
 
     def advance(self) -> None:
-        """Make one step, as `generated.walk.advance` does."""
+        """Make one step, as `generated.integrator.advance` does."""
         if self.status == ix.MOVING:
             self.make_step()
         else:
-            walk.rest_on(self, _HERE)
-        walk.begin_phases(self)
-        walk.stop_endless(self, _HERE)
+            integrator.rest_on(self, _HERE)
+        integrator.begin_phases(self)
+        integrator.stop_endless(self, _HERE)
 
     def make_step(self) -> None:
         """Make implicit steps up to the next event or break."""
@@ -109,7 +109,7 @@ class _Implicit(walk.Lanes):
         time = np.array([now.time])
         rate = now.registers[self.roles.net]
         x, omega, *_ = now.states
-        walk.keep_faster(self, _HERE, omega, time, x, rate)
+        integrator.keep_faster(self, _HERE, omega, time, x, rate)
         self.stored[:] = self._cells_at(time, now.states)
         uneventful = event == ix.EVENT_NONE
         if uneventful and now.time < self.limit:
@@ -119,12 +119,12 @@ class _Implicit(walk.Lanes):
         self.cells[ix.PASSED] = ix.NOTHING
         at_limit = np.array([uneventful])
         endless = np.array([False])
-        walk.settle(self, _ONE, rate, at_limit, endless)
+        integrator.settle(self, _ONE, rate, at_limit, endless)
 
     def _prepare(self) -> None:
         """Prepare the quantities that all implicit steps up to the next event share."""
         program = self.program
-        next_break = walk.next_break(self)
+        next_break = integrator.next_break(self)
         end_time = self.cells[ix.END_TIME]
         limit = np.minimum(next_break, end_time)
         self.limit = float(limit[0])
@@ -136,8 +136,8 @@ class _Implicit(walk.Lanes):
     def _explicit_step(self) -> float:
         """Return the step that explicit integration would take."""
         endless = np.full(1, np.inf)
-        top = walk.expand(self, endless, _HERE, 0)
-        walk.choose_step(self, _HERE, endless, top)
+        top = integrator.expand(self, endless, _HERE, 0)
+        integrator.choose_step(self, _HERE, endless, top)
         step = float(self.cells[ix.STEP, 0])
         return min(step, 1e3)
 
@@ -151,7 +151,7 @@ class _Implicit(walk.Lanes):
         for table in self.tables:
             kind = ix.EVENT_BREAKPOINT + 2 * table.number
             first = table.cells
-            upper = min(cells[first + ix.UPPER], walk.FAR)
+            upper = min(cells[first + ix.UPPER], integrator.FAR)
             lower = cells[first + ix.LOWER]
             if table.kind == ix.OF_SPEED:
                 passes_upper = Event(kind, roles.omega, -1.0, upper)
@@ -223,12 +223,12 @@ class _Implicit(walk.Lanes):
         cells[self.state_cells] = states
         if not self.timed:
             return cells
-        there = walk.Lanes(self.program, self._tables(times.size), cells)
+        there = integrator.Lanes(self.program, self._tables(times.size), cells)
         every = np.arange(times.size)
         for table in there.tables:
             if table.kind == ix.OF_TIME:
                 value_before = cells[table.cells + ix.VALUE]  # at the beginning of the phase
-                cells[table.cells + ix.INC] = walk.value_now(there, every, table) - value_before
+                cells[table.cells + ix.INC] = integrator.value_now(there, every, table) - value_before
         return cells
 
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
@@ -338,17 +338,17 @@ class _Implicit(walk.Lanes):
             there = self._within(step, now, time)
             x, omega, *_ = there.states
             zero = np.zeros(1)
-            walk.keep_faster(self, _HERE, omega, zero + time, x, zero)
+            integrator.keep_faster(self, _HERE, omega, zero + time, x, zero)
 
     def _write(self, step: Step, begin: float, end: float) -> None:
         """Evaluate the states at the sample times between two times."""
         if self.samples is None:
             return
-        since, which = walk.sampled(self, 0, begin, end)
+        since, which = integrator.sampled(self, 0, begin, end)
         if since.size:
             states = step.states(since)
             x, omega, *further = states
             registers = self._registers_at(begin + since, states)
             net = registers[self.roles.net]
             rows = [x, omega, net, *further]
-            walk.fill(self, 0, which, rows)
+            integrator.fill(self, 0, which, rows)

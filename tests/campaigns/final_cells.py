@@ -16,9 +16,9 @@ import numpy as np
 import slipcircle
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
+from slipcircle.core.integrator import compiled
+from slipcircle.core.integrator.lanes import integrate
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.walk import compiled
-from slipcircle.core.walk.lanes import integrate
 from slipcircle.tables import Series
 from tests.support.lanes import posed
 

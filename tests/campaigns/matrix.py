@@ -34,7 +34,7 @@ TESTS, DOCUMENTS = ([f"tests/test_{name}.py" for name in names] for names in (TE
 SANITIZED = [f"tests/test_{name}.py" for name in ("flow_compiled", "compiled")]
 NUMERICS = ("flow_programs", "integrator_source", "kernels", "golden", "creep", "accuracy", "ensemble_states")
 SHORT = [*SANITIZED, *(f"tests/test_{name}.py" for name in NUMERICS)]
-TYPES = "tests/test_house.py::test_mypy_is_silent"
+TYPES = "tests/test_architecture.py::test_mypy_is_silent"
 COMPLETE = ["--numprocesses=logical", "--maxprocesses=8", "--dist=worksteal"]  # as `./run test`
 NOT_COPIED = ("__pycache__", "*.so", ".git", ".venv", ".*_cache", "build", "dist")
 _UMATH = getattr(np, "_core")._multiarray_umath  # noqa: B009 (private, and without a type)
@@ -127,7 +127,7 @@ def compiled_by(folder: Path, compiler: str, tests: Sequence[str]) -> tuple[bool
     """Whether tests pass with a compiler, and whose binaries they ran."""
     checkout = copied(folder / "checkout")
     settings = {"CC": compiler, "PYTHONPATH": str(checkout)}
-    version = "from slipcircle.core.walk import compiled; print(compiled.module().COMPILER)"
+    version = "from slipcircle.core.integrator import compiled; print(compiled.module().COMPILER)"
     for command in (["-m", "derive.build"], ["-c", version]):
         done = subprocess.run([sys.executable, *command], cwd=checkout, env=os.environ | settings, capture_output=True,
                               text=True)  # fmt: skip

@@ -32,7 +32,7 @@ import numpy as np
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("slipcircle", "derive")
-NOT_OF_BEHAVIOUR = ("test_house", "test_book")  # style and layout, which every change of a tree can offend
+NOT_OF_BEHAVIOUR = ("test_architecture", "test_book")  # style and layout, which every change of a tree can offend
 AT_IMPORT = "import"  # in the place of a test
 HANG_S = 120  # of one test; the slowest takes a fifth of it
 LIMIT_S = 900  # of all tests of one fault

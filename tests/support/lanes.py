@@ -7,15 +7,15 @@ from unittest.mock import patch
 
 import pytest
 
+from generated import integrator as in_numpy
 from generated import layout as ix
-from generated import walk as in_numpy
 from generated.program import Program, Recipe
 from slipcircle import Motion, Scene, plan
 from slipcircle.base.kinds import Floats
+from slipcircle.core.integrator import compiled
+from slipcircle.core.integrator.compiled import Samples
 from slipcircle.core.problem.problem import Problem, problem_of
 from slipcircle.core.program import build_program
-from slipcircle.core.walk import compiled
-from slipcircle.core.walk.compiled import Samples
 from slipcircle.layers.layered import RotationTables
 
 __all__ = ["Problem", "Program", "Recipe", "RotationTables", "Samples", "build_program", "compiled"]
@@ -39,11 +39,6 @@ def posed(scene: Scene, accuracy: float | None = None) -> Problem:
     return problem_of(plan(scene, accuracy))
 
 
-def walked(motion: Motion) -> Problem:
-    """The problem that was solved."""
-    return motion.problem
-
-
 def integrate(problem: Problem, which: Any = slice(None), name: str = BACKENDS[0], **options: Any) -> Floats:
     """How some of the lanes end: `RESULTS` of their cells."""
     cells = problem.cells(which)
@@ -54,7 +49,7 @@ def integrate(problem: Problem, which: Any = slice(None), name: str = BACKENDS[0
 
 def work(motion: Motion) -> tuple[int, int]:
     """Steps of a single scene in C, which is called for one at a time, and the operations on series in them."""
-    problem = walked(motion)
+    problem = motion.problem
     one_step = patch.object(compiled, "ROUNDS", 1)
     counting = patch.object(BINARY, "integrate", wraps=BINARY.integrate)
     with one_step, counting as calls:

@@ -14,8 +14,8 @@ import mpmath
 from sympy import Expr, Indexed, Sum
 
 from derive.flow import layout
+from derive.flow.integrator import phases, rest
 from derive.flow.recurrences import OPERATIONS
-from derive.flow.walk import phases, rest
 from generated import layout as ix
 from tests.support.lanes import Problem
 

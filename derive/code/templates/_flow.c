@@ -7,7 +7,7 @@
  * neither on its neighbours nor on its place. The whole state of a lane is in its cells: integration may be interrupted
  * after any step and resumed.
  *
- * How a lane is integrated is written once, in `derive/flow/walk`, for this file and for `walk.py`, the same in NumPy.
+ * How a lane is integrated is written once, in `derive/flow/integrator`, for this file and for `integrator.py`, the same in NumPy.
  * This file is compiled once for every kind of processor (with LEVEL, its name), and once more for the module, which
  * runs the best of those that the machine has; for a browser it is one module of WebAssembly. */
 #define PY_SSIZE_T_CLEAN
@@ -194,7 +194,7 @@ static int table_fits(const Data *d, const Py_buffer *buffers, int64_t count)
 static const char doc[] = "integrate(program, tables, cells, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Integrate the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not ended (call again), and how many notes there are.\n\n"
-    "`program` are integers (see `slipcircle.core.walk.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
+    "`program` are integers (see `slipcircle.core.integrator.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open). States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is not written.\n\n"
@@ -653,9 +653,9 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
     }
 }
 
-/* --- the text of derive/flow/walk --- */
+/* --- the text of derive/flow/integrator --- */
 
-@WALK@
+@INTEGRATOR@
 /* --- the queue --- */
 
 /* A lane at its start has no numbers of a phase yet. */

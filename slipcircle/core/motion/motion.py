@@ -15,16 +15,16 @@ from numpy.typing import ArrayLike
 
 from generated import layout as ix
 from slipcircle.base.checks import choose, may_overflow, plain
-from slipcircle.base.forms import Forms
+from slipcircle.base.conversions import Conversions
 from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
+from slipcircle.core.integrator.lanes import integrate
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.walk.lanes import integrate
 
 
-class Motion(Forms, Generic[Numbers]):
+class Motion(Conversions, Generic[Numbers]):
     """Solved scene. For an ensemble every result is an array, NaN for cases without a result (`reason`).
 
     A motion of several cases has a length and an index. `to_dict`, `to_pandas` and `to_xarray` export tables.

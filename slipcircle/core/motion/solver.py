@@ -16,12 +16,12 @@ import numpy as np
 
 from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Numbers
+from slipcircle.core.integrator.lanes import BLOCK, ENTRIES, integrate
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import problem_of
 from slipcircle.core.scene.scene import Scene
-from slipcircle.core.walk.lanes import BLOCK, ENTRIES, integrate
 
 
 def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any = False) -> Motion[Numbers]:

@@ -60,7 +60,7 @@ class Arc(Mass, Generic[Numbers]):
         Length perpendicular to the section, m.
     given : mapping, optional
         Dimensionless coefficients that replace the computed ones, to repeat a calculation from a printed table. All
-        names of `slipcircle.given.GIVEN` are required. They are valid in the initial position only.
+        names of `slipcircle.tabulated.GIVEN` are required. They are valid in the initial position only.
 
     Raises
     ------
@@ -113,7 +113,7 @@ class Arc(Mass, Generic[Numbers]):
 
     def __post_init__(self) -> None:
         if self.given is not None and type(self) is Arc:  # it is another mass
-            object.__setattr__(self, "__class__", lazy_import("given").GivenArc)
+            object.__setattr__(self, "__class__", lazy_import("tabulated").GivenArc)
             self.__post_init__()
             return
         if not self.has_plain_numbers:

@@ -6,7 +6,7 @@ from functools import partial
 
 from slipcircle.base.progress import track
 from slipcircle.core import Motion, solve
-from slipcircle.words import OUTSIDE
+from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, add_units, with_scene_context
 from slipcircle.workbench.common.records import record

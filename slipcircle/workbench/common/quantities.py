@@ -17,7 +17,7 @@ from slipcircle.base import JSON_FORMAT
 from slipcircle.base.checks import real_number
 from slipcircle.base.kinds import Floats, Function, Pair, ValueDict
 from slipcircle.base.text import DIGITS, digits_left, printed, shown
-from slipcircle.words import OUTSIDE, VelocityTimes, swings_back
+from slipcircle.messages import OUTSIDE, VelocityTimes, swings_back
 from slipcircle.workbench.stability.stability import METHODS, factors_of_safety, soil
 from slipcircle.workbench.stability.starting import OF_CLOSURE
 

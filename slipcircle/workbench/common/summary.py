@@ -7,7 +7,7 @@ import numpy as np
 from slipcircle.base.kinds import TextDict
 from slipcircle.base.text import printed, shown
 from slipcircle.core import Motion, Status
-from slipcircle.words import range_words, swings_back
+from slipcircle.messages import range_words, swings_back
 from slipcircle.workbench.common.quantities import (
     OBSERVABLE,
     OUTCOMES,

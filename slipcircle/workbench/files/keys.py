@@ -16,7 +16,7 @@ from generated.effects import COHESION_LAWS, EFFECTS, INFINITY, LAWS, LIMITS, US
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.base.kinds import Names, ValueDict
 from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
-from slipcircle.given import GIVEN
+from slipcircle.tabulated import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 from slipcircle.workbench.common.units import SYSTEMS, published
 

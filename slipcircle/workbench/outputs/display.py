@@ -7,8 +7,8 @@ from typing import Any
 from slipcircle.base.kinds import Function, PathName, Values
 from slipcircle.core import Motion
 from slipcircle.workbench.common import files
-from slipcircle.workbench.common.forms import html as table_of
-from slipcircle.workbench.common.forms import to_dict, to_pandas, to_xarray
+from slipcircle.workbench.common.conversions import html as table_of
+from slipcircle.workbench.common.conversions import to_dict, to_pandas, to_xarray
 from slipcircle.workbench.common.quantities import factors_of as factors_of_safety
 from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots, suiteplots
 from slipcircle.workbench.outputs.plotstyle import new_figure

@@ -12,7 +12,7 @@ from generated._compiled import FREE_THREADED, LEVEL, is_free_threaded
 from slipcircle.base import VERSION
 from slipcircle.base.kinds import TextDict
 from slipcircle.base.optional import EXTRAS, install
-from slipcircle.words import integrator
+from slipcircle.messages import describe_integrator
 
 
 def facts() -> TextDict:
@@ -20,7 +20,7 @@ def facts() -> TextDict:
     remedy = FREE_THREADED if is_free_threaded() else "`python -m derive.build` compiles them"
     kernels = f"NumPy, not compiled: {remedy}" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": VERSION, "python": platform.python_version(), "processor": processor()}
-    found |= {"kernels": kernels, "integrator": integrator()}
+    found |= {"kernels": kernels, "integrator": describe_integrator()}
     for library in ("numpy", *EXTRAS):
         try:
             found[library] = metadata.version(library)

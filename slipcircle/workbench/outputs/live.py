@@ -17,7 +17,7 @@ from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.base.text import shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
-from slipcircle.words import standing
+from slipcircle.messages import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
 from slipcircle.workbench.common.quantities import Interval
 from slipcircle.workbench.common.summary import end_words, summary

@@ -18,8 +18,8 @@ from slipcircle.base.kinds import Floats, Names, Shape, ValueDict
 from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
 from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with_outputs
+from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
-from slipcircle.words import ROUNDED, RUNS, perturbed_runs
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name
 from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of

@@ -14,8 +14,8 @@ from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.base.text import printed
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
+from slipcircle.messages import standing, swings_back
 from slipcircle.tables import in_time
-from slipcircle.words import standing, swings_back
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.outputs.comparison import ladder
 from slipcircle.workbench.outputs.film import animate

@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Pair, Values
 from slipcircle.base.optional import optional
 from slipcircle.base.text import measured, printed, shown
 from slipcircle.core import Motion, Status
-from slipcircle.words import standing, swings_back
+from slipcircle.messages import standing, swings_back
 from slipcircle.workbench.files.numbers import Number
 from slipcircle.workbench.outputs.trace import drawn
 

@@ -10,7 +10,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc, Motion
 from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
-from slipcircle.words import OUTSIDE, range_words, swings_back
+from slipcircle.messages import OUTSIDE, range_words, swings_back
 from slipcircle.workbench.common.starting import start_words, starts
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.layerplot import draw_stretches

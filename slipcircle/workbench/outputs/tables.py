@@ -15,7 +15,7 @@ from slipcircle.base.progress import is_terminal
 from slipcircle.base.text import DIGITS, clean, measured, printed, shown
 from slipcircle.core import Motion, Plan
 from slipcircle.ground import Section
-from slipcircle.words import VelocityTimes
+from slipcircle.messages import VelocityTimes
 from slipcircle.workbench.common.quantities import (
     OUTCOMES,
     factor_label,

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, raise_all
-from slipcircle.base.forms import Pictured
+from slipcircle.base.conversions import Pictured
 from slipcircle.base.kinds import Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
 from slipcircle.core import AS_ENTERED, Motion, Scene
 from slipcircle.ground import Section, ends_above

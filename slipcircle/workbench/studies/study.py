@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.forms import Pictured
+from slipcircle.base.conversions import Pictured
 from slipcircle.base.kinds import ArrayDict, Flags, Floats, ValueDict
 from slipcircle.core import Motion, Status
-from slipcircle.words import OUTSIDE
+from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.loaded import stability_of

@@ -1,6 +1,6 @@
 """One step of moving lanes up to their next event, and the consequences of the event."""
 
-from derive.flow.walk.one_lane import (
+from derive.flow.integrator.one_lane import (
     INFINITY,
     Event,
     Kind,
@@ -28,11 +28,19 @@ from derive.flow.walk.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.walk.phases import TIE, advance_origin, face, note_lift_off, update_reach
-from derive.flow.walk.records import glide
-from derive.flow.walk.roots import falling_root, first_root, increment, margin_of, may_cross, value, value_and_slope
-from derive.flow.walk.series import expand, radius_of_convergence
-from derive.flow.walk.tables import next_break, pass_breaks
+from derive.flow.integrator.phases import TIE, advance_origin, face, note_lift_off, update_reach
+from derive.flow.integrator.records import glide
+from derive.flow.integrator.roots import (
+    falling_root,
+    first_root,
+    increment,
+    margin_of,
+    may_cross,
+    value,
+    value_and_slope,
+)
+from derive.flow.integrator.series import expand, radius_of_convergence
+from derive.flow.integrator.tables import next_break, pass_breaks
 
 FAR = 1e300  # unreachable bound
 

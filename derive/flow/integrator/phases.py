@@ -3,7 +3,7 @@
 The cell `pending` contains the action that a lane needs before its next step, such as the beginning of a phase.
 """
 
-from derive.flow.walk.one_lane import (
+from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
     Lane,
@@ -23,8 +23,8 @@ from derive.flow.walk.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.walk.series import evaluate, find_negligible, normal_force
-from derive.flow.walk.tables import begin_pieces, find_pieces, still_changes
+from derive.flow.integrator.series import evaluate, find_negligible, normal_force
+from derive.flow.integrator.tables import begin_pieces, find_pieces, still_changes
 
 TIE = 256.0 * EPS  # relative difference up to which two peaks are equal
 CLOSEST = 1e-300  # size of the terms of a drive, in units of rounding, if all are zero

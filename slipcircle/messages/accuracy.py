@@ -12,10 +12,10 @@ from generated import layout as ix
 from generated.program import Program
 from slipcircle.base.checks import EPS, choose
 from slipcircle.base.kinds import Floats
+from slipcircle.core.integrator.compiled import Samples
+from slipcircle.core.integrator.lanes import integrate
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.walk.compiled import Samples
-from slipcircle.core.walk.lanes import integrate
 
 Final = Mapping[int, Any]  # entries of lanes at their end, by index
 

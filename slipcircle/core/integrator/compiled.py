@@ -69,7 +69,7 @@ def numpy_only() -> Iterator[bool]:
 
 def engine() -> Any:
     """Return the faster module for `integrate`, `begin_phase` and `registers` on this machine."""
-    name = __name__ if module() and not _numpy_only else "generated.walk"
+    name = __name__ if module() and not _numpy_only else "generated.integrator"
     return sys.modules.get(name) or import_module(name)  # the NumPy module is slow to import
 
 
@@ -143,12 +143,12 @@ def integrate(
     log: Log | None = None,
     level: str | None = None,
 ) -> None:
-    """Integrate every lane until it rests, ends or fails, as `generated.walk.integrate` does, without the GIL.
+    """Integrate every lane until it rests, ends or fails, as `generated.integrator.integrate` does, without the GIL.
 
     Parameters
     ----------
     program, tables, cells, samples, log
-        Arguments of `generated.walk.integrate`. ``cells`` and the arrays of samples must be C-contiguous.
+        Arguments of `generated.integrator.integrate`. ``cells`` and the arrays of samples must be C-contiguous.
     level : str, optional
         Vector level, one of the ``LEVELS`` of the binary, by default the widest.
     """
@@ -169,12 +169,12 @@ def integrate(
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """Begin phases in the states of lanes and return their registers, as `generated.walk.begin_phase` does."""
+    """Begin phases in the states of lanes and return their registers, as `generated.integrator.begin_phase` does."""
     return registers(program, tables, cells, 1)
 
 
 def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
-    """Return registers of lanes within their phases, as `generated.walk.registers` does."""
+    """Return registers of lanes within their phases, as `generated.integrator.registers` does."""
     binary = module()
     count = cells.shape[1]
     values = np.zeros((len(program.registers), count))

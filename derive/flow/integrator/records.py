@@ -4,7 +4,7 @@ If only one piecewise linear function of time changes, net moment and normal for
 to a mass at rest, and to a moving mass with constant geometry and friction.
 """
 
-from derive.flow.walk.one_lane import (
+from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
     Kind,
@@ -25,8 +25,8 @@ from derive.flow.walk.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.walk.phases import update_peak
-from derive.flow.walk.tables import end_of_piece, pass_break
+from derive.flow.integrator.phases import update_peak
+from derive.flow.integrator.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
 ROUNDINGS = 2.0**27  # least margin, in roundings of its terms

@@ -133,7 +133,7 @@ def test_imports_go_one_way(package: str) -> None:
 
 
 # Packages that only some scenes need. Each may import the packages before it.
-ROOMS = ("given", "history", "tables", "ground", "layers", "stiff", "derivatives", "words")
+LAZY = ("tabulated", "history", "tables", "ground", "layers", "stiff", "derivatives", "messages")
 # Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
 LAYERS = {
     "derive": (
@@ -153,10 +153,10 @@ LAYERS = {
         *("judge", "build", "build_hook", "wheels", "guards", "__main__"),
     ),
     "generated": (
-        *("definitions", "effects", "flow", "layout", "program", "series", "walk", "tiers", "_evaluate", "_compiled"),
-        *("kernels", "printed", "slopes", "__init__"),
+        *("definitions", "effects", "flow", "layout", "program", "series", "integrator", "tiers", "_evaluate"),
+        *("_compiled", "kernels", "printed", "slopes", "__init__"),
     ),
-    "slipcircle": ("kernels", "base", "core", *ROOMS, "workbench", "__init__", "__main__"),
+    "slipcircle": ("kernels", "base", "core", *LAZY, "workbench", "__init__", "__main__"),
 }
 
 
@@ -188,7 +188,7 @@ def test_imports_go_down_the_layers_without_a_circle(package: str) -> None:
 
 
 def test_the_workbench_uses_public_names_of_the_core_and_its_rooms_alone() -> None:
-    public = {f"slipcircle.{part}": vars(import_module(f"slipcircle.{part}")) for part in ("core", *ROOMS)}
+    public = {f"slipcircle.{part}": vars(import_module(f"slipcircle.{part}")) for part in ("core", *LAZY)}
     for path in (*(ROOT / "slipcircle/workbench").rglob("*.py"), ROOT / "slipcircle/__main__.py"):
         for module, names in imported(path):
             inside = next((part for part in public if module.startswith(part)), None)
@@ -200,8 +200,8 @@ IN_WATER = Section([(-60, 20), (0, 20), (40, 0), (120, 0)], (30, 45), 48.0, 19e3
 GROWS = {"cohesion": 5e3, "gradient": 200.0}
 CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 # A shipped scene with changed fields, and a result of its motion, that import each lazy module.
-OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
-    "given": ("vaiont-as-printed", {}, bool),
+USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
+    "tabulated": ("vaiont-as-printed", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
@@ -231,14 +231,14 @@ OPENED: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
 
 @pytest.mark.parametrize("name", lazy.MODULES)
 def test_each_lazy_module_is_imported_by_a_scene(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    scene, fields, question = OPENED[name]
-    opening = Mock(wraps=import_module)
-    monkeypatch.setattr(lazy, "import_module", opening)
+    scene, fields, question = USES[name]
+    imports = Mock(wraps=import_module)
+    monkeypatch.setattr(lazy, "import_module", imports)
     build_program.cache_clear()
     lazy.lazy_import.cache_clear()
     with suppress(ValueError):
         question(solve(replace(load(scene), **fields)))
-    opening.assert_any_call(lazy.MODULES[name])
+    imports.assert_any_call(lazy.MODULES[name])
 
 
 def loaded(scene: str, question: str = "") -> set[str]:
@@ -255,14 +255,14 @@ print(*(name.split(".")[1] for name in sys.modules if name.startswith("slipcircl
     return {*python(code).split()} - {"base", "core", "kernels"}
 
 
-def test_a_plain_scene_enters_no_room_and_a_plain_section_only_the_ground() -> None:
+def test_a_plain_scene_loads_no_lazy_package_and_a_plain_section_only_the_ground() -> None:
     assert loaded('arc, 0.1, ["rotation", "centripetal"]') == set()
     softening = {"law": "exponential", "peak": 0.3, "residual": 0.1, "length": 1.0}
     effects = {"rotation": {}, "drag": {"xi": 500.0}, "pore_pressure": {"ratio": 0.1}}
     assert loaded(f"arc, {softening}, {effects}, np.array([0.0, 1.0])") == set()
     section = "s.Section(ground, centre=[22, 38], radius=38.0, unit_weight=20e3)"
     assert loaded(f'{section}, 0.2, ["rotation"]') == {"ground"}
-    assert loaded('arc, 0.1, ["rotation"]', ".error_estimate") == {"words"}
+    assert loaded('arc, 0.1, ["rotation"]', ".error_estimate") == {"messages"}
 
 
 def test_import_of_the_core_loads_no_workbench() -> None:
@@ -334,7 +334,7 @@ DENSITY = {
     "derive": 11.2,  # since the linker, 12.0, came from the core, which was 10.3
     "slipcircle/base": 10.1,
     "slipcircle/core": 9.6,
-    **{f"slipcircle/{room}": 10.9 for room in ROOMS},
+    **{f"slipcircle/{room}": 10.9 for room in LAZY},
     "slipcircle/stiff": 11.4,
     "slipcircle/history": 11.5,  # from the core, of which it is the arithmetic
     **{str(path.parent.relative_to(ROOT)): 12.0 for path in WORKBENCH},

@@ -10,7 +10,7 @@ from slipcircle.base.kinds import PathName, ValueDict, Values
 _modules: list[str] = []
 
 
-def use_forms(module: str) -> None:
+def use_conversions(module: str) -> None:
     """Set the module that implements the methods below. It is imported when one of them is called."""
     _modules[:] = [module]
 
@@ -46,20 +46,20 @@ class Pictured:
         ImportError
             If matplotlib is not installed.
         """
-        return self._form("plot", what, ax)
+        return self._convert("plot", what, ax)
 
-    def _form(self, name: str, *arguments: Any) -> Any:
+    def _convert(self, name: str, *arguments: Any) -> Any:
         (module,) = _modules
         return getattr(import_module(module), name)(self, *arguments)
 
 
-class Forms(Pictured):
+class Conversions(Pictured):
     """Mixin with the conversions of a `Motion`."""
 
     @property
     def factors_of_safety(self) -> Values:
         """Factors of safety at the start by method; an `Arc` has only the factor of the paper's method."""
-        factors: Values = self._form("factors_of_safety")
+        factors: Values = self._convert("factors_of_safety")
         return factors
 
     def animate(self, path: str = "", seconds: float = 5.0) -> Any:
@@ -77,7 +77,7 @@ class Forms(Pictured):
         matplotlib.animation.FuncAnimation
             Animation, which must be referenced while it plays; None if a path is given.
         """
-        return self._form("animate", path, seconds)
+        return self._convert("animate", path, seconds)
 
     def to_dict(self, times: ArrayLike | None = None) -> ValueDict:
         """Return results by name in SI units. For an ensemble they are arrays, preceded by the inputs that vary.
@@ -87,14 +87,14 @@ class Forms(Pictured):
         times : array_like, optional
             Times in s. If they are given, histories of shape ``shape + times.shape`` replace the results.
         """
-        return self._form("to_dict", times)
+        return self._convert("to_dict", times)
 
     def to_pandas(self, times: ArrayLike | None = None) -> Any:
         """Return `to_dict` as a pandas.DataFrame with one row per lane, or per lane and time.
 
         Units are in ``attrs``.
         """
-        return self._form("to_pandas", times)
+        return self._convert("to_pandas", times)
 
     def to_xarray(self, times: ArrayLike | None = None) -> Any:
         """Return `to_dict` as an xarray.Dataset with the dimensions of the inputs. Inputs that vary become coordinates.
@@ -104,7 +104,7 @@ class Forms(Pictured):
         ValueError
             If two inputs give different names to the same dimension, since NumPy pairs them element by element.
         """
-        return self._form("to_xarray", times)
+        return self._convert("to_xarray", times)
 
     def _repr_html_(self) -> str:
-        return self._form("html")
+        return self._convert("html")

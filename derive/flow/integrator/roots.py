@@ -1,6 +1,20 @@
 """Values and roots of polynomials p[0] to p[n] in the time of a step."""
 
-from derive.flow.walk.one_lane import EPS, INFINITY, M, N, S, V, any_lane, down, new_series, number, tail, up, where
+from derive.flow.integrator.one_lane import (
+    EPS,
+    INFINITY,
+    M,
+    N,
+    S,
+    V,
+    any_lane,
+    down,
+    new_series,
+    number,
+    tail,
+    up,
+    where,
+)
 
 LAST_STEP = 2.0**-30  # relative step of Newton's method after which the next one would be below rounding
 MOST_ITERATIONS = 200

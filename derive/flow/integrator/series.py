@@ -1,6 +1,6 @@
 """Series of a step: coefficients of every register, their number, and the length of the step."""
 
-from derive.flow.walk.one_lane import (
+from derive.flow.integrator.one_lane import (
     INFINITY,
     Kind,
     Lane,
@@ -24,7 +24,7 @@ from derive.flow.walk.one_lane import (
     up,
     where,
 )
-from derive.flow.walk.tables import expand_sine
+from derive.flow.integrator.tables import expand_sine
 
 ROUNDING = 2.0**-56  # size over the largest term of a series below which a term is rounding
 LARGEST = 1000.0 * 2.0**40  # greatest log2 of a radius, scaled like `log2_of`

@@ -15,7 +15,7 @@ from slipcircle.base.kinds import Names, ValueDict
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import problem_of
 from slipcircle.core.scene.effects import rotates
-from slipcircle.words.terms import (
+from slipcircle.messages.terms import (
     EquationTerm,
     numbers_of,
     place,

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import Names
-from slipcircle.words.plausible import questions
-from slipcircle.words.summary import OUTSIDE, range_words
+from slipcircle.messages.plausible import questions
+from slipcircle.messages.summary import OUTSIDE, range_words
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits the accuracy
 ENERGY_TOLERANCE = 1e-12  # imbalance relative to the exchanged energy above which it is reported

@@ -7,7 +7,7 @@ A table is a piecewise function of slip, speed, rotation or time. For slip, spee
 coefficients in powers of the distance from its start, for time the increment since its start.
 """
 
-from derive.flow.walk.one_lane import (
+from derive.flow.integrator.one_lane import (
     EPS,
     INFINITY,
     A,

@@ -1,6 +1,6 @@
 """Lanes at rest, until their motion begins, and one round of the integration."""
 
-from derive.flow.walk.one_lane import (
+from derive.flow.integrator.one_lane import (
     INFINITY,
     Kind,
     Lane,
@@ -20,12 +20,12 @@ from derive.flow.walk.one_lane import (
     read_samples,
     where,
 )
-from derive.flow.walk.phases import begin_phases, face, note_lift_off, stay
-from derive.flow.walk.records import look_for_quiet, rest_through
-from derive.flow.walk.roots import first_root, increment, margin_of, may_cross
-from derive.flow.walk.series import expand, radius_of_convergence
-from derive.flow.walk.step import make_step
-from derive.flow.walk.tables import next_break, pass_breaks
+from derive.flow.integrator.phases import begin_phases, face, note_lift_off, stay
+from derive.flow.integrator.records import look_for_quiet, rest_through
+from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
+from derive.flow.integrator.series import expand, radius_of_convergence
+from derive.flow.integrator.step import make_step
+from derive.flow.integrator.tables import next_break, pass_breaks
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
 TOGETHER = 1e-9  # relative difference below which two times are equal

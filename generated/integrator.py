@@ -1,9 +1,9 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 28cfd2ad854c539f80b14a98369e42dc60d4af1ea95b7d3dd2888efb473c60ad
+# sha256 of the text below: aba797a35f12ddea89d61bdb5b93f1f5860eef79d2ad36626acf56a6a330ac00
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
-How a lane is integrated is written once, in `derive/flow/walk`, for this module and for ``_flow.c``. A lane is a column
-of ``cells``, of which `generated.layout` says what stands where. Lanes are integrated side by side.
+The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
+``cells``, and `generated.layout` names the rows. Lanes are integrated side by side.
 """
 
 from collections.abc import Sequence
@@ -227,7 +227,7 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
         row[which, s.columns[lane]] = values
 
 
-# --- the text of derive/flow/walk -------------------------------------------------------------------------------------
+# --- the text of derive/flow/integrator ----------------------------------------------------------------------------
 
 EPS = 2.220446049250313e-16
 LAST_STEP = 9.313225746154785e-10

@@ -6,9 +6,9 @@ import numpy as np
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats
+from slipcircle.core.integrator.compiled import Log, Samples, engine
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.problem.problem import Problem
-from slipcircle.core.walk.compiled import Log, Samples, engine
 
 
 def integrate(
@@ -29,8 +29,8 @@ def integrate(
     if "viscosity" in problem.recipe.effects:
         begin = problem.cells() if begin is None else begin
         if np.any(begin[ix.END_TIME] == np.inf):
-            walk = partial(_integrate, problem, log=log)
-            final: Floats = lazy_import("creep").integrate(problem, begin, samples, walk)
+            advance = partial(_integrate, problem, log=log)
+            final: Floats = lazy_import("creep").integrate(problem, begin, samples, advance)
             return final
     return _integrate(problem, begin, samples, log)
 

@@ -7,10 +7,10 @@ from typing import NamedTuple
 from generated.effects import ALL_EFFECTS
 from generated.program import OF_SOIL, Recipe
 from slipcircle.base.kinds import Names
+from slipcircle.core.integrator.compiled import encoded, level, module, widest
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import without_soil
 from slipcircle.core.scene.friction import depends_on
-from slipcircle.core.walk.compiled import encoded, level, module, widest
 
 FLOW = "Taylor series in time, events as their roots"
 _SOILS = "the strength of the soils"
@@ -34,7 +34,7 @@ def words_of(plan: Plan) -> PlanWords:
     return words._replace(method=f"{words.method}; {way}")
 
 
-def integrator() -> str:
+def describe_integrator() -> str:
     """Return the description of the integrator: compiler, vector level, lanes and straight-line programs."""
     kind = level()
     if not kind:
