@@ -117,14 +117,14 @@ class Bases:
 
     def loads(self, surfaces: Any) -> tuple[Floats, Floats, Floats]:
         """Return the steps of the unit weight below surfaces above the arc, with the surfaces (surfaces, intervals)."""
-        surfaces = surfaces[:, None]
-        steps = self.slope.steps[surfaces[:, 0]]
-        is_above = self.above(surfaces) > 0.0
+        steps = self.slope.steps[surfaces]
+        constant, gradient = self.surface(surfaces[:, None])
+        is_above = constant + gradient * self.sine + self.depth > 0.0
         if self.is_shared:
             by_interval = steps[:, :, None] / self.unit_weight * is_above[:, None]
         else:
             by_interval = (steps if steps.shape[1] == 1 else steps[:, self.arc]) / self.unit_weight * is_above
-        return by_interval, *self.surface(surfaces)
+        return by_interval, constant, gradient
 
     def _linear(self, constant: Any, of_sine: Any, of_cosine: Any) -> Floats:
         """Return three numbers for each interval, with an axis of slopes where these share an arc."""

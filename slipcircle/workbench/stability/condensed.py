@@ -19,10 +19,10 @@ from slipcircle.workbench.stability.slices import Rule
 MANY_VERTICES = 48  # lines with more vertices are condensed
 MANY_SOILS = 20  # with more, the coarse family is screened without kinks
 _ROUGH, _DEVIATION = 14, 1e-3  # vertices of a line, and relative distance of the others from it
-_ROUGHLY = 0.02  # final step in a valley of the rough lines, relative to its first step
+_ROUGHLY = 1e-3  # final step in a valley of the rough lines, relative to its first step
 _FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, and on either side of their ends
 _STEPS = (0.5, 3), (0.1, 2)  # of the refinements, relative to the coarse family; number of circles
-_FOLLOWED = 24  # greatest number of valleys on rough lines
+_FOLLOWED = 12  # greatest number of valleys on rough lines
 _SAMPLED = Rule(nodes=2, pieces=12, at_kinks=False)
 _MANY_KINKS = Rule(nodes=2, pieces=12)
 _SCREENED, _TOUCHING = 500, 20  # number of best circles kept, and tried with all boundaries
@@ -201,4 +201,3 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     right = missing * root
     height[fitted], *_ = np.linalg.lstsq(matrix, right)
     return np.stack([knots, height], axis=1)
-

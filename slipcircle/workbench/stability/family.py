@@ -38,7 +38,7 @@ _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
 _KEPT = 3  # of refined valleys
-_TOGETHER = 1 << 14  # ground vertices times circles at a time: what fits into the caches
+_TOGETHER = 1 << 16  # kinks times circles in a block, which fits into the caches
 NONE = -1.0  # no edge is touched
 _JUST_BELOW = 1 - 1e-12
 
@@ -182,7 +182,7 @@ class Search:
         """Return the factor of each circle, NaN without a factor or outside the limits."""
         values = np.full(len(q), np.nan)
         possible = self._possible(q)
-        size = len(possible) * len(self.ground)
+        size = len(possible) * self.arrays.columns.bounds.shape[1]
         blocks = max(math.ceil(size / _TOGETHER), 1)
         with counted(len(possible), "circles evaluated") as progress:
             for block in np.array_split(possible, blocks):
@@ -300,9 +300,7 @@ class Search:
             families_steps.append(steps[pairs])
         return np.concatenate(families), np.concatenate(families_steps)
 
-    def valleys(
-        self, q: Floats, steps: Floats, tell: Callable[[str], None], rule: Rule = COARSE
-    ) -> ArrayPair:
+    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None], rule: Rule = COARSE) -> ArrayPair:
         """Return the best circles of a family without better neighbours, and their steps."""
         values = self.evaluate(q, rule)
         if not np.any(np.isfinite(values)):

@@ -241,8 +241,7 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
     """Return the number of the arc and the angles of both ends of each interval."""
     angles = np.linspace(arcs.first, arcs.last, rule.pieces + 1, axis=1)
     if rule.at_kinks:
-        sines = np.clip(_kinks(slope, arcs), -1.0, 1.0)
-        kinks = np.clip(np.arcsin(sines), arcs.first[:, None], arcs.last[:, None])
+        kinks = np.clip(_kinks(slope, arcs), arcs.first[:, None], arcs.last[:, None])
         angles = np.concatenate([angles, kinks], axis=1)
         angles.sort(axis=1)
     first = angles[:, :-1]
@@ -252,8 +251,11 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
-    """Return x over R from the centre where an integrand may not be smooth, (n, any)."""
+    """Return angles at which an integrand may not be smooth, (n, any), and others outside the arcs."""
     from_centre = slope.columns.bounds - arcs.centre[:, :1]
     bounds = from_centre / arcs.radius[:, None]
     cuts = meets_circle(arcs.from_centre(slope.lines_cut_by_arcs))
-    return np.concatenate([bounds, cuts], axis=1)
+    sines = np.concatenate([bounds, cuts], axis=1)
+    inside = (sines > np.sin(arcs.first)[:, None]) & (sines < np.sin(arcs.last)[:, None])
+    of_any_arc = np.any(inside, axis=0)
+    return np.arcsin(np.clip(sines[:, of_any_arc], -1.0, 1.0))
