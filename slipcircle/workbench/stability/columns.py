@@ -210,9 +210,9 @@ def _sorted(kinks: list[Floats]) -> Floats:
 
 
 def _crossings(lines: list[Floats], bounds: Floats) -> Floats:
-    """Return x where two of the lines cross between bounds (1 or n, B), at which all lines may have kinks, (1 or n, any).
+    """Return x where two lines cross between bounds (1 or n, B), or x of the bound before, (1 or n, any).
 
-    Lines that do not cross there have x of the bound before.
+    Lines have kinks at bounds only.
     """
     before = bounds[:, :-1]
     half = np.diff(bounds) / 2

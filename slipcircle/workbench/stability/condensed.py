@@ -18,10 +18,10 @@ from slipcircle.workbench.stability.slices import Rule
 
 MANY_VERTICES = 48  # lines with more vertices are condensed
 MANY_SOILS = 20  # with more, the coarse family is screened without kinks
-_ROUGH, _DEVIATION = 14, 1e-3  # vertices of a line, and relative distance of the others from it
+_ROUGH, _DEVIATION = 20, 1e-3  # vertices of a line, and relative distance of the others from it
 _ROUGHLY = 1e-3  # final step in a valley of the rough lines, relative to its first step
 _FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, and on either side of their ends
-_STEPS = (0.5, 3), (0.1, 2)  # of the refinements, relative to the coarse family; number of circles
+_STEPS = 2.0, 0.7, 0.2  # of the refinements, relative to the coarse family
 _FOLLOWED = 12  # greatest number of valleys on rough lines
 _SAMPLED = Rule(nodes=2, pieces=12, at_kinks=False)
 _MANY_KINKS = Rule(nodes=2, pieces=12)
@@ -53,10 +53,8 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
     along = search.along[kept]
     ends = best[:, :2]
     best[:, :2] = np.interp(ends, along, fine.along)
-    for share, count in _STEPS:
-        first = best[:count]
-        first_step = share * step[:count]
-        best, step = fine.refined(first, first_step, FINEST, _MANY_KINKS)
+    for share in _STEPS:
+        best, step = fine.refined(best, share * step, FINEST, _MANY_KINKS)
     best = _on_whole_lines(search, fine, kept, best)
 
     values = search.evaluate(best)
