@@ -120,5 +120,5 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pictures cost most of the time; where they are not what is tested, they are empty."""
     monkeypatch.setattr(
-        "slipcircle.workbench.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
+        "slipcircle.workbench.outputs.pictures.files.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     )

@@ -16,7 +16,7 @@ from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
-from slipcircle.workbench.outputs import livesection
+from slipcircle.workbench.outputs.page import section as livesection
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import standing_water

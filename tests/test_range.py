@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 
 from slipcircle import Arc, Scene, Section, Series, ensemble, load, solve
-from slipcircle.workbench.outputs import plots
+from slipcircle.workbench.outputs.pictures import plots
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support.outputs import columns
 
