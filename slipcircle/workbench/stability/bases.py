@@ -169,7 +169,8 @@ class Bases:
         slope = self.slope
         weight = self._of_sums(slope.weights)
         if slope.saturates:
-            weight = weight + self._of_sums(slope.gains) * (self.above(slope.level_surface) > 0.0)
+            is_wet = self.above(slope.level_surface) > 0.0
+            weight = weight + self._of_sums(slope.gains) * is_wet
         return weight / self.unit_weight
 
     def _of_sums(self, sums: Floats) -> Floats:
@@ -215,5 +216,6 @@ class Bases:
         if not self.slope.datums:
             return cohesion
         surface = self.slope.datum_surfaces[self.layer]
-        growth = self.soil.cohesion_gradient * self.scale * (self.above(surface) > 0.0)
+        is_below = self.above(surface) > 0.0
+        growth = self.soil.cohesion_gradient * self.scale * is_below
         return cohesion + self._above_arc(surface, growth)

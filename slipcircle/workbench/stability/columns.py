@@ -98,8 +98,10 @@ class SlopeArrays:
         lines = [*self.lines[1:], *self._pond_levels, *self._datum_lines]
         slopes = max(map(len, lines), default=1)
         end = np.full((slopes, 1, 2), np.nan)
-        parts = [part for line in lines for part in (np.broadcast_to(line, (slopes, *line.shape[1:])), end)]
-        return np.concatenate([end, *parts], axis=1)
+        parts = [end]
+        for line in lines:
+            parts += [np.broadcast_to(line, (slopes, *line.shape[1:])), end]
+        return np.concatenate(parts, axis=1)
 
     @cached_property
     def _datum_lines(self) -> list[Floats]:
@@ -174,8 +176,10 @@ class SlopeArrays:
         """Return sums over the surfaces of all layers from the first surface, (3, layers, 1 or n, columns)."""
         tops = slice(first, first + len(self.tops) + 1)
         height = self.columns.height[tops]
-        values = np.stack([height, self.columns.gradient[tops], np.ones_like(height)])
-        return np.cumsum(values * self.steps[tops, :, None], axis=1)
+        gradient = self.columns.gradient[tops]
+        values = np.stack([height, gradient, np.ones_like(height)])
+        step = self.steps[tops, :, None]
+        return np.cumsum(values * step, axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
         """Return heights and gradients of surfaces, each (2, n, columns), from the lines above the ground."""
@@ -222,7 +226,10 @@ def _crossings(lines: list[Floats], bounds: Floats) -> Floats:
     apart = height[one] - height[other]
     closing = gradient[other] - gradient[one]
     crosses = np.abs(apart) < half * np.abs(closing)
-    x = before + np.where(crosses, half + apart / np.where(crosses, closing, 1.0), 0.0)
+    divisor = np.where(crosses, closing, 1.0)
+    from_middle = apart / divisor
+    from_bound = np.where(crosses, half + from_middle, 0.0)
+    x = before + from_bound
     return np.moveaxis(x, 0, 1).reshape(len(bounds), len(one) * before.shape[1])
 
 

@@ -37,7 +37,8 @@ def least(search: Search, tell: Callable[[str], None]) -> Floats:
     family = _screened(rough) if many_soils else rough.coarse_family()
     best, step = rough.valleys(*family, tell, coarse)
     if many_soils or rough is not search:
-        best, step = best[:_FOLLOWED], step[:_FOLLOWED]
+        best = best[:_FOLLOWED]
+        step = step[:_FOLLOWED]
     if rough is search:
         for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
             best, step = search.refined(best, share * step, FINEST, fine)
@@ -74,8 +75,11 @@ def _screened(search: Search) -> ArrayPair:
     count = len(search.boundary_edges)
     repeated = np.repeat(best[:_TOUCHING], count)
     touching = q[repeated]
-    touching[:, 3] = np.resize(np.arange(count), len(repeated))
-    return np.concatenate([q[best], touching]), steps[np.append(best, repeated)]
+    every_edge = np.arange(count)
+    touching[:, 3] = np.resize(every_edge, len(repeated))
+    chosen = np.append(best, repeated)
+    family = np.concatenate([q[best], touching])
+    return family, steps[chosen]
 
 
 def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:

@@ -241,7 +241,9 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.i
     """Return the number of the arc and the angles of both ends of each interval."""
     angles = np.linspace(arcs.first, arcs.last, rule.pieces + 1, axis=1)
     if rule.at_kinks:
-        kinks = np.clip(_kinks(slope, arcs), arcs.first[:, None], arcs.last[:, None])
+        first = arcs.first[:, None]
+        last = arcs.last[:, None]
+        kinks = np.clip(_kinks(slope, arcs), first, last)
         angles = np.concatenate([angles, kinks], axis=1)
         angles.sort(axis=1)
     first = angles[:, :-1]
@@ -256,6 +258,8 @@ def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
     bounds = from_centre / arcs.radius[:, None]
     cuts = meets_circle(arcs.from_centre(slope.lines_cut_by_arcs))
     sines = np.concatenate([bounds, cuts], axis=1)
-    inside = (sines > np.sin(arcs.first)[:, None]) & (sines < np.sin(arcs.last)[:, None])
-    of_any_arc = np.any(inside, axis=0)
-    return np.arcsin(np.clip(sines[:, of_any_arc], -1.0, 1.0))
+    after_first = sines > np.sin(arcs.first)[:, None]
+    before_last = sines < np.sin(arcs.last)[:, None]
+    of_any_arc = np.any(after_first & before_last, axis=0)
+    within_circle = np.clip(sines[:, of_any_arc], -1.0, 1.0)
+    return np.arcsin(within_circle)
