@@ -208,13 +208,6 @@ def test_all_mistakes_are_listed_at_once() -> None:
     assert message.count("is missing") == len(GIVEN)
 
 
-def test_given_is_a_copy() -> None:
-    given = dict(TABLE_4_1)
-    arc = vaiont(given=given)
-    given["radial_weight"] = -1.0
-    assert arc.dimensionless.radial_weight == 0.0870
-
-
 def test_a_negative_moment_faces_the_other_way() -> None:
     one, other = (vaiont(given=TABLE_4_1 | {"weight_moment": moment}) for moment in (0.0387, -0.0387))
     assert (one.facing, other.facing) == (1, -1)

@@ -38,22 +38,6 @@ def test_odd_arrays_everywhere() -> None:
     assert odd_arrays.faults(500, 57) == []
 
 
-PLANTED: list[tuple[Callable[[Any], Any], str, str]] = [
-    (lambda x: np.asarray(x, dtype=float), "masked array", "instead of"),  # drops a mask
-    (lambda x: np.asarray(x, dtype=float), "nan", ""),
-    (lambda x: 2.0 * x if isinstance(x, np.ndarray) else x, "strided", "instead of"),
-    (lambda x: np.asarray(x, dtype=float) * np.nan, "list", "is array"),
-    (lambda x: x.real.missing, "number", "AttributeError"),
-]
-
-
-@pytest.mark.parametrize(("computed", "name", "said"), PLANTED)
-def test_the_campaign_sees_what_it_looks_for(computed: Callable[[Any], Any], name: str, said: str) -> None:
-    found = odd_arrays.fault(("planted", 1.0, computed), name)
-    assert said in found
-    assert bool(said) == bool(found)
-
-
 MASKED = np.ma.array([0.2, 999.0], mask=[False, True])
 
 

@@ -116,17 +116,6 @@ def test_json_is_a_list_in_every_command(asked_for: str, records: Any) -> None:
     assert [next(iter(record)) for record in records(asked_for)] == ["format"]
 
 
-def test_scenes_of_different_lengths_stand_side_by_side(asked: Any) -> None:
-    """With a friction that falls with the speed the slide of Vaiont swings back; the table says so."""
-    _, out, err = asked("run --verbose vaiont-rate wet-slope")
-    cells = columns(out)
-    assert cells["friction angle"] == ["10 deg, rate_weakening", "24 deg"]
-    assert cells["run-out along the arc"] == ["953 m, then back to 573.8 m", "7.708 m"]
-    assert cells["displacement at the end"] == ["573.8 m"]
-    assert "swings back" not in err
-    assert "frozen geometry" not in out
-
-
 def test_times_of_the_rows(tmp_path: Path, said: Any, refused: Any, asked: Any) -> None:
     table = tmp_path / "m.csv"
     said("run wet-slope --times 0:60:0.5 --csv", table)

@@ -14,11 +14,9 @@ import pytest
 from slipcircle import LayeredSection, Scene, Section, Slope, Soil, Status, critical, solve
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
-from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs.page import section as livesection
 from slipcircle.workbench.stability.critical import at_circle
-from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import combined
 
 WATER = 9810.0
@@ -187,16 +185,6 @@ def test_factors_are_those_of_plain_slices(name: str) -> None:
         assert at_circle(slope, far).factors_of_safety == pytest.approx(expected, rel=5e-6)
 
 
-def test_lanes_of_levels_have_their_own_ponds() -> None:
-    """Two, one and two; a missing one has no width."""
-    lines = np.array([[(-40.0, low + 9.0), (30.0, low + 9.0), (82.5, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
-    of_lanes = free_water(np.array([DAM]), lines, False, ())
-    assert np.count_nonzero(of_lanes.last > of_lanes.first, axis=0).tolist() == [2, 1, 2]
-    for lane, line in enumerate(lines):
-        alone = free_water(np.array([DAM]), line[None], False, ()).of_one
-        assert Ponds(*(row[:, [lane]] for row in of_lanes)).of_one == alone
-
-
 # --- files -----------------------------------------------------------------------------------------------------------
 
 SLOPE = """[ground]
@@ -362,18 +350,6 @@ def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> 
     (run_out, velocity), (buoyant, of_buoyant) = peaks
     assert run_out == pytest.approx(buoyant, rel=1e-12)
     assert velocity == pytest.approx(of_buoyant, rel=1e-12)
-
-
-def test_lanes_in_standing_water_are_their_scenes() -> None:
-    """Radii and levels, one of which leaves the toe dry."""
-    levels = np.array([[(-40.0, low), (0.0, low), (90 - 2.5 * low, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
-    every = Section(DAM, (82, 44), np.array([44.0, 43.0, 44.0]), 2e4, level=levels)
-    motion = solve(Scene(every, 0.2, TURNING))
-    factors = factors_of_safety(Scene(every, 0.2, TURNING))
-    for lane, radius in enumerate((44.0, 43.0, 44.0)):
-        alone = Scene(Section(DAM, (82, 44), radius, 2e4, level=levels[lane]), 0.2, TURNING)
-        assert motion.run_out[lane] == pytest.approx(solve(alone).run_out, rel=1e-9)
-        assert factors["bishop"][lane] == pytest.approx(factors_of_safety(alone)["bishop"], rel=1e-12)
 
 
 def test_water_that_comes_to_cover_the_whole_mass_is_refused_or_a_status() -> None:

@@ -46,19 +46,6 @@ def test_those_kept_are_those_of_ball_arithmetic(name: str) -> None:
 
 
 @MOVING
-def test_acceleration_is_the_change_of_speed(name: str) -> None:
-    """By the difference of what is 1e-5 s apart; a jump or a kink may lie in between in a few places."""
-    motion, h = golden.solved(name), 1e-5
-    gravity = np.asarray(motion.plan.scene.arc.gravity, dtype=float)
-    times = dense(motion)
-    times = times[(times > 2 * h) & (times < motion.duration - 2 * h)]
-    change = (motion.at(times + h).velocity - motion.at(times - h).velocity) / (2 * h)
-    grain = (motion.error_estimate + 1e-14) / h * abs(motion.peak.velocity)
-    wrong = np.abs(change - motion.at(times).acceleration) > 1e-3 * gravity + grain
-    assert np.mean(wrong) <= 0.05
-
-
-@MOVING
 def test_nothing_changes_in_a_rest(name: str) -> None:
     """Between sliding and sliding, and after the end, speed and acceleration are zero and the place is the same."""
     motion = golden.solved(name)

@@ -436,14 +436,6 @@ def test_words_of_a_file_in_capitals(tmp_path: Path) -> None:
     assert len({*factors}) == 1
 
 
-def test_water_and_a_pore_pressure_ratio(tmp_path: Path, refused: Any) -> None:
-    path = tmp_path / "slope.toml"
-    text = THREE_MISTAKES.replace("phi", "angle").replace("c_kPa", "cohesion_kPa").replace("kappa = 2", "")
-    path.write_text(f"{text}[water]\nlevel_m = [[0, -1], [90, 9]]\n[pore_pressure]\nratio = 0.2\n", "utf-8")
-    told = "pore_pressure.ratio = 0.2: water.level_m gives the pore pressure, too; remove one of them"
-    assert refused("run", path) == f"slipcircle: {path}: {told}\n"
-
-
 @pytest.mark.parametrize("name", ["sheet.csv", "profile.dxf", "points.txt", "book.xlsx"])
 def test_a_table_in_place_of_a_scene(name: str, tmp_path: Path, refused: Any) -> None:
     """The message says where points and records belong; a scene with a mistake has none of it."""

@@ -10,7 +10,6 @@ from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.derivatives import with_parameters
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
@@ -133,12 +132,6 @@ def test_sensitivity_of_a_circle_through_a_vertex(asked: Any) -> None:
     assert found.values[place] == found.slopes[place][0] == pytest.approx((motion.run_out - beside[0]) / 1e-5, rel=1e-4)
     assert found.jumps[place] == pytest.approx([0.0, beside[1] - motion.run_out], rel=1e-6)
     assert found.errors[place] <= 1e-6 * abs(found.values[place])
-
-
-def test_a_coordinate_is_found_from_the_run_out() -> None:
-    fit = backanalyse(VALLEY, run_out=20.5, field="ground.points_m.4.y", bounds=(86.0, 90.0))
-    (height,) = [solution.values["ground.points_m.4.y"] for solution in fit.solutions]
-    assert solve(with_parameters(VALLEY, {"ground.4.y": height})).run_out == pytest.approx(20.5, rel=1e-9)
 
 
 def test_what_is_no_number_of_a_section_is_told() -> None:

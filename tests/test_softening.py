@@ -57,18 +57,6 @@ def test_layers_accelerate_as_their_strength_at_this_slip_says(strength: str, tm
             assert state.acceleration == pytest.approx(expected, rel=1e-9, abs=1e-10)
 
 
-@pytest.mark.parametrize("law", [LAW, TABLE])
-@pytest.mark.parametrize("mu", [0.0, 0.05])
-def test_one_soil_in_layers_is_that_soil(law: Any, mu: float) -> None:
-    alone = solve(Scene(Section(unit_weight=19e3, **CIRCLE), mu, TURNING | {"cohesion": law}))
-    for strength in ("base", "mass") if law is LAW else ("mass",):
-        soils = [Soil(19e3, law, mu, name=name) for name in "ab"]
-        layers = [(soils[0], None), (soils[1], 2.0)]
-        motion = solve(Scene(LayeredSection(layers=layers, strength=strength, **CIRCLE), None, TURNING))
-        assert motion.run_out == pytest.approx(alone.run_out, rel=1e-11)
-        assert motion.factor_of_safety == pytest.approx(alone.factor_of_safety, rel=1e-13)
-
-
 @pytest.mark.parametrize("end", [3.0, 3.0 + 1e-6])
 def test_laws_that_break_at_the_same_slip_all_pass_their_breaks(end: float) -> None:
     """Two tables of friction, and friction and cohesion that fall over one length, whatever the rounding."""

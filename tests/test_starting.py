@@ -289,23 +289,6 @@ def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weig
     assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)
 
 
-def test_cohesion_that_softens_starts_from_its_peak_and_has_the_factor_of_its_residual(file: Any) -> None:
-    dry = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n[centripetal]\n"
-    text = dry.replace("cohesion_kPa = 10", "{}").replace("angle_deg = 27", "angle_deg = 18")
-    law = 'law = "exponential"\npeak_kPa = 10\nresidual_kPa = 4\nlength_m = 0.5'
-    softens, peak, residual = (load(file(text.format(c))) for c in (law, "cohesion_kPa = 10", "cohesion_kPa = 4"))
-    circle: Any = {"arc": peak.arc}  # that of the peak is the critical one of softening ground, too
-    close(softens, peak)
-    further = solve(softens).further_factors
-    assert further.residual == pytest.approx(solve(replace(residual, **circle)).factor_of_safety, rel=1e-12)
-    motion = solve(softens)
-    turned = of_scene(softens).turned(motion.end.rotation)
-    turned.slip = 2.0 * motion.run_out - motion.end.displacement
-    assert motion.arrested
-    assert further.at_rest_method == "bishop"
-    assert further.at_rest == pytest.approx(turned.factor("bishop"), rel=1e-9)
-
-
 def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:
     text = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n"
     text = text.replace("_kPa = 10", "_kPa = 40").replace('[circle]\ncritical = "bishop"', "base_m = -4\n[circle]\n"
