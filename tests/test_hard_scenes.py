@@ -33,8 +33,8 @@ def arc(dip_deg: float, half: float) -> dict[str, Any]:
 SLOPE = arc(25.0, 0.5)
 
 
-# For each scene why it is hard, its data, a tolerance other than `TOLERANCE`, and the first word of its error if it is to
-# be refused. With "ulps", friction is so many units in the last place above the printed limit friction.
+# For each scene why it is hard, its data, a tolerance other than `TOLERANCE`, and the first word of its error, if it is
+# to be refused. With "ulps", friction is so many units in the last place above the printed limit friction.
 CASES: dict[str, Any] = json.loads(Path(__file__).with_name("support").joinpath("hard_scenes.json").read_text("utf-8"))
 TOLERANCE = 1e-12
 
