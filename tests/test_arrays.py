@@ -55,13 +55,13 @@ MASKED = np.ma.array([0.2, 999.0], mask=[False, True])
     ],
 )
 def test_masks_are_refused(make: Callable[[Any], Any], field: str, value: Any) -> None:
-    """Where NumPy would read the numbers below the mask, or NaN; the message names the field."""
+    """Masks are refused by the name of the field; NumPy would read the numbers below the mask, or NaN."""
     with pytest.raises(ValueError, match=rf"{field}\b.*must be"):
         make(value)
 
 
 def test_inputs_are_copied() -> None:
-    """What a caller changes afterwards changes neither scene nor motion; the scene's own cannot be changed."""
+    """A caller's changes of arrays and mappings affect neither scene nor motion, and a scene's own are read-only."""
     radius, cohesion = np.array([100.0, 120.0]), {"cohesion": np.array([1e3, 2e3])}
     law: dict[str, Any] = {"law": "linear", "peak": 0.25, "residual": 0.2, "length": 2.0}
     effects: dict[str, Any] = {"rotation": {}, "cohesion": cohesion}
@@ -154,7 +154,7 @@ def test_long_doubles_are_numbers(tmp_path: Any) -> None:
 @pytest.mark.parametrize("shape", [(0,), (0, 3)])
 @pytest.mark.parametrize("name", shipped())
 def test_an_ensemble_may_have_no_members(name: str, shape: tuple[int, ...]) -> None:
-    """With arrays of the first and last numbers of each kind, of length 0."""
+    """Arrays of length 0 in the first and last numbers of each kind give motions without lanes."""
     scene = load(name)
     kinds = {number.partition(".")[0]: number for number in parameters(scene)}
     for number in {*kinds.values(), "radius"} - {kinds.get("layers")}:
@@ -166,7 +166,7 @@ def test_an_ensemble_may_have_no_members(name: str, shape: tuple[int, ...]) -> N
 
 
 def test_a_water_level_with_arrays_of_several_axes() -> None:
-    """As with the same numbers along one axis: each lane has its own geometry."""
+    """Lanes on two axes equal the same lanes on one axis: each has its own geometry."""
     scene = load("valley-side")
     radii = scene.arc.radius * np.linspace(1.0, 1.01, 6)
     flat, of_two_axes = (

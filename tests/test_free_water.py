@@ -42,7 +42,7 @@ class Truth(NamedTuple):
     unit_weight: float = 2e4
 
     def factors(self, count: int = 12_000) -> dict[str, float]:
-        """By the definitions of the methods, with pressures of free water on the ground integrated edge by edge."""
+        """Return factors by the definitions of the methods; pressures of free water are integrated edge by edge."""
         (x_c, y_c), r = self.centre, self.radius
         first, last = (math.asin((x - x_c) / r) for x in self.ends)
         step = (last - first) / count
@@ -89,7 +89,7 @@ class Truth(NamedTuple):
         return np.hypot(x - x_c, low - y_c) - np.hypot(x - x_c, high - y_c)
 
     def moment_of_ponds(self) -> float:
-        """Of the pressure on the ground, positive counterclockwise: minus the integral of p d(rho^2/2)."""
+        """Return the moment of the pressure on the ground, positive counterclockwise: -int p d(rho^2/2)."""
         (x_c, y_c), moment = self.centre, 0.0
         left, right = self.ends
         for a, b, z in self.ponds:
@@ -110,7 +110,7 @@ class Truth(NamedTuple):
 
 
 def through(x: tuple[float, float], ground: Any, radius: float) -> tuple[tuple[float, float], float]:
-    """The circle above two points of the ground."""
+    """Return the circle above two points of the ground."""
     p, q = (np.array([v, np.interp(v, *np.transpose(ground))]) for v in x)
     chord = q - p
     normal = np.array([-chord[1], chord[0]]) / np.hypot(*chord)
@@ -168,7 +168,7 @@ def shifted(value: Any, by: float) -> Any:
 
 @pytest.mark.parametrize("name", CASES)
 def test_factors_are_those_of_plain_slices(name: str) -> None:
-    """On both sides of a dam, each with its level; seen from behind; and in map coordinates."""
+    """Factors on both sides of a dam, each with its level, also seen from behind and in map coordinates."""
     truth, water = CASES[name]
     expected = truth.factors()
     geometry = truth.section()
@@ -232,7 +232,7 @@ top_m = 60.0456
 
 
 def found(text: str, tmp_path: Path) -> Any:
-    """The circle of a file and its warnings."""
+    """Return the circle of a file and its warnings."""
     path = tmp_path / "slope.toml"
     path.write_text(text, "utf-8")
     return critical_of_file(path, None, lambda line: None)[2]
@@ -334,7 +334,7 @@ def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
 
 @pytest.mark.parametrize("layers", [{}, {"layers": [(Soil(2e4, 2e3, 0.2, name="soil"), None)]}])
 def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> None:
-    """With weight g' = g - g_w and inertia g, E = omega^2 is g'/g times as great everywhere: the same run-out."""
+    """Weight g' = g - g_w and inertia g scale E = omega^2 by g'/g everywhere, so that the run-out is the same."""
     peaks = []
     for weight, level in ((2e4, [(-40, 60), (130, 60)]), (2e4 - WATER, None)):
         if layers:

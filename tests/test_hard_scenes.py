@@ -80,7 +80,7 @@ def test_hard_scene(name: str, integrator: str) -> None:
 
 
 def answered(name: str) -> None:
-    """The right answer, within its tolerance; or the right refusal."""
+    """Return the right answer, within its tolerance; or the right refusal."""
     case = CASES[name]
     scene = golden.built(name, data_of(case))
     if "says" in case:
@@ -106,7 +106,7 @@ def tan(degrees: float) -> float:
 
 def scene(first: float, second: float, friction: Any, velocity: float = 0.0, end: float | None = None,
           effects: Mapping[str, Any] = TURNING) -> golden.Data:  # fmt: skip
-    """A large arc between two angles in degrees."""
+    """Return a large arc between two angles in degrees."""
     arc = {"radius": 1000.0, "theta_1": math.radians(first), "theta_2": math.radians(second)}
     return golden.scene(friction, effects, velocity, end, **arc, unit_weight=2e4)
 
@@ -117,7 +117,7 @@ def table(*rows: tuple[float, float]) -> dict[str, Any]:
 
 
 def strengthening(number: int) -> golden.Data:
-    """A pushed mass whose friction grows from just below its limit, so that it is fastest just after its start."""
+    """Return a pushed mass whose friction grows from just below its limit; it is fastest just after its start."""
     rng = np.random.default_rng([20261121, number])
     first = rng.uniform(200.0, 235.0)
     second = first + rng.uniform(40.0, 70.0)

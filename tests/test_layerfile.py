@@ -279,7 +279,7 @@ def test_one_soil_takes_cracks_loads_and_ponds_in_statics(write: Write, refused:
     ],
 )
 def test_odd_numbers_are_questioned(tmp_path: Path, name: str, old: str, new: str, words: str, asked: Any) -> None:
-    """By the keys and in the units of the file."""
+    """Unusual numbers are reported with the keys and units of the file."""
     path = tmp_path / "scene.toml"
     path.write_text(find(name).read_text("utf-8").replace(old, new), "utf-8")
     assert words in asked("run", path)[2]

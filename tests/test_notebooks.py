@@ -66,7 +66,7 @@ def kernel() -> Any:
 
 
 def executed(source: str) -> list[Any]:
-    """What a cell puts out; all that it prints stands where its first words do."""
+    """Return the outputs of a cell; all printed text is joined at its first place."""
     client = kernel().parent.client()
     client.start_channels()
     client.execute(source)
@@ -87,12 +87,12 @@ def executed(source: str) -> list[Any]:
 
 @cache
 def blank() -> Any:
-    """The canvas of the smallest picture."""
+    """Return the canvas of the smallest picture."""
     return FigureCanvasAgg(Figure((1, 1), dpi=1))
 
 
 def print_nothing(canvas: Any, target: Any, **more: Any) -> None:
-    """A picture whose layout was done, text by text, by now: that is drawn which only says what it would show."""
+    """Replace the drawing of a picture by its layout and texts."""
     if canvas.figure.get_layout_engine() is None or "draw" in vars(canvas.figure):  # as where it is laid out
         undescribed(canvas, io.BytesIO())
     undescribed(blank(), target, metadata={"Description": "\n".join(described(canvas.figure))})
@@ -105,7 +105,7 @@ def print_png(canvas: Any, target: Any, **more: Any) -> None:
 
 
 def run(path: Path, first: str = "", draw: Callable[..., None] = print_png) -> Any:
-    """The notebook, run from its top, after what is to be run ``first``; nothing volatile is left in it.
+    """Return the notebook, run from its top, after what is to be run ``first``; nothing volatile is left in it.
 
     Lines of progress are no output: how many there are depends on the machine.
     """
@@ -138,7 +138,7 @@ def run(path: Path, first: str = "", draw: Callable[..., None] = print_png) -> A
 
 
 def texts(cell: Any) -> list[Any]:
-    """What a cell says, stream by stream and display by display; of a picture, what its axes and legends say."""
+    """Return the texts of a cell by stream and display; of a picture, the texts of its axes and legends."""
     said = []
     for output in cell.get("outputs", []):
         if output.output_type == "stream":
@@ -154,30 +154,30 @@ def pictured(image: str) -> Any:
 
 
 def pictures(cell: Any) -> list[Any]:
-    """What a cell's pictures say."""
+    """Return the texts of a cell's pictures."""
     return [said["image/png"] for said in texts(cell) if "image/png" in said]
 
 
 @cache
 def stored(name: str) -> Any:
-    """The notebook as it is kept; that a fresh run prints the same has its own test."""
+    """Return the notebook as it is kept; that a fresh run prints the same has its own test."""
     return nbformat.read(ROOT / "notebooks" / name, as_version=4)
 
 
 def key_numbers(name: str) -> Any:
-    """What the notebook's last cell prints."""
+    """Return the numbers that the notebook's last cell prints."""
     return json.loads(printed(stored(name), "key-numbers"))
 
 
 def printed(notebook: Any, cell_id: str) -> str:
-    """What the cell of this id printed."""
+    """Return the printed text of the cell with this id."""
     (cell,) = (cell for cell in notebook.cells if cell.id == cell_id)
     return "".join(output.text for output in cell.outputs if output.output_type == "stream")
 
 
 @cache
 def outcome(record: str) -> float | ProofError:
-    """Of a certificate's proof; two notebooks show the same ones."""
+    """Return the outcome of proving a certificate; two notebooks show the same certificates."""
     try:
         return prove(json.loads(record))
     except ProofError as refusal:
@@ -293,7 +293,7 @@ def test_key_numbers_of_the_slope() -> None:
 
 
 def written(notebook: Any) -> str:
-    """Its text, as these files are written."""
+    """Return the text of a notebook in its stored format."""
     return str(nbformat.writes(notebook)) + "\n"
 
 

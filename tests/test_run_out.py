@@ -66,7 +66,7 @@ def test_the_run_out_has_the_sign_of_the_greatest_displacement(amplitudes: list[
 
 
 def test_derivatives_where_the_greatest_displacement_changes_its_place() -> None:
-    """Between turning points on one side the run-out has a kink, with the slopes of both; between sides it jumps."""
+    """The run-out has a kink with two slopes between turning points on one side, and jumps between sides."""
 
     def places(second: float, friction: float = 0.3) -> tuple[float, float]:
         """Return the displacements after the first and after the last of three pulses, m."""

@@ -43,7 +43,7 @@ def test_what_is_not_solved_is_told() -> None:
 
 
 def test_a_travel_angle_is_that_of_the_centroids_way() -> None:
-    """Of a mass that does not move the limit; the slope falls to the left."""
+    """The angle of a mass that does not move is the limit for small rotations; the slope faces left."""
     section = body()
     for rotation in (-0.2, 0.3):
         way = section.placed(section.centroid, rotation) - section.centroid

@@ -41,7 +41,7 @@ def test_a_lane_that_is_none_is_named(given: dict[str, Any], said: str) -> None:
 
 
 def test_a_circle_that_only_touches_a_scarp_is_none() -> None:
-    """Its entry and its exit were one point, half an angle of 6e-17 apart."""
+    """Entry and exit would be one point, with half an angle of 6e-17."""
     x, height = 39.93594546227666, 19.304500093424398
     ground = [[-160.0, 0.0], [x, 0.0], [x, height], [240.0, height]]
     given: dict[str, Any] = {"ground": ground, "centre": [33.49550289007233, 8.148909736444072], "unit_weight": 2e4}
@@ -81,7 +81,7 @@ def outputs(given: Any, name: str, to: float) -> list[arb]:
 
 
 def in_two_layers(scene: Scene) -> Scene:
-    """The same mass, cut by a boundary between two soils that are alike."""
+    """Return the same mass divided by a boundary between two equal soils."""
     arc = scene.arc
     assert isinstance(arc, Section)
     soils = [Soil(float(np.asarray(arc.unit_weight)), 0.0, scene.friction, name=name) for name in "ab"]

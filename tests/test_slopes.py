@@ -22,7 +22,7 @@ BOUND = 1e-13  # of the moment; of weights, of their vector's length
 
 
 def worst(ground: Ground, centre: tuple[float, float], radius: float) -> float:
-    """The greatest error of all measures."""
+    """Return the greatest error of all measures."""
     ours, truth = moments(ground, centre, radius), integrals(ground, centre, radius)
     found = 0.0
     for name in MEASURES:
@@ -34,7 +34,7 @@ def worst(ground: Ground, centre: tuple[float, float], radius: float) -> float:
 
 
 def thin(depth: float, bend: float) -> tuple[Ground, tuple[float, float], float]:
-    """A skin of a depth over R, its ground bent by shares of the depth."""
+    """Return a skin of a depth over R, its ground bent by shares of the depth."""
     half = math.sqrt(2 * depth)
     ground = [(-2 * half, 0.0), (-half / 3, bend * depth), (half / 5, -bend * depth / 2), (2 * half, 0.0)]
     return ground, (0.3 * half, 1.0 - depth), 1.0

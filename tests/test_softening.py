@@ -22,7 +22,7 @@ TABLE = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "cohesion": [14e
 
 @pytest.mark.parametrize("name", ["exponential", "linear", "hyperbolic", "function"])
 def test_an_arc_runs_as_far_as_a_plain_integration_says(name: str) -> None:
-    """Also without friction, and with cohesion that rises."""
+    """Motions without friction and with rising cohesion are included."""
     rng = np.random.default_rng(58)
     moved = 0
     while moved < 2:
@@ -142,7 +142,7 @@ GROWING: list[dict[str, Any]] = [
 
 @pytest.mark.parametrize("effects", GROWING)
 def test_cohesion_of_one_soil_grows_as_that_of_one_layer(effects: dict[str, Any]) -> None:
-    """Below the ground or a height, by a law or without; motion, statics, lanes and derivatives."""
+    """Cohesion grows below the ground or a height, with or without a law, in motion, statics, lanes and derivatives."""
     section = Section(unit_weight=19e3, **CIRCLE)
     law = dict(effects["cohesion"])
     growth = {"cohesion_gradient": law.pop("gradient"), "datum": law.pop("datum", None)}

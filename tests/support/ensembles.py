@@ -70,7 +70,7 @@ SCENES: dict[str, Scene] = {
 
 
 def stacked(values: Sequence[Any]) -> Any:
-    """What differs from lane to lane as an array."""
+    """Return values that differ between lanes as arrays, and others as they are."""
     first = values[0]
     if isinstance(first, dict):
         return {k: stacked([v[k] for v in values]) for k in first}
@@ -78,7 +78,7 @@ def stacked(values: Sequence[Any]) -> Any:
 
 
 def together(rows: Sequence[golden.Data], accuracy: float = 1e-9) -> Any:
-    """The ensemble of these scenes, solved."""
+    """Return the ensemble of these scenes, solved."""
     given = stacked(rows)
     return solve(Scene(Arc(**given["arc"]), given["friction"], given["effects"], given["initial_velocity"],
                        given["end_time"]), accuracy)  # fmt: skip
