@@ -121,7 +121,7 @@ def drawn(kind: str, rng: Rng) -> Scene:
 
 
 def with_neighbour(scene: Scene, rng: Rng) -> tuple[Scene, Any]:
-    """Return a scene and a neighbour as an ensemble, with one number changed by about a percent, and its invalid lanes."""
+    """Return an ensemble of a scene and a neighbour that differs by about a percent in a number, and invalid lanes."""
     every = {name: parameter_value(scene, name) for name in parameters(scene) if not name.endswith("gradient")}
     values = {name: value for name, value in every.items() if value}
     name = str(rng.choice(list(values)))
