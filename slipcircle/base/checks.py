@@ -106,16 +106,13 @@ def plain(value: Any) -> Any:
     return float(value)
 
 
-_WITHOUT_WARNING: Any = nullcontext()
-
-
 def may_overflow(shape: Shape) -> Any:
     """Return a context that silences overflow warnings of arrays.
 
     The overflow itself is reported when the result is read.
     """
     if not shape:
-        return _WITHOUT_WARNING
+        return nullcontext()
     return np.errstate(over="ignore")
 
 
