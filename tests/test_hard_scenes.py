@@ -15,7 +15,8 @@ import pytest
 from flint import arb, ctx
 from mpmath import mpf
 
-from slipcircle import Arc, Motion, solve
+from generated import kernels
+from slipcircle import Arc, Motion, Scene, solve
 from tests.support import accuracy, golden, oracle, taylor
 from tests.support.combinations import softening
 from tests.support.lanes import BACKENDS, backend
@@ -57,8 +58,7 @@ class Hard(NamedTuple):
         friction = self.friction
         if isinstance(friction, Ulps):
             friction = abs(float(Arc(**dict(self.arc)).dimensionless.limit_friction))
-            for _ in range(abs(self.friction.many)):
-                friction = float(np.nextafter(friction, math.copysign(math.inf, self.friction.many)))
+            friction += self.friction.many * float(np.spacing(friction))
         return golden.scene(friction, self.effects, self.velocity, self.end, **self.arc)
 
 
@@ -70,14 +70,16 @@ CASES: dict[str, Hard] = {
     "no friction, centripetal": Hard("the brake is there, and 0; naively 0/0 in exp(-q x)/q", SLOPE, 0.0, BRAKED),
     "hardly any friction": Hard("q is 1e-300: q**2 underflows; naively 1/q overflows", SLOPE, 1e-300, BRAKED, end=60.0),
     "at the limit": Hard(LIMIT, SLOPE, Ulps(0)),
+    "at the limit, which rounding has lowered": Hard(LIMIT, arc(7.0, 1.4), Ulps(0)),
     "an ulp above the limit": Hard(LIMIT, SLOPE, Ulps(1)),
-    "an ulp below the limit": Hard(NEAR, SLOPE, Ulps(-1), tolerance=1e-11),
-    "an ulp below the limit, frozen": Hard(NEAR, SLOPE, Ulps(-1), FROZEN, end=20.0, tolerance=1e-11),
-    "an ulp below the limit, centripetal": Hard(NEAR, SLOPE, Ulps(-1), BRAKED, tolerance=1e-11),
-    "a thousand ulps below": Hard(NEAR, SLOPE, Ulps(-1000), BRAKED, tolerance=1e-11),
-    "an ulp below, thin arc": Hard(NEAR, arc(25.0, 1e-06), Ulps(-1), tolerance=1e-11),
-    "an ulp below, half disc": Hard(NEAR, arc(25.0, math.pi / 2), Ulps(-1), BRAKED, tolerance=1e-11),
-    "an ulp below, leaning back": Hard(NEAR, arc(-25.0, 0.5), Ulps(-1), tolerance=1e-11),
+    "an ulp below the limit": Hard(NEAR, SLOPE, Ulps(-1)),
+    "an ulp below the limit, frozen": Hard(NEAR, SLOPE, Ulps(-1), FROZEN, end=20.0),
+    "an ulp below the limit, centripetal": Hard(NEAR, SLOPE, Ulps(-1), BRAKED),
+    "a thousand ulps below": Hard(NEAR, SLOPE, Ulps(-1000), BRAKED),
+    "a billionth below, steep": Hard(NEAR, arc(60.0, 0.8), Ulps(-5 * 10**6), BRAKED),
+    "an ulp below, thin arc": Hard(NEAR, arc(25.0, 1e-06), Ulps(-1)),
+    "an ulp below, half disc": Hard(NEAR, arc(25.0, math.pi / 2), Ulps(-1), BRAKED),
+    "an ulp below, leaning back": Hard(NEAR, arc(-25.0, 0.5), Ulps(-1)),
     "against the fall": Hard(
         "stops, turns back, and friction turns with it; naively friction keeps its sign at the turn and drives",
         SLOPE, 0.2, BRAKED, velocity=-40.0),
@@ -157,9 +159,6 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
         return False, (turned * m["radius"], mpf(1e9), omega * m["radius"] / m["scale"])
     with ctx.workprec(400):
         p = taylor.Problem(case.data)
-        if isinstance(case.friction, Ulps):  # the printed limit decides: the dip that has it exactly
-            printed = arb(abs(float(Arc(**dict(case.arc)).dimensionless.limit_friction)))
-            p.dip = p.lean = (printed * p.press / p.fall).atan() * (1 if p.dip > 0 else -1)
         found = taylor.Solution(p, 26, 22)
         record = found.record()
     return found.arrested, tuple(mpf(record[n]) for n in ("run_out", "duration", "peak_velocity"))
@@ -190,6 +189,21 @@ def answered(name: str) -> None:
         for found, exact in zip((motion.run_out, motion.duration, abs(motion.peak.velocity)), right, strict=True):
             error = abs(mpf(float(found)) - (exact if found == motion.run_out else abs(exact)))
             assert error <= case.tolerance * abs(exact), (found, exact)
+
+
+def test_ensemble_close_to_the_limit() -> None:
+    """Run-out 2 R (psi - delta) at distances from 1e-3 to one unit in the last place, also over the geometry."""
+    near = np.array([1e-3, 1e-6, 1e-9, 1e-12, 2e-16])
+    ends = np.array([[SLOPE["theta_1"]], [SLOPE["theta_1"] - 0.1]])
+    limits = np.abs(kernels.limit_friction(ends, SLOPE["theta_2"]))
+    motion = solve(Scene(Arc(**SLOPE | {"theta_1": ends}), limits * (1.0 - near), TURNING, accuracy=1e-13))
+    for place in np.ndindex(motion.shape):
+        with ctx.workprec(400):
+            m = oracle.moments(SLOPE | {"theta_1": float(ends[place[0], 0])})
+            mu = oracle.exact(float(limits[place[0], 0] * (1.0 - near[place[1]])))
+            exact = float(2 * SLOPE["radius"] * (m["dip"] - (mu * m["press"] / m["fall"]).atan()))
+        assert abs(motion.run_out[place] / exact - 1) <= 1e-12
+        assert motion.error_estimate[place] < 1e-11
 
 
 # --- friction that rises, or settles after much higher values --------------------------------------------------------
