@@ -44,7 +44,7 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         engine().integrate(problem.program, problem.tables(), cells, samples, log)
         if problem.reach_farther(cells[ix.REACH_ROTATION]):
             continue
-        if begin is None and samples is log is None:
+        if begin is None and samples is None and log is None:
             _decide_again(problem, cells)
         status = cells[ix.STATUS]
         if not status.size or status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
