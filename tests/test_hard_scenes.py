@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import mpmath
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import ctx
 from mpmath import mpf
 
 from generated import kernels
