@@ -55,10 +55,9 @@ class Problem:
         Python functions of slip, by the name of their table.
     farther : callable or None
         Function that extends the functions of the rotation.
-    limit_rest : callable
-        Function that returns the exact limit friction minus its rounded value, for some lanes.
-    near : float
-        Least margin of a decision at rest, in units of rounding, for which the rounded limit friction suffices.
+    near : tuple
+        Least margin of a decision at rest, in units of rounding, for which the rounded limit friction suffices, and the
+        function that returns the exact limit friction minus its rounded value for some lanes.
     """
 
     recipe: Recipe
@@ -68,8 +67,7 @@ class Problem:
     lanes: int
     functions: Mapping[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
-    limit_rest: Callable[[Any], Any] = field(default=lambda lanes: 0.0)
-    near: float = 0.0
+    near: tuple[float, Callable[[Any], Any]] = (0.0, bool)
 
     def cells(self, which: Any = EVERY) -> Floats:
         """Return the initial cells of all or some lanes, one column each."""
@@ -96,11 +94,12 @@ class Problem:
 
         ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding.
         """
-        if "LIMIT_REST" in self.start or not margins.size or margins[margins.argmin()] >= self.near:
+        least, limit_rest = self.near
+        if "LIMIT_REST" in self.start or not margins.size or margins[margins.argmin()] >= least:
             return ()
-        (lanes,) = np.nonzero(margins < self.near)
+        (lanes,) = np.nonzero(margins < least)
         rests = np.zeros(self.lanes)
-        rests[lanes] = self.limit_rest(lanes)
+        rests[lanes] = limit_rest(lanes)
         self.begin_with(LIMIT_REST=rests)
         return lanes
 
@@ -154,11 +153,15 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    problem = Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther)
-    if not plan.recipe.moving and np.all(strength == 1.0):
-        problem.limit_rest = partial(scene.arc.limit_rest, scene.shape)
-        problem.near = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
-    return problem
+    near = _near(plan, lanes, strength)
+    return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther, near)
+
+
+def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
+    """Return `Problem.near`, for forces that do not change in time and strengths that are not scaled."""
+    least = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
+    rounded_suffices = plan.recipe.moving or np.any(strength != 1.0)
+    return 0.0 if rounded_suffices else least, partial(plan.scene.arc.limit_rest, plan.scene.shape)
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:
