@@ -22,21 +22,25 @@ def cos(x: Decimal) -> Decimal:
 
 def atanh(x: Decimal) -> Decimal:
     """Return the inverse hyperbolic tangent."""
-    return ((1 + x) / (1 - x)).ln() / 2
+    ratio = (1 + x) / (1 - x)
+    return ratio.ln() / 2
 
 
 @lru_cache(maxsize=8)
 def _sine_and_cosine(x: Decimal) -> tuple[Decimal, Decimal]:
     """Return sine and cosine by their series at a fraction of the angle, which is then doubled."""
     part = x / 2**_HALVINGS
-    sine, term, k = Decimal(0), part, 2
+    sine = Decimal(0)
+    term = part
+    k = 2
     while sine + term != sine:
         sine += term
         term *= -part * part / (k * (k + 1))
         k += 2
     cosine = (1 - sine * sine).sqrt()
     for _ in range(_HALVINGS):
-        sine, cosine = 2 * sine * cosine, 1 - 2 * sine * sine
+        twice = 2 * sine
+        sine, cosine = twice * cosine, 1 - twice * sine
     return sine, cosine
 
 
@@ -49,10 +53,14 @@ def limit_rest(theta_1: float, theta_2: float, limit: float) -> float:
 @lru_cache(maxsize=4096)
 def limit_friction(theta_1: float, theta_2: float) -> Decimal:
     """Return the limit friction (3.21) of an arc between two angles in rad, with 50 digits."""
-    first, last = Decimal(theta_1), Decimal(theta_2)
+    first = Decimal(theta_1)
+    last = Decimal(theta_2)
     with localcontext() as context:
         context.prec = 1100  # sums of two floats are exact
-        alpha, middle = (last - first) / 2, (first + last) / 2
+        alpha = (last - first) / 2
+        middle = (first + last) / 2
         context.prec = _DIGITS - 2 * alpha.adjusted()  # closed forms are differences of size alpha**3
-        above, below = (CLOSED[x](sys.modules[__name__], alpha) for x in QUOTIENTS["weight_moment_per_radial_weight"])
-        return abs(above / below * cos(middle) / sin(middle))
+        arithmetic = sys.modules[__name__]
+        above, below = (CLOSED[name](arithmetic, alpha) for name in QUOTIENTS["weight_moment_per_radial_weight"])
+        cotangent = cos(middle) / sin(middle)
+        return abs(above / below * cotangent)
