@@ -42,7 +42,7 @@ VALUES = {"points": [[1, 2], [3, 4.5]], "pair": [1, 2], "list": [1, 2.5], "line"
 
 
 def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Table, str, Key]]:
-    """Every key of a scene file that has a unit: the path of its table, the table with its law, and its name."""
+    """Yield every key of a scene file that has a unit: path of its table, table with its law, and name."""
     for law in table.laws.values() if table.laws else [table]:
         yield from ((path, law, name, key) for name, key in law.keys.items() if key.number.si in SIZES)
         for name, inner in law.tables.items():
@@ -50,7 +50,7 @@ def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[st
 
 
 def argument(whole: Table, path: tuple[str, ...], table: Table, key: Key, name: str, value: Any) -> Any:
-    """What a document with one key is read as."""
+    """Return the argument that a document with one key is read as."""
     content: dict[str, Any] = {name: value} | ({"law": table.keys["law"].kind} if "law" in table.keys else {})
     for part in reversed(path):
         content = {part: content}
@@ -306,7 +306,7 @@ run_out_m = [5, 12]
 
 
 def numbers_of(text: str) -> list[tuple[float, str]]:
-    """Every number of a table in its order, with the word after it."""
+    """Return every number of a table in its order, with the word after it."""
     found = re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e-?\d+)?)(?:,? +(?:to +)?)([a-zA-Z][a-zA-Z/^2]*)?", text)
     return [(float(value), unit) for value, unit in found]
 

@@ -68,7 +68,7 @@ def excess(slope: Slope, method: str) -> tuple[float, float]:
 
 
 def soils(count: int) -> Slope:
-    """A slope of horizontal layers."""
+    """Return a slope of horizontal layers."""
     layers = [
         (Soil(2e4, 1e3 * (15 + k % 7), 0.35, name=f"{k}"), None if k == 0 else 20 - 25 * k / count)
         for k in range(count)
