@@ -189,8 +189,7 @@ class Motion(Conversions, Generic[Numbers]):
         peak_time = final[ix.PEAK_TIME]
         ended = final[ix.STATUS] == ix.ENDED
         last = peak_time == final[ix.END_TIME]
-        still = final[ix.PHASES] == 0.0
-        at_end = last & ended | still
+        at_end = last & ended | (final[ix.PHASES] == 0.0)
         time = choose(at_end, self.duration, peak_time * self._time_scale)
         if not self.shape and self._varies_in_time and 0.0 < time < self.duration:
             return self.at(time)  # at the rounded time; where a force jumps, its value after the jump
