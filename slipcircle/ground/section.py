@@ -140,7 +140,10 @@ class Section(SectionGeometry, Mass):
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Yield the errors of invalid sections and of sections that cannot move."""
-        levels = () if self.level is None else line_errors("level", self._level)
+        if self.level is None:
+            levels = ()
+        else:
+            levels = line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
