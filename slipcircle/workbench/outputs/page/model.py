@@ -15,13 +15,15 @@ from numpy.polynomial import chebyshev
 
 from generated import layout as ix
 from slipcircle.base.kinds import Floats, Names, Shape, ValueDict
+from slipcircle.base.text import drawn_unit
 from slipcircle.core import STATUS_OF_END, Motion, Problem, Scene, Status, plan, problem_of, program_integers, solve
 from slipcircle.derivatives import parameter_value, parameters, with_parameter_arrays, with_parameters
 from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with_outputs
+from slipcircle.layers import LayeredSection
 from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.files.numbers import Number, by_name
+from slipcircle.workbench.files.numbers import Number, by_name, in_output_unit
 from slipcircle.workbench.outputs.page.start import NoFit, Start, start_of
 from slipcircle.workbench.outputs.pictures.plotstyle import FIRST, quantity_words
 
@@ -29,15 +31,18 @@ DEGREE = 16  # greatest degree of an interpolant in one number
 ROUNDING = 4e-15  # relative to the greatest value; smaller coefficients are dropped
 TRIALS = 64  # number of random places for the comparison of interpolants with exact inputs
 ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as for a scene
-SHARE = 0.5  # default range of a slider to both sides of the value, relative to it
+SHARES = (0.5, 0.3, 0.2)  # default ranges of a slider to both sides of the value, relative to it
 CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
 # Numbers with sliders by default; those that shape a section are cheap to lay out for an arc alone.
 _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
+_MOST_OF_SHAPE = 0.1  # relative range of these
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
+_STEEP = 2  # degree of rows in sliders of strength; of a greater degree are quotients by the friction lost with slip
+_LEAST_LOST = 0.1  # least friction lost with slip, over the greatest one between the ends of sliders
 SMOOTH = 1e-12  # greatest error of inputs of a default slider, relative to their greatest values
-MOST_COEFFICIENTS = 1300  # greatest number of coefficients of interpolants, for a page below 130 kB
+MOST_COEFFICIENTS = 1969  # greatest number of numbers of interpolants, for a page below 130 kB
 MOST_NUMBERS = 60_000  # greatest number of values in tables
 
 
@@ -80,16 +85,15 @@ def default_sliders(scene: Scene) -> list[Slider]:
             names.append(name)
     if "ground" not in scene.arc.quantities:
         names += _SHAPE
-    sliders = [slider for name in names if (slider := _around(scene, keys[name]))]
-    influences = {slider: _influence(scene, slider) for slider in sliders}
+    ranges = {name: [*_ranges(scene, in_output_unit(keys[name]))] for name in names}
+    influences = {name: _influence(scene, sliders[0]) for name, sliders in ranges.items() if sliders}
     chosen = list[Slider]()
-    for slider in sorted(sliders, key=lambda slider: -influences[slider]):
-        more = [*chosen, slider]
-        is_full = len(chosen) == MOST_SLIDERS
-        matters = influences[slider] or slider.number.name.endswith("residual")  # also of a mass that does not move
-        if matters and not is_full and interpolates(scene, more, SMOOTH, MOST_COEFFICIENTS):
-            chosen = more
-    return chosen
+    for name in sorted(influences, key=lambda name: -influences[name]):
+        if influences[name] or name.endswith("residual"):  # also of a mass that does not move
+            more = ([*chosen, slider] for slider in ranges[name])
+            fitting = (sliders for sliders in more if interpolates(scene, sliders, SMOOTH, MOST_COEFFICIENTS))
+            chosen = next(fitting, chosen)
+    return chosen[:MOST_SLIDERS]
 
 
 def _influence(scene: Scene, slider: Slider) -> float:
@@ -108,18 +112,15 @@ def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: fl
         return False
 
 
-def _around(scene: Scene, number: Number) -> Slider | None:
-    """Return a slider around the scene's value, narrowed until both ends are valid, or None if it gets too narrow."""
+def _ranges(scene: Scene, number: Number) -> Iterator[Slider]:
+    """Yield sliders around the scene's value with valid ends, from the widest to the narrowest."""
     value = float(number.from_si(parameter_value(scene, number.name)))
-    share = 0.1 if number.name in _SHAPE else SHARE
-    while value and share > 0.01:
+    for share in SHARES if value else ():
         low, high = sorted(float(f"{value * (1 + side * share):.3g}") for side in (-1, 1))
         slider = Slider(number, low, high)
         _, invalid = with_parameter_arrays(scene, {number.name: slider.ends})
-        if not np.any(invalid):
-            return slider
-        share /= 2
-    return None
+        if not np.any(invalid) and (share <= _MOST_OF_SHAPE or number.name not in _SHAPE):
+            yield slider
 
 
 def unsolvable(motion: Motion) -> str:
@@ -151,6 +152,10 @@ class _Inputs:
         self.forces = with_outputs(self.problem, (*OUTPUTS, "energy"))
         self.names: Names = tuple(self.forces.start)
         self.others = _others(self.motion)
+        self.divided: list[int] = []  # rows that fits describe times the friction lost with slip
+        friction = [row for row, name in enumerate(self.names) if name.endswith((".peak", ".residual"))]
+        is_quotient = isinstance(scene.arc, LayeredSection) and len(friction) == 2
+        self.friction = sorted(friction, key=lambda row: self.names[row]) if is_quotient else []
         self.base = self._rows(self.motion, 1)[:, 0]
 
     def at(self, shares: Floats) -> Floats:
@@ -160,7 +165,18 @@ class _Inputs:
         if len(alike) != self.base.size:
             raise NoFit
         alike[self.names.index("ORDER")] = self.problem.start["ORDER"]
-        return alike
+        return self.multiplied(alike)
+
+    def multiplied(self, rows: Floats) -> Floats:
+        """Return rows, those in `divided` multiplied by the friction that the mass loses with slip."""
+        if self.divided:
+            rows[self.divided] *= self.lost(rows)
+        return rows
+
+    def lost(self, rows: Floats) -> Floats:
+        """Return the mean peak friction minus the mean residual friction in rows."""
+        peak, residual = rows[self.friction]
+        return np.asarray(peak - residual)
 
     def scene_at(self, shares: Floats) -> Scene[Any]:
         """Return the ensemble of scenes at places of the sliders, (sliders, places), from -1 to 1."""
@@ -206,6 +222,7 @@ class _Inputs:
                 rows.append(np.broadcast_to(flat, (flat.shape[0], count)))
         rows += [np.broadcast_to(np.ravel(value), (1, count)) for value in _others(motion).values()]
         if self.start:
+            rows[-1] = np.ones((1, count))  # factor of safety, which the page solves for
             rows.append(self.start.rows(motion.plan.scene))
         return np.concatenate(rows)
 
@@ -219,21 +236,26 @@ def _at_start(scene: Scene, accuracy: float) -> Motion:
 
 
 def _others(motion: Motion) -> ValueDict:
-    """Return units of the dimensionless numbers in SI units, and the factor of safety at the start, by name."""
+    """Return dimensionless numbers' units, in units of output, and the factor of safety at the start, by SI unit."""
     arc = motion.plan.scene.arc
     radius = np.asarray(arc.radius)
     second = np.asarray(arc.time_scale)
     units = {"rad": 1.0, "s": second, "m": radius, "m/s": radius / second, "m/s^2": radius / second**2}
     units |= {"Pa": stress_unit(arc), "J": energy_unit(arc)}
+    units = {unit: drawn_unit(unit)[0] * size for unit, size in units.items()}
     return units | {"factor_of_safety": motion.factor_of_safety}
 
 
 class Fit(NamedTuple):
-    """Interpolants of some rows in some of the sliders; the coefficients have shape (rows, *(degrees + 1))."""
+    """Interpolants of some rows in some of the sliders, as weights of a few functions of these.
+
+    Weights have the shape (rows, functions), Chebyshev coefficients (functions, product of the degrees + 1).
+    """
 
     of: Shape
     degrees: Shape
     rows: list[int]
+    weights: Floats
     coefficients: Floats
 
     def at(self, shares: Floats) -> Floats:
@@ -242,7 +264,7 @@ class Fit(NamedTuple):
         product = powers[0]
         for power in powers[1:]:
             product = (product[:, :, None] * power[:, None, :]).reshape(len(product), -1)
-        return self.coefficients.reshape(len(self.rows), -1) @ product.T
+        return self.weights @ (self.coefficients @ product.T)
 
 
 def _lobatto(degree: int) -> Floats:
@@ -250,52 +272,60 @@ def _lobatto(degree: int) -> Floats:
 
 
 def _fits(inputs: _Inputs, most: float = math.inf) -> list[Fit]:
-    """Return interpolants of all rows that vary, or raise `NoFit` above ``most`` coefficients."""
+    """Return interpolants of all rows that vary, or raise `NoFit` above ``most`` numbers."""
     present = np.array([[_share(s, inputs.scene)] for s in inputs.sliders])
-    of_rows: dict[int, dict[int, int]] = {}  # degrees by slider
-    alone: dict[int, Floats] = {}  # coefficients in the last slider
-    for k in range(len(inputs.sliders)):
-        for row, degree, coefficients in _along(inputs, present, k):
-            of_rows.setdefault(row, {})[k] = degree
-            alone[row] = coefficients
+    every = range(len(inputs.sliders))
+    degrees = [_degrees(inputs, present, k) for k in every]
+    steep = {row for of_slider in degrees for row, degree in of_slider.items() if degree > _STEEP}
+    if steep and inputs.friction:
+        inputs.divided = sorted(steep)
+        degrees = [_degrees(inputs, present, k) for k in every]
     groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
-    for row, degrees in of_rows.items():
-        groups.setdefault(tuple(degrees.items()), []).append(row)
-    if sum(len(rows) * math.prod(degree + 1 for _, degree in key) for key, rows in groups.items()) > most:
+    for row in sorted({row for of_slider in degrees for row in of_slider}):
+        key = tuple((k, of_slider[row]) for k, of_slider in enumerate(degrees) if row in of_slider)
+        groups.setdefault(key, []).append(row)
+    if any(math.prod(degree + 1 for _, degree in key) > most for key in groups):
         raise NoFit
-    return [_fit(inputs, present, key, rows, alone) for key, rows in groups.items()]
+    fits = [_fit(inputs, present, key, rows) for key, rows in groups.items()]
+    if sum(fit.weights.size + fit.coefficients.size for fit in fits) > most:
+        raise NoFit
+    return fits
 
 
-def _along(inputs: _Inputs, present: Floats, k: int) -> Iterator[tuple[int, int, Floats]]:
-    """Yield index, degree and coefficients of each row that varies with slider ``k``."""
+def _degrees(inputs: _Inputs, present: Floats, k: int) -> dict[int, int]:
+    """Return the degree in slider ``k`` of each row that varies with this slider, by the number of the row."""
     places = np.repeat(present, DEGREE + 1, axis=1)
     places[k] = _lobatto(DEGREE)
     values = inputs.at(places)
-    sizes = inputs.sizes(values)
-    with np.errstate(invalid="ignore"):
-        (varied,) = np.nonzero(values.max(axis=1) - values.min(axis=1) > ROUNDING * sizes)
-    coefficients = np.linalg.solve(chebyshev.chebvander(places[k], DEGREE), values[varied].T).T
-    for row, of_row in zip(varied.tolist(), coefficients, strict=True):
-        counted = np.flatnonzero(np.abs(of_row) > ROUNDING * sizes[row])
-        if counted.size and counted[-1]:
-            yield row, int(counted[-1]), of_row
+    values = np.where(np.isfinite(values), values, 0.0)
+    coefficients = values @ np.linalg.inv(chebyshev.chebvander(places[k], DEGREE)).T
+    counted = np.abs(coefficients) > ROUNDING * inputs.sizes(values)[:, None]
+    degrees = DEGREE - np.argmax(counted[:, ::-1], axis=1)
+    (varied,) = np.nonzero(np.any(counted[:, 1:], axis=1))
+    return dict(zip(varied.tolist(), degrees[varied].tolist(), strict=True))
 
 
-def _fit(
-    inputs: _Inputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int], alone: dict[int, Floats]
-) -> Fit:
-    """Return the interpolant of rows of the same degrees; for one slider the coefficients are known."""
+def _fit(inputs: _Inputs, present: Floats, key: tuple[tuple[int, int], ...], rows: list[int]) -> Fit:
+    """Return the interpolant of rows of the same degrees, by a singular value decomposition of its coefficients."""
     of, degrees = zip(*key, strict=True)
-    if len(of) == 1:
-        return Fit(of, degrees, rows, np.stack([alone[row][: degrees[0] + 1] for row in rows]))
     axes = np.meshgrid(*(_lobatto(degree) for degree in degrees), indexing="ij")
     places = np.repeat(present, axes[0].size, axis=1)
     places[list(of)] = [axis.ravel() for axis in axes]
-    values = inputs.at(places)[rows].reshape(len(rows), *axes[0].shape)
+    values = inputs.at(places)
+    sizes = inputs.sizes(values)[rows, None]
+    coefficients = (values[rows] / sizes).reshape(len(rows), *axes[0].shape)
     for axis, degree in enumerate(degrees, 1):
         inverse = np.linalg.inv(chebyshev.chebvander(_lobatto(degree), degree))
-        values = np.moveaxis(np.tensordot(inverse, values, (1, axis)), 0, axis)
-    return Fit(of, degrees, rows, values)
+        coefficients = np.moveaxis(np.tensordot(inverse, coefficients, (1, axis)), 0, axis)
+    left, size, right = np.linalg.svd(coefficients.reshape(len(rows), -1), full_matrices=False)
+    counted = size > ROUNDING * size[0]
+    weights = sizes * left[:, counted] * size[counted]
+    return Fit(of, degrees, rows, np.vectorize(_rounded)(weights), right[counted])
+
+
+def _rounded(value: float) -> float:
+    """Return a number rounded to 15 digits, which make pages smaller."""
+    return float(f"{value:.15g}")
 
 
 def _share(slider: Slider, scene: Scene) -> float:
@@ -312,6 +342,10 @@ def _greatest_error(inputs: _Inputs, fits: Sequence[Fit]) -> float:
         return 0.0
     shares = np.random.default_rng(7).uniform(-1.0, 1.0, (len(inputs.sliders), TRIALS))
     wanted = inputs.at(shares)
+    if inputs.divided:
+        lost = inputs.lost(wanted)
+        if lost.min() < _LEAST_LOST * lost.max():
+            return math.inf
     sizes = inputs.sizes(wanted)
     errors = [np.abs(fit.at(shares) - wanted[fit.rows]).max(axis=1) / sizes[fit.rows] for fit in fits]
     return float(np.max(np.concatenate(errors)))
@@ -321,14 +355,18 @@ def model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
     """Return JSON data for the page to solve the scene with any values of its sliders."""
     inputs = _Inputs(scene, sliders, plan(scene).accuracy)
     fits = _fits(inputs)
+    base = inputs.multiplied(inputs.base.copy())
+    base[[row for fit in fits for row in fit.rows]] = 0.0
     end = {Status.MOVING: FIRST} if scene.end_time is None else {}
     places = {name: k for k, name in enumerate(ix.CELLS)}
     return {
         "names": inputs.names,
         "others": [*inputs.others],
         "entries": places,
-        "base": _plain(inputs.base),
-        "fits": [[fit.of, fit.degrees, fit.rows, _plain(fit.coefficients)] for fit in fits],
+        "base": _plain(base),
+        "divided": inputs.divided,
+        "divisor": inputs.friction,
+        "fits": [[fit.of, fit.degrees, fit.rows, _plain(fit.weights), _plain(fit.coefficients)] for fit in fits],
         "tables": [_table(name, inputs.problem) for name in _table_names(inputs.problem)],
         "programs": [_program(problem, inputs.names) for problem in (inputs.problem, inputs.forces)],
         "runs": _runs(inputs),
