@@ -24,11 +24,9 @@ import matplotlib
 import nbformat
 import numpy as np
 import pytest
-from ipykernel.inprocess.manager import InProcessKernelManager
 from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from traitlets.config import Config
 
 from derive import progress
 from derive.check import certify
@@ -58,6 +56,9 @@ each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path
 @cache
 def kernel() -> Any:
     """IPython in this process, which has most of what notebooks import, without history and settings of the user."""
+    from ipykernel.inprocess.manager import InProcessKernelManager
+    from traitlets.config import Config
+
     manager = InProcessKernelManager(config=Config(HistoryManager={"enabled": False}))
     manager.start_kernel()
     with warnings.catch_warnings(action="ignore"):  # the inline backend's, when it is made
