@@ -22,7 +22,8 @@ from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.files.shipped import shipped
 from slipcircle.workbench.outputs.page import live
 from slipcircle.workbench.outputs.page import section as livesection
-from slipcircle.workbench.outputs.page.model import Slider, default_sliders, unsolvable
+from slipcircle.workbench.outputs.page.inputs import Slider
+from slipcircle.workbench.outputs.page.model import default_sliders, unsolvable
 from slipcircle.workbench.outputs.pictures.shapes import mass_of
 from tests.support.layered import TURNING, profile
 

@@ -22,14 +22,8 @@ from slipcircle.workbench.common.markup import Raw, document, escaped, tag, term
 from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.page.model import (
-    MOST_COEFFICIENTS,
-    Slider,
-    default_sliders,
-    interpolates,
-    model,
-    unsolvable,
-)
+from slipcircle.workbench.outputs.page.inputs import Slider
+from slipcircle.workbench.outputs.page.model import MOST_COEFFICIENTS, default_sliders, interpolates, model, unsolvable
 from slipcircle.workbench.outputs.page.section import Section as Drawn
 from slipcircle.workbench.outputs.page.section import axes, frame_around, section
 from slipcircle.workbench.outputs.pictures.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
