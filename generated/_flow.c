@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c1b641941727fb271bc187efcbbf6cfc50812a4492356282158049b9d06b1c14"
+#define DIGEST "fd4bfa8015a57dbb7b1ebdc9da99af21226a421d211ac71bb873e9bcd2f1da5e"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu;
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers;
 } Roles;
 
 typedef struct {
@@ -525,7 +525,17 @@ INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
 INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
-INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
+INLINE V sqrt_of(V x)
+{
+#if WIDE == 512
+    return (V)_mm512_sqrt_pd((__m512d)x);
+#elif SPAN == 256
+    return (V)_mm256_sqrt_pd((__m256d)x);
+#else
+    for (int k = 0; k < LANES; k++) x[k] = sqrt(x[k]);
+    return x;
+#endif
+}
 
 /* What the text of the operations calls functions of vectors. */
 #define IN(name) vector_##name
@@ -1142,6 +1152,9 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 
 /* --- the text of derive/flow/integrator --- */
 
+static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
+static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
+static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -1151,6 +1164,15 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 #define SURE 0x1.ffffe00000000p-1
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
+#define PI 0x1.921fb54442d18p+1
+#define FARTHEST 0x1.91eb851eb851fp+1
+#define FADED 0x1.0000000000000p+1
+#define LAST 7
+static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
+static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
+static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define MOST_CORRECTIONS 12
+#define CONVERGED 0x1.0000000000000p-22
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -2525,6 +2547,241 @@ static void make_step(Batch *b, M here)
     }
 }
 
+/* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
+INLINE Pair turned(V x)
+{
+    V h = 0.25 * x;
+    V square = h * h;
+    V lag = broadcast(LAG[LAST]);
+    V versine = broadcast(VERSINE[LAST]);
+    for (int k = LAST - 1; k >= 0; k--) {
+        lag = (lag * square) + LAG[k];
+        versine = (versine * square) + VERSINE[k];
+    }
+    lag = (lag * square) * h;
+    versine = versine * square;
+    for (int _ = 1; _ <= 2; _++) {
+        V sine = h - lag;
+        lag = 2.0 * (lag + (sine * versine));
+        versine = 2.0 * (sine * sine);
+        h = 2.0 * h;
+    }
+    return (Pair){lag, versine};
+}
+
+/* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
+INLINE V faded(V y)
+{
+    V h = 0.25 * y;
+    V part = broadcast(FADING[2 * LAST]);
+    for (int k = (2 * LAST) - 1; k >= 0; k--) {
+        part = (part * h) + FADING[k];
+    }
+    for (int _ = 1; _ <= 2; _++) {
+        V lost = 1.0 - (h * part);
+        part = (0.5 * part) + (0.25 * (lost * lost));
+        h = 2.0 * h;
+    }
+    return part;
+}
+
+/* Compute the factors of E, followed by q. */
+INLINE void factors(V *e, V drive, V sine, V vers, V q)
+{
+    V share = 2.0 / (1.0 + (q * q));
+    e[0] = 2.0 * drive;
+    e[1] = q * ((share * ((sine * q) - vers)) - (2.0 * drive));
+    e[2] = share * (sine + (vers * q));
+    e[3] = share * (vers - (sine * q));
+    e[4] = q;
+}
+
+/* Return E from its factors and its functions. */
+INLINE V energy(V *e, V x, V lag, V versine, V w)
+{
+    return (e[0] * x) + ((e[1] * w) + ((e[2] * versine) + (e[3] * lag)));
+}
+
+/* Return E and its derivative at a rotation. */
+INLINE Pair energy_and_slope(V *e, V x)
+{
+    const Pair lag_versine = turned(x);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V w = (x * x) * faded(e[4] * x);
+    V slope = e[0] + ((e[1] * (x - (e[4] * w))) + ((e[2] * (x - lag)) + (e[3] * versine)));
+    return (Pair){energy(e, x, lag, versine, w), slope};
+}
+
+/* Return the function w of -q from w of q. */
+INLINE V reversed_w(V x, V w, V q)
+{
+    V y = q * x;
+    return (((x * x) - w) - (y * w)) / ((1.0 - y) + ((q * q) * w));
+}
+
+/* Return the first positive zero of E, by Newton's method on E/x, or a rotation beyond the farthest. */
+static V end_of_swing(V *e, V sine, M which)
+{
+    V x = e[0] / ((0.5 * (e[4] * e[0])) - sine);
+    int count = 0;
+    while (bits(which) && (count < MOST_CORRECTIONS)) {
+        x = pick((x > 0.0) & (x < FARTHEST), x, broadcast(FARTHEST));
+        const Pair at_slope = energy_and_slope(e, x);
+        V at = at_slope.one, slope = at_slope.other;
+        V change = (at * x) / ((slope * x) - at);
+        x = x - change;
+        which = which & (magnitude(change) > (LAST_STEP * x));
+        count = count + 1;
+    }
+    return pick(which, broadcast(2.0 * FARTHEST), x);
+}
+
+/* Return the rotation of the greatest speed, by Newton's method on the derivative of E. */
+static V peak_of_swing(V *e, V end, M which)
+{
+    V x = 0.5 * end;
+    V low = broadcast(0.0);
+    V high = end;
+    int count = 0;
+    while (bits(which) && (count < (2 * MOST_CORRECTIONS))) {
+        const Pair lag_versine = turned(x);
+        V lag = lag_versine.one, versine = lag_versine.other;
+        V w = (x * x) * faded(e[4] * x);
+        V slope = e[0] + ((e[1] * (x - (e[4] * w))) + ((e[2] * (x - lag)) + (e[3] * versine)));
+        V bend = (e[1] * (1.0 - (e[4] * (x - (e[4] * w))))) + ((e[2] * (1.0 - versine)) + (e[3] * (x - lag)));
+        low = pick(slope > 0.0, x, low);
+        high = pick(slope > 0.0, high, x);
+        V following = x - (slope / bend);
+        following = pick((following > low) & (following < high), following, 0.5 * (low + high));
+        which = which & (magnitude(following - x) > (LAST_STEP * x));
+        x = following;
+        count = count + 1;
+    }
+    return x;
+}
+
+/* Return whether start + sine sin(x) + vers (1 - cos(x)) is positive and concave up to a rotation below half a
+ * turn. A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is
+ * there. */
+INLINE M stays_positive(V start, V sine, V vers, V x, V lag, V versine)
+{
+    V at_end = start + ((sine * (x - lag)) + (vers * versine));
+    return (start > 0.0) & (at_end > 0.0) & (vers <= 0.0) & ((vers * (1.0 - versine)) <= (sine * (x - lag)));
+}
+
+/* Return the integrand of the duration at a node and at its mirror image, which is the same node from the end. */
+INLINE V slowness(V *e, V *back, V end, int k)
+{
+    V x = end * SINES[k];
+    const Pair lag_versine = turned(x);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V w = (x * x) * faded(e[4] * x);
+    V room = x * (end - x);
+    V here = sqrt_of(room / energy(e, x, lag, versine, w));
+    return here + sqrt_of(room / energy(back, x, lag, versine, reversed_w(x, w, e[4])));
+}
+
+/* Return the duration of a phase, and the relative change by the last halving of intervals. */
+static Pair duration_of_swing(V *e, V *back, V end, M which)
+{
+    V ends = sqrt_of(end / e[0]) + sqrt_of(end / back[0]);
+    V total = (0.125 * (ends + slowness(e, back, end, 0))) + (0.25 * slowness(e, back, end, 1));
+    V change = broadcast(1.0);
+    int first = 2;
+    while ((first < 16) && bits(which & (change > CONVERGED))) {
+        V added = broadcast(0.0);
+        for (int k = first; k <= (2 * first) - 1; k++) {
+            added = added + slowness(e, back, end, k);
+        }
+        added = added / (double)(2 * first);
+        change = magnitude(added - total) / total;
+        total = 0.5 * (total + added);
+        first = 2 * first;
+    }
+    return (Pair){(PI * total), change};
+}
+
+/* Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation. */
+INLINE V time_of_peak(V *e, V peak)
+{
+    V total = broadcast(0.0);
+    for (int k = 0; k <= 11; k++) {
+        V x = peak * PLACES[k];
+        const Pair lag_versine = turned(x);
+        V lag = lag_versine.one, versine = lag_versine.other;
+        total = total + (WEIGHTS[k] * sqrt_of(x / energy(e, x, lag, versine, (x * x) * faded(e[4] * x))));
+    }
+    return (2.0 * sqrt_of(peak)) * total;
+}
+
+/* Bring lanes to the end of their phase. */
+static void finish(Batch *b, M here, V *e, V end, V duration)
+{
+    V *const c = b->c;
+    V peak = peak_of_swing(e, end, here);
+    const Pair at_slope = energy_and_slope(e, peak);
+    V at = at_slope.one, slope = at_slope.other;
+    keep_faster(b, here, sqrt_of(at), c[TIME] + time_of_peak(e, peak), peak, 0.5 * slope);
+    c[X] = pick(here, end, c[X]);
+    c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
+    c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
+    c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
+    c[EVENT] = pick(here, broadcast((double)EVENT_STANDSTILL), c[EVENT]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    EACH(lane, bits(here)) {
+        on_standstill(b, lane);
+    }
+}
+
+/* Complete phases whose duration is certain and ends before the end time, and return these lanes. */
+static M complete(Batch *b, M which, V *e, V *back, V end)
+{
+    V *const c = b->c;
+    const Pair duration_change = duration_of_swing(e, back, end, which);
+    V duration = duration_change.one, change = duration_change.other;
+    M ends = which & (change <= CONVERGED) & ((c[TIME] + duration) < c[END_TIME]);
+    if (bits(ends)) {
+        finish(b, ends, e, end, duration);
+    }
+    return ends;
+}
+
+/* Complete phases in the closed form where it applies, and return these lanes. */
+static M swing(Batch *b, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V e[STRIDE];
+    V q = (-2.0) * c[job->role->net_square];
+    factors(e, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q);
+    V end = end_of_swing(e, c[job->role->net_sine], which);
+    const Pair lag_versine = turned(minimum(end, broadcast(FARTHEST)));
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V sine = end - lag;
+    V back[STRIDE];
+    factors(back, -(c[job->role->drive] + ((c[job->role->net_sine] * sine) + (c[job->role->net_vers] * versine))), (c[job->role->net_sine] * (1.0 - versine)) + (c[job->role->net_vers] * sine), (c[job->role->net_sine] * sine) - (c[job->role->net_vers] * (1.0 - versine)), -q);
+    M fits = which & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (back[0] > 0.0);
+    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], end, lag, versine);
+    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], end, lag, versine);
+    fits = fits & pressed & (c[job->role->normal_square] >= 0.0);
+    if (bits(fits)) {
+        fits = complete(b, fits, e, back, end);
+    }
+    return fits;
+}
+
+/* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
+static M leap(Batch *b, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M begins = which & (c[X] == 0.0) & (c[OMEGA] == 0.0) & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    if (bits(begins)) {
+        begins = swing(b, begins);
+    }
+    return begins;
+}
+
 /* Find the time at which contact is lost or regained, within the known time ahead. */
 static void look_for_lift_off(Batch *b, M here, int top)
 {
@@ -2682,13 +2939,17 @@ INLINE void stop_endless(Batch *b, M here)
     c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
 }
 
-/* Make one step of the moving lanes or of the lanes at rest, whichever are more. The cost does not depend on the
- * number of lanes, so that the other lanes wait until they are the majority. */
+/* Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest. The cost of
+ * a step does not depend on the number of lanes, so that the minority waits until it is the majority. */
 static void advance(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
+    if ((job->role->net_sine >= 0) && !(job->samples > 0)) {
+        moving = moving & ~leap(b, moving);
+    }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
         make_step(b, moving);
     }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: aba797a35f12ddea89d61bdb5b93f1f5860eef79d2ad36626acf56a6a330ac00
+# sha256 of the text below: 8c656e45928c83b3a53bd2fd05a19c793a41b8f02bfe2f208dccefa1cac64e01
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -230,6 +230,16 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
 # --- the text of derive/flow/integrator ----------------------------------------------------------------------------
 
 EPS = 2.220446049250313e-16
+SINES = (0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776,
+    0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567,
+    0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688,
+    0.4509914298352196)
+PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667,
+    0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289,
+    0.9500957578259143, 0.9903976028453998)
+WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
+    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
+    0.028531388628933663, 0.0123412297999872)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -239,6 +249,20 @@ CLOSEST = 1e-300
 SURE = 0.9999990463256836
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+PI = 3.141592653589793
+FARTHEST = 3.14
+FADED = 2.0
+LAST = 7
+VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
+    -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
+LAG = (0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06,
+    2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15)
+FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889,
+    -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
+    -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
+    -7.647163731819816e-13, 4.779477332387385e-14)
+MOST_CORRECTIONS = 12
+CONVERGED = 2.384185791015625e-07
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -1541,6 +1565,205 @@ def make_step(s: Lanes, here: Mask) -> None:
         settle(s, i, rate[i], at_limit[i], endless[i])
 
 
+def turned(x: Floats) -> tuple[Floats, Floats]:
+    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
+    h = 0.25 * x
+    square = h * h
+    lag: Floats = LAG[LAST]
+    versine: Floats = VERSINE[LAST]
+    for k in range(LAST - 1, 0 - 1, -1):
+        lag = lag * square + LAG[k]
+        versine = versine * square + VERSINE[k]
+    lag = lag * square * h
+    versine = versine * square
+    for _ in range(1, 2 + 1):
+        sine = h - lag
+        lag = 2.0 * (lag + sine * versine)
+        versine = 2.0 * (sine * sine)
+        h = 2.0 * h
+    return (lag, versine)
+
+
+def faded(y: Floats) -> Floats:
+    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
+    h = 0.25 * y
+    part: Floats = FADING[2 * LAST]
+    for k in range(2 * LAST - 1, 0 - 1, -1):
+        part = part * h + FADING[k]
+    for _ in range(1, 2 + 1):
+        lost = 1.0 - h * part
+        part = 0.5 * part + 0.25 * (lost * lost)
+        h = 2.0 * h
+    return part
+
+
+def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
+    """Compute the factors of E, followed by q."""
+    share = 2.0 / (1.0 + q * q)
+    e[0] = 2.0 * drive
+    e[1] = q * (share * (sine * q - vers) - 2.0 * drive)
+    e[2] = share * (sine + vers * q)
+    e[3] = share * (vers - sine * q)
+    e[4] = q
+
+
+def energy(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    return e[0] * x + (e[1] * w + (e[2] * versine + e[3] * lag))
+
+
+def energy_and_slope(e: Floats, x: Floats) -> tuple[Floats, Floats]:
+    """Return E and its derivative at a rotation."""
+    lag, versine = turned(x)
+    w = x * x * faded(e[4] * x)
+    slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+    return (energy(e, x, lag, versine, w), slope)
+
+
+def reversed_w(x: Floats, w: Floats, q: Floats) -> Floats:
+    """Return the function w of -q from w of q."""
+    y = q * x
+    return (x * x - w - y * w) / (1.0 - y + q * q * w)
+
+
+def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
+    """Return the first positive zero of E, by Newton's method on E/x, or a rotation beyond the farthest."""
+    x = e[0] / (0.5 * (e[4] * e[0]) - sine)
+    count = 0
+    while np.any(which) and count < MOST_CORRECTIONS:
+        x = np.where((x > 0.0) & (x < FARTHEST), x, FARTHEST)
+        at, slope = energy_and_slope(e, x)
+        change = at * x / (slope * x - at)
+        x = x - change
+        which = which & (np.abs(change) > LAST_STEP * x)
+        count = count + 1
+    return np.where(which, 2.0 * FARTHEST, x)
+
+
+def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E."""
+    x = 0.5 * end
+    low: Floats = 0.0
+    high = end
+    count = 0
+    while np.any(which) and count < 2 * MOST_CORRECTIONS:
+        lag, versine = turned(x)
+        w = x * x * faded(e[4] * x)
+        slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+        bend = e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+        low = np.where(slope > 0.0, x, low)
+        high = np.where(slope > 0.0, high, x)
+        following = x - slope / bend
+        following = np.where((following > low) & (following < high), following, 0.5 * (low + high))
+        which = which & (np.abs(following - x) > LAST_STEP * x)
+        x = following
+        count = count + 1
+    return x
+
+
+def stays_positive(start: Floats, sine: Floats, vers: Floats, x: Floats, lag: Floats, versine: Floats) -> Mask:
+    """Return whether start + sine sin(x) + vers (1 - cos(x)) is positive and concave up to a rotation below half a
+    turn."""
+    at_end = start + (sine * (x - lag) + vers * versine)
+    return (start > 0.0) & (at_end > 0.0) & (vers <= 0.0) & (vers * (1.0 - versine) <= sine * (x - lag))
+
+
+def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
+    """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
+    x = end * SINES[k]
+    lag, versine = turned(x)
+    w = x * x * faded(e[4] * x)
+    room = x * (end - x)
+    here = np.sqrt(room / energy(e, x, lag, versine, w))
+    return here + np.sqrt(room / energy(back, x, lag, versine, reversed_w(x, w, e[4])))
+
+
+def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
+    """Return the duration of a phase, and the relative change by the last halving of intervals."""
+    ends = np.sqrt(end / e[0]) + np.sqrt(end / back[0])
+    total = 0.125 * (ends + slowness(e, back, end, 0)) + 0.25 * slowness(e, back, end, 1)
+    change: Floats = 1.0
+    first = 2
+    while first < 16 and np.any(which & (change > CONVERGED)):
+        added: Floats = 0.0
+        for k in range(first, 2 * first - 1 + 1):
+            added = added + slowness(e, back, end, k)
+        added = added / float(2 * first)
+        change = np.abs(added - total) / total
+        total = 0.5 * (total + added)
+        first = 2 * first
+    return (PI * total, change)
+
+
+def time_of_peak(e: Floats, peak: Floats) -> Floats:
+    """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
+    total: Floats = 0.0
+    for k in range(11 + 1):
+        x = peak * PLACES[k]
+        lag, versine = turned(x)
+        total = total + WEIGHTS[k] * np.sqrt(x / energy(e, x, lag, versine, x * x * faded(e[4] * x)))
+    return 2.0 * np.sqrt(peak) * total
+
+
+def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> None:
+    """Bring lanes to the end of their phase."""
+    c = s.cells
+    peak = peak_of_swing(e, end, here)
+    at, slope = energy_and_slope(e, peak)
+    keep_faster(s, here, np.sqrt(at), c[ix.TIME] + time_of_peak(e, peak), peak, 0.5 * slope)
+    c[ix.X] = np.where(here, end, c[ix.X])
+    c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
+    c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
+    c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
+    c[ix.EVENT] = np.where(here, float(ix.EVENT_STANDSTILL), c[ix.EVENT])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    i = np.flatnonzero(here)
+    if i.size:
+        on_standstill(s, i)
+
+
+def complete(s: Lanes, which: Mask, e: Floats, back: Floats, end: Floats) -> Mask:
+    """Complete phases whose duration is certain and ends before the end time, and return these lanes."""
+    c = s.cells
+    duration, change = duration_of_swing(e, back, end, which)
+    ends = which & (change <= CONVERGED) & (c[ix.TIME] + duration < c[ix.END_TIME])
+    if np.any(ends):
+        finish(s, ends, e, end, duration)
+    return ends
+
+
+def swing(s: Lanes, which: Mask) -> Mask:
+    """Complete phases in the closed form where it applies, and return these lanes."""
+    c = s.cells
+    e = np.zeros_like(s.registers[0])
+    q = -2.0 * c[s.roles.net_square]
+    factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
+    end = end_of_swing(e, c[s.roles.net_sine], which)
+    lag, versine = turned(np.minimum(end, FARTHEST))
+    sine = end - lag
+    back = np.zeros_like(s.registers[0])
+    factors(back, -(c[s.roles.drive] + (c[s.roles.net_sine] * sine + c[s.roles.net_vers] * versine)),
+        c[s.roles.net_sine] * (1.0 - versine) + c[s.roles.net_vers] * sine,
+        c[s.roles.net_sine] * sine - c[s.roles.net_vers] * (1.0 - versine), -q)
+    fits = which & (end < FARTHEST) & (q >= 0.0) & (q * end < FADED) & (back[0] > 0.0)
+    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], end, lag,
+        versine)
+    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], end, lag, versine)
+    fits = fits & pressed & (c[s.roles.normal_square] >= 0.0)
+    if np.any(fits):
+        fits = complete(s, fits, e, back, end)
+    return fits
+
+
+def leap(s: Lanes, which: Mask) -> Mask:
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
+    c = s.cells
+    begins = which & (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0) & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    if np.any(begins):
+        begins = swing(s, begins)
+    return begins
+
+
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which contact is lost or regained, within the known time ahead."""
     c = s.cells
@@ -1698,10 +1921,12 @@ def stop_endless(s: Lanes, here: Mask) -> None:
 
 
 def advance(s: Lanes, here: Mask) -> None:
-    """Make one step of the moving lanes or of the lanes at rest, whichever are more."""
+    """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest."""
     c = s.cells
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
+    if s.roles.net_sine >= 0 and (not s.samples):
+        moving = moving & np.logical_not(leap(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

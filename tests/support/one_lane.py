@@ -62,6 +62,10 @@ def evaluated(e: Expr) -> Callable[[Mapping[str, Any]], Any]:
     return lambda known: function(called, parts[0](known))
 
 
+def _bare(role: str) -> str:
+    return role.removeprefix("cell_")
+
+
 class Entries:
     """Attributes that are cells of a lane."""
 
@@ -83,8 +87,8 @@ class Lane(Entries):
         program, highest = problem.program, int(begun[ix.ORDER].max())
         cells = [number(float(x)) for x in begun[:, column]] + [number(0.0)] * -ix.PENDING
         registers = [[number(0.0)] * (highest + 2) for _ in program.registers]
-        roles = {name.removeprefix("cell_"): place for name, place in program.roles.items()}
-        places = PLACES | {x.removeprefix("cell_"): program.roles[x] for x in ix.ROLES if x[:5] == "cell_"}
+        roles = {_bare(name): place for name, place in program.roles.items()}
+        places = PLACES | {_bare(x): program.roles[x] for x in ix.ROLES if x[:5] == "cell_" and x in program.roles}
         tables: list[Any] = []
         for k, (slot, data) in enumerate(zip(program.tables, problem.tables(), strict=True)):
             own = {name: slot.cells + part for name, part in PARTS.items()}
@@ -101,7 +105,7 @@ class Lane(Entries):
         super().__init__(
             cells, places, program=program, registers=registers, states=states, tables=tables, notes=[], samples=0,
             series=SimpleNamespace(**{x: registers[roles[x]] for x in names if roles.get(x, -1) >= 0}),
-            has=SimpleNamespace(**{x: roles.get(x, -1) >= 0 for x in names}), highest=highest,
+            has=SimpleNamespace(**{x: roles.get(x, -1) >= 0 for x in map(_bare, ix.ROLES)}), highest=highest,
             timed=sum(t.kind == ix.OF_TIME for t in tables), autonomous=program.autonomous,
             inverse=[number(0.0), *(1 / number(float(k)) for k in range(1, highest + 2))])  # fmt: skip
 

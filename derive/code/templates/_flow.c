@@ -478,7 +478,17 @@ INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
 INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
-INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
+INLINE V sqrt_of(V x)
+{
+#if WIDE == 512
+    return (V)_mm512_sqrt_pd((__m512d)x);
+#elif SPAN == 256
+    return (V)_mm256_sqrt_pd((__m256d)x);
+#else
+    for (int k = 0; k < LANES; k++) x[k] = sqrt(x[k]);
+    return x;
+#endif
+}
 
 /* What the text of the operations calls functions of vectors. */
 #define IN(name) vector_##name

@@ -5,7 +5,7 @@ on a mask the lane itself. Tests compare the results with the integrators in C a
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import SimpleNamespace
 from typing import Any
 
@@ -24,6 +24,30 @@ N = int  # a number that all lanes share
 
 EPS = 2.0**-52
 INFINITY = math.inf
+
+
+def _halvings(finest: int) -> Iterator[float]:
+    """Yield sin(u)^2 at the inner nodes of the trapezoidal rule on [0, pi/4], halving by halving."""
+    intervals = 1
+    while intervals <= finest:
+        for k in range(1, intervals + 1, 2):
+            yield float(mpmath.sin(mpmath.pi * k / (4 * intervals)) ** 2)
+        intervals *= 2
+
+
+def _gauss(count: int) -> Iterator[tuple[float, float]]:
+    """Yield the squares of the positive nodes of Gauss's rule with twice as many nodes on [-1, 1], and the weights."""
+    with mpmath.workdps(40):
+        n = 2 * count
+        for k in range(count, 0, -1):
+            x = mpmath.findroot(lambda x: mpmath.legendre(n, x), mpmath.cos(mpmath.pi * (k - 0.25) / (n + 0.5)))
+            slope = n * mpmath.legendre(n - 1, x) / (1 - x * x)
+            yield float(x * x), float(2 / ((1 - x * x) * slope * slope))
+
+
+# Nodes of rules in the closed form of a phase, `derive.flow.integrator.swing`.
+SINES = tuple(_halvings(16))
+PLACES, WEIGHTS = zip(*_gauss(12), strict=True)
 
 
 def _codes(name: str) -> Any:
@@ -125,7 +149,7 @@ def _of(name: str) -> Callable[..., Any]:
     return function
 
 
-sin, cos, log, hypot, isnan = map(_of, ("sin", "cos", "log", "hypot", "isnan"))
+sin, cos, log, sqrt, hypot, isnan = map(_of, ("sin", "cos", "log", "sqrt", "hypot", "isnan"))
 # Operations of a lane on its tables, its program and its records.
 
 

@@ -1,0 +1,249 @@
+"""Complete phases of motion from rest, by the closed form of omega^2 as a function of the rotation.
+
+Where forces depend on the rotation and on omega^2 alone, net = drive + sine sin(x) + vers (1 - cos(x)) + square omega^2
+with constant factors. The equation of motion is then linear in E = omega^2, E' + q E = 2 (net - square E) with
+q = -2 square, and E is a sum of four functions that neither cancel for small x nor divide by q:
+
+    E = e0 x + e1 w + e2 (1 - cos(x)) + e3 (x - sin(x)),    w = (q x - 1 + exp(-q x))/q^2
+
+`derive.algebra.phase_plane` derives the factors e, here and about the end of the motion, where x is counted backwards,
+and proves that the functions of this module are this solution. The duration is an integral of dx/sqrt(E) over the angle
+u with x = end sin(u)^2, in which both ends are regular, by the trapezoidal rule, whose error squares with each halving.
+
+A phase is complete if the mass stays pressed on its slip surface, with its chord not upright, until it stops within
+half a turn, and before its end time. All other phases are integrated in time.
+"""
+
+from math import factorial
+
+from derive.flow.integrator.one_lane import (
+    PLACES,
+    SINES,
+    WEIGHTS,
+    Event,
+    Lanes,
+    M,
+    N,
+    Passed,
+    S,
+    V,
+    any_lane,
+    down,
+    minimum,
+    new_series,
+    number,
+    sqrt,
+    up,
+    where,
+)
+from derive.flow.integrator.roots import LAST_STEP
+from derive.flow.integrator.step import keep_faster, on_standstill
+
+PI = 3.141592653589793
+FARTHEST = 3.14  # greatest rotation of a phase: net moment and normal force have two zeros in a turn
+FADED = 2.0  # greatest q x, for which the series below are complete
+LAST = 7  # of the terms of these series
+VERSINE = tuple((-1) ** k / factorial(2 * k + 2) for k in range(LAST + 1))
+LAG = tuple((-1) ** k / factorial(2 * k + 3) for k in range(LAST + 1))
+FADING = tuple((-1) ** k / factorial(k + 2) for k in range(2 * LAST + 1))
+MOST_CORRECTIONS = 12  # of a root by Newton's method
+CONVERGED = 2.0**-22  # change of the duration by the last halving, whose square is the error
+
+
+def turned(x: V) -> tuple[V, V]:
+    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
+    h = 0.25 * x
+    square = h * h
+    lag: V = LAG[LAST]
+    versine: V = VERSINE[LAST]
+    for k in down(LAST - 1, 0):
+        lag = lag * square + LAG[k]
+        versine = versine * square + VERSINE[k]
+    lag = lag * square * h
+    versine = versine * square
+    for _ in up(1, 2):
+        sine = h - lag
+        lag = 2.0 * (lag + sine * versine)
+        versine = 2.0 * (sine * sine)
+        h = 2.0 * h
+    return lag, versine
+
+
+def faded(y: V) -> V:
+    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
+    h = 0.25 * y
+    part: V = FADING[2 * LAST]
+    for k in down(2 * LAST - 1, 0):
+        part = part * h + FADING[k]
+    for _ in up(1, 2):
+        lost = 1.0 - h * part
+        part = 0.5 * part + 0.25 * (lost * lost)
+        h = 2.0 * h
+    return part
+
+
+def factors(e: S, drive: V, sine: V, vers: V, q: V) -> None:
+    """Compute the factors of E, followed by q."""
+    share = 2.0 / (1.0 + q * q)
+    e[0] = 2.0 * drive
+    e[1] = q * (share * (sine * q - vers) - 2.0 * drive)
+    e[2] = share * (sine + vers * q)
+    e[3] = share * (vers - sine * q)
+    e[4] = q
+
+
+def energy(e: S, x: V, lag: V, versine: V, w: V) -> V:
+    """Return E from its factors and its functions."""
+    return e[0] * x + (e[1] * w + (e[2] * versine + e[3] * lag))
+
+
+def energy_and_slope(e: S, x: V) -> tuple[V, V]:
+    """Return E and its derivative at a rotation."""
+    lag, versine = turned(x)
+    w = x * x * faded(e[4] * x)
+    slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+    return energy(e, x, lag, versine, w), slope
+
+
+def reversed_w(x: V, w: V, q: V) -> V:
+    """Return the function w of -q from w of q."""
+    y = q * x
+    return (x * x - w - y * w) / (1.0 - y + q * q * w)
+
+
+def end_of_swing(e: S, sine: V, which: M) -> V:
+    """Return the first positive zero of E, by Newton's method on E/x, or a rotation beyond the farthest."""
+    x = e[0] / (0.5 * (e[4] * e[0]) - sine)
+    count: N = 0
+    while any_lane(which) and count < MOST_CORRECTIONS:
+        x = where(x > 0.0 and x < FARTHEST, x, FARTHEST)
+        at, slope = energy_and_slope(e, x)
+        change = at * x / (slope * x - at)
+        x = x - change
+        which = which and abs(change) > LAST_STEP * x
+        count = count + 1
+    return where(which, 2.0 * FARTHEST, x)
+
+
+def peak_of_swing(e: S, end: V, which: M) -> V:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E."""
+    x = 0.5 * end
+    low: V = 0.0
+    high = end
+    count: N = 0
+    while any_lane(which) and count < 2 * MOST_CORRECTIONS:
+        lag, versine = turned(x)
+        w = x * x * faded(e[4] * x)
+        slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+        bend = e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+        low = where(slope > 0.0, x, low)
+        high = where(slope > 0.0, high, x)
+        following = x - slope / bend
+        following = where(following > low and following < high, following, 0.5 * (low + high))
+        which = which and abs(following - x) > LAST_STEP * x
+        x = following
+        count = count + 1
+    return x
+
+
+def stays_positive(start: V, sine: V, vers: V, x: V, lag: V, versine: V) -> M:
+    """Return whether start + sine sin(x) + vers (1 - cos(x)) is positive and concave up to a rotation below half a turn.
+
+    A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
+    """
+    at_end = start + (sine * (x - lag) + vers * versine)
+    return start > 0.0 and at_end > 0.0 and vers <= 0.0 and vers * (1.0 - versine) <= sine * (x - lag)
+
+
+def slowness(e: S, back: S, end: V, k: N) -> V:
+    """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
+    x = end * SINES[k]
+    lag, versine = turned(x)
+    w = x * x * faded(e[4] * x)
+    room = x * (end - x)
+    here = sqrt(room / energy(e, x, lag, versine, w))
+    return here + sqrt(room / energy(back, x, lag, versine, reversed_w(x, w, e[4])))
+
+
+def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
+    """Return the duration of a phase, and the relative change by the last halving of intervals."""
+    ends = sqrt(end / e[0]) + sqrt(end / back[0])
+    total = 0.125 * (ends + slowness(e, back, end, 0)) + 0.25 * slowness(e, back, end, 1)
+    change: V = 1.0
+    first: N = 2
+    while first < 16 and any_lane(which and change > CONVERGED):
+        added: V = 0.0
+        for k in up(first, 2 * first - 1):
+            added = added + slowness(e, back, end, k)
+        added = added / number(2 * first)
+        change = abs(added - total) / total
+        total = 0.5 * (total + added)
+        first = 2 * first
+    return PI * total, change
+
+
+def time_of_peak(e: S, peak: V) -> V:
+    """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
+    total: V = 0.0
+    for k in up(0, 11):
+        x = peak * PLACES[k]
+        lag, versine = turned(x)
+        total = total + WEIGHTS[k] * sqrt(x / energy(e, x, lag, versine, x * x * faded(e[4] * x)))
+    return 2.0 * sqrt(peak) * total
+
+
+def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
+    """Bring lanes to the end of their phase."""
+    peak = peak_of_swing(e, end, here)
+    at, slope = energy_and_slope(e, peak)
+    keep_faster(s, here, sqrt(at), s.time + time_of_peak(e, peak), peak, 0.5 * slope)
+    s.x = end
+    s.omega = 0.0
+    s.time = s.time + duration
+    s.steps = s.steps + 1.0
+    s.event = number(Event.STANDSTILL)
+    s.passed = number(Passed.NOTHING)
+    if here:
+        on_standstill(s)
+
+
+def complete(s: Lanes, which: M, e: S, back: S, end: V) -> M:
+    """Complete phases whose duration is certain and ends before the end time, and return these lanes."""
+    duration, change = duration_of_swing(e, back, end, which)
+    ends = which and change <= CONVERGED and s.time + duration < s.end_time
+    if any_lane(ends):
+        finish(s, ends, e, end, duration)
+    return ends
+
+
+def swing(s: Lanes, which: M) -> M:
+    """Complete phases in the closed form where it applies, and return these lanes."""
+    e = new_series()
+    q = -2.0 * s.net_square
+    factors(e, s.drive, s.net_sine, s.net_vers, q)
+    end = end_of_swing(e, s.net_sine, which)
+    lag, versine = turned(minimum(end, FARTHEST))
+    sine = end - lag
+    back = new_series()
+    factors(
+        back,
+        -(s.drive + (s.net_sine * sine + s.net_vers * versine)),
+        s.net_sine * (1.0 - versine) + s.net_vers * sine,
+        s.net_sine * sine - s.net_vers * (1.0 - versine),
+        -q,
+    )
+    fits = which and end < FARTHEST and q >= 0.0 and q * end < FADED and back[0] > 0.0
+    fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, end, lag, versine)
+    pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, end, lag, versine)
+    fits = fits and pressed and s.normal_square >= 0.0
+    if any_lane(fits):
+        fits = complete(s, fits, e, back, end)
+    return fits
+
+
+def leap(s: Lanes, which: M) -> M:
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
+    begins = which and s.x == 0.0 and s.omega == 0.0 and s.drive > 0.0 and s.lifted == 0.0
+    if any_lane(begins):
+        begins = swing(s, begins)
+    return begins
