@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "fd4bfa8015a57dbb7b1ebdc9da99af21226a421d211ac71bb873e9bcd2f1da5e"
+#define DIGEST "bea5685aa5a3c74550914341f2f6c77755935ba82b88973fa11f5a0bc8ef3352"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1153,8 +1153,8 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 /* --- the text of derive/flow/integrator --- */
 
 static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
-static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
-static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
+static const double PLACES[] = {0.005856308436795614, 0.05188639398032369, 0.13965624074297703, 0.2609850936822264, 0.4045642847657475, 0.5570113146004433, 0.7041172924000904, 0.8321716520870235, 0.9292418765798955, 0.9863044145193489};
+static const double WEIGHTS[] = {0.15275338713072584, 0.14917298647260374, 0.14209610931838204, 0.13168863844917664, 0.11819453196151841, 0.10193011981724044, 0.08327674157670475, 0.06267204833410907, 0.04060142980038694, 0.017614007139152118};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -1171,6 +1171,7 @@ static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.1216
 static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
 static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
 static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define LAST_OF_HALLEY 0x1.0000000000000p-18
 #define MOST_CORRECTIONS 12
 #define CONVERGED 0x1.0000000000000p-22
 #define TOUCHES 0x1.0000000000000p+1
@@ -2602,14 +2603,24 @@ INLINE V energy(V *e, V x, V lag, V versine, V w)
     return (e[0] * x) + ((e[1] * w) + ((e[2] * versine) + (e[3] * lag)));
 }
 
-/* Return E and its derivative at a rotation. */
-INLINE Pair energy_and_slope(V *e, V x)
+/* Return the derivative of E. */
+INLINE V slope_of(V *e, V x, V lag, V versine, V w)
 {
-    const Pair lag_versine = turned(x);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    V w = (x * x) * faded(e[4] * x);
-    V slope = e[0] + ((e[1] * (x - (e[4] * w))) + ((e[2] * (x - lag)) + (e[3] * versine)));
-    return (Pair){energy(e, x, lag, versine, w), slope};
+    return e[0] + ((e[1] * (x - (e[4] * w))) + ((e[2] * (x - lag)) + (e[3] * versine)));
+}
+
+/* Return the second derivative of E. */
+INLINE V bend_of(V *e, V x, V lag, V versine, V w)
+{
+    return (e[1] * (1.0 - (e[4] * (x - (e[4] * w))))) + ((e[2] * (1.0 - versine)) + (e[3] * (x - lag)));
+}
+
+/* Compute the factors of E about the end of a phase, from the sine and 1 - cos of the rotation there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V sine_end, V versine)
+{
+    V cosine = 1.0 - versine;
+    V at_end = drive + ((sine * sine_end) + (vers * versine));
+    factors(back, -at_end, (sine * cosine) + (vers * sine_end), (sine * sine_end) - (vers * cosine), -q);
 }
 
 /* Return the function w of -q from w of q. */
@@ -2619,24 +2630,28 @@ INLINE V reversed_w(V x, V w, V q)
     return (((x * x) - w) - (y * w)) / ((1.0 - y) + ((q * q) * w));
 }
 
-/* Return the first positive zero of E, by Newton's method on E/x, or a rotation beyond the farthest. */
+/* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
 static V end_of_swing(V *e, V sine, M which)
 {
     V x = e[0] / ((0.5 * (e[4] * e[0])) - sine);
     int count = 0;
     while (bits(which) && (count < MOST_CORRECTIONS)) {
         x = pick((x > 0.0) & (x < FARTHEST), x, broadcast(FARTHEST));
-        const Pair at_slope = energy_and_slope(e, x);
-        V at = at_slope.one, slope = at_slope.other;
-        V change = (at * x) / ((slope * x) - at);
-        x = x - change;
-        which = which & (magnitude(change) > (LAST_STEP * x));
+        const Pair lag_versine = turned(x);
+        V lag = lag_versine.one, versine = lag_versine.other;
+        V w = (x * x) * faded(e[4] * x);
+        V at = energy(e, x, lag, versine, w);
+        V falls = (slope_of(e, x, lag, versine, w) * x) - at;
+        V bends = (bend_of(e, x, lag, versine, w) * (x * x)) - (2.0 * falls);
+        V change = (((2.0 * at) * falls) * x) / (((2.0 * falls) * falls) - (at * bends));
+        x = pick(which, x - change, x);
+        which = which & (magnitude(change) > (LAST_OF_HALLEY * x));
         count = count + 1;
     }
     return pick(which, broadcast(2.0 * FARTHEST), x);
 }
 
-/* Return the rotation of the greatest speed, by Newton's method on the derivative of E. */
+/* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
 static V peak_of_swing(V *e, V end, M which)
 {
     V x = 0.5 * end;
@@ -2647,20 +2662,19 @@ static V peak_of_swing(V *e, V end, M which)
         const Pair lag_versine = turned(x);
         V lag = lag_versine.one, versine = lag_versine.other;
         V w = (x * x) * faded(e[4] * x);
-        V slope = e[0] + ((e[1] * (x - (e[4] * w))) + ((e[2] * (x - lag)) + (e[3] * versine)));
-        V bend = (e[1] * (1.0 - (e[4] * (x - (e[4] * w))))) + ((e[2] * (1.0 - versine)) + (e[3] * (x - lag)));
+        V slope = slope_of(e, x, lag, versine, w);
         low = pick(slope > 0.0, x, low);
         high = pick(slope > 0.0, high, x);
-        V following = x - (slope / bend);
-        following = pick((following > low) & (following < high), following, 0.5 * (low + high));
-        which = which & (magnitude(following - x) > (LAST_STEP * x));
-        x = following;
+        V following = inside_or_middle(x - (slope / bend_of(e, x, lag, versine, w)), low, high);
+        V change = magnitude(following - x);
+        x = pick(which, following, x);
+        which = which & (change > (LAST_STEP * x));
         count = count + 1;
     }
     return x;
 }
 
-/* Return whether start + sine sin(x) + vers (1 - cos(x)) is positive and concave up to a rotation below half a
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
  * turn. A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is
  * there. */
 INLINE M stays_positive(V start, V sine, V vers, V x, V lag, V versine)
@@ -2687,15 +2701,17 @@ static Pair duration_of_swing(V *e, V *back, V end, M which)
     V ends = sqrt_of(end / e[0]) + sqrt_of(end / back[0]);
     V total = (0.125 * (ends + slowness(e, back, end, 0))) + (0.25 * slowness(e, back, end, 1));
     V change = broadcast(1.0);
+    M changes = which;
     int first = 2;
-    while ((first < 16) && bits(which & (change > CONVERGED))) {
+    while ((first < 16) && bits(changes)) {
         V added = broadcast(0.0);
         for (int k = first; k <= (2 * first) - 1; k++) {
             added = added + slowness(e, back, end, k);
         }
         added = added / (double)(2 * first);
-        change = magnitude(added - total) / total;
-        total = 0.5 * (total + added);
+        change = pick(changes, magnitude(added - total) / total, change);
+        total = pick(changes, 0.5 * (total + added), total);
+        changes = which & (change > CONVERGED);
         first = 2 * first;
     }
     return (Pair){(PI * total), change};
@@ -2705,7 +2721,7 @@ static Pair duration_of_swing(V *e, V *back, V end, M which)
 INLINE V time_of_peak(V *e, V peak)
 {
     V total = broadcast(0.0);
-    for (int k = 0; k <= 11; k++) {
+    for (int k = 0; k <= 9; k++) {
         V x = peak * PLACES[k];
         const Pair lag_versine = turned(x);
         V lag = lag_versine.one, versine = lag_versine.other;
@@ -2719,9 +2735,12 @@ static void finish(Batch *b, M here, V *e, V end, V duration)
 {
     V *const c = b->c;
     V peak = peak_of_swing(e, end, here);
-    const Pair at_slope = energy_and_slope(e, peak);
-    V at = at_slope.one, slope = at_slope.other;
-    keep_faster(b, here, sqrt_of(at), c[TIME] + time_of_peak(e, peak), peak, 0.5 * slope);
+    const Pair lag_versine = turned(peak);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    V w = (peak * peak) * faded(e[4] * peak);
+    V speed = sqrt_of(energy(e, peak, lag, versine, w));
+    V rate = 0.5 * slope_of(e, peak, lag, versine, w);
+    keep_faster(b, here, speed, c[TIME] + time_of_peak(e, peak), peak, rate);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -2752,14 +2771,13 @@ static M swing(Batch *b, M which)
     const Job *const job = b->job;
     V *const c = b->c;
     V e[STRIDE];
+    V back[STRIDE];
     V q = (-2.0) * c[job->role->net_square];
     factors(e, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q);
     V end = end_of_swing(e, c[job->role->net_sine], which);
     const Pair lag_versine = turned(minimum(end, broadcast(FARTHEST)));
     V lag = lag_versine.one, versine = lag_versine.other;
-    V sine = end - lag;
-    V back[STRIDE];
-    factors(back, -(c[job->role->drive] + ((c[job->role->net_sine] * sine) + (c[job->role->net_vers] * versine))), (c[job->role->net_sine] * (1.0 - versine)) + (c[job->role->net_vers] * sine), (c[job->role->net_sine] * sine) - (c[job->role->net_vers] * (1.0 - versine)), -q);
+    mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, end - lag, versine);
     M fits = which & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (back[0] > 0.0);
     fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], end, lag, versine);
     M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], end, lag, versine);
@@ -2973,6 +2991,31 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     if (c[STATUS][k] == START) start(b, k);
 }
 
+/* Neighbours that have not begun take all lanes at once. */
+static int load_neighbours(Batch *b, int64_t first)
+{
+    const Job *const job = b->job;
+    if (b->held || job->end - first < LANES) return 0;
+    for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
+    const double *from = job->all + first;
+    for (int i = 0; i < job->made; i++, from += job->count) memcpy(b->c + i, from, sizeof(V));
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    b->held = ALL;
+    return 1;
+}
+
+/* Neighbours that have come to rest leave at once. */
+static int store_neighbours(Batch *b, unsigned ended)
+{
+    const Job *const job = b->job;
+    for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
+    if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
+    double *to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
+    b->held = 0;
+    return 1;
+}
+
 /* Of a lane that has ended only the first cells are read. */
 static void store_lane(Batch *b, unsigned k)
 {
@@ -3033,7 +3076,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
-        if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
+        if (round < job->budget && load_neighbours(b, next)) next += LANES;
+        else if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;
@@ -3042,7 +3086,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         begin_phases(b);
         if (round >= job->budget || !b->held || (job->notes_room && job->notes_room - job->noted < LANES)) break;
         advance(b, lanes(b->held));
-        EACH(k, b->held & ~bits(c[STATUS] <= (double)RESTING)) store_lane(b, k);
+        const unsigned ended = b->held & ~bits(c[STATUS] <= (double)RESTING);
+        if (!store_neighbours(b, ended)) EACH(k, ended) store_lane(b, k);
     }
     int64_t left = 0;
     EACH(k, b->held) store_lane(b, k), left++;

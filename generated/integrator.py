@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8c656e45928c83b3a53bd2fd05a19c793a41b8f02bfe2f208dccefa1cac64e01
+# sha256 of the text below: c01756de2f53ad82ab46dd67024221ef4942e304e114812d24e38a52f643c733
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -234,12 +234,10 @@ SINES = (0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582
     0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567,
     0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688,
     0.4509914298352196)
-PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667,
-    0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289,
-    0.9500957578259143, 0.9903976028453998)
-WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
-    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
-    0.028531388628933663, 0.0123412297999872)
+PLACES = (0.005856308436795614, 0.05188639398032369, 0.13965624074297703, 0.2609850936822264, 0.4045642847657475,
+    0.5570113146004433, 0.7041172924000904, 0.8321716520870235, 0.9292418765798955, 0.9863044145193489)
+WEIGHTS = (0.15275338713072584, 0.14917298647260374, 0.14209610931838204, 0.13168863844917664, 0.11819453196151841,
+    0.10193011981724044, 0.08327674157670475, 0.06267204833410907, 0.04060142980038694, 0.017614007139152118)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -261,6 +259,7 @@ FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333
     -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
     -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
     -7.647163731819816e-13, 4.779477332387385e-14)
+LAST_OF_HALLEY = 3.814697265625e-06
 MOST_CORRECTIONS = 12
 CONVERGED = 2.384185791015625e-07
 TOUCHES = 2.0
@@ -1612,12 +1611,22 @@ def energy(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Flo
     return e[0] * x + (e[1] * w + (e[2] * versine + e[3] * lag))
 
 
-def energy_and_slope(e: Floats, x: Floats) -> tuple[Floats, Floats]:
-    """Return E and its derivative at a rotation."""
-    lag, versine = turned(x)
-    w = x * x * faded(e[4] * x)
-    slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
-    return (energy(e, x, lag, versine, w), slope)
+def slope_of(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Floats:
+    """Return the derivative of E."""
+    return e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+
+
+def bend_of(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Floats:
+    """Return the second derivative of E."""
+    return e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+
+
+def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, sine_end: Floats,
+        versine: Floats) -> None:
+    """Compute the factors of E about the end of a phase, from the sine and 1 - cos of the rotation there."""
+    cosine = 1.0 - versine
+    at_end = drive + (sine * sine_end + vers * versine)
+    factors(back, -at_end, sine * cosine + vers * sine_end, sine * sine_end - vers * cosine, -q)
 
 
 def reversed_w(x: Floats, w: Floats, q: Floats) -> Floats:
@@ -1627,21 +1636,25 @@ def reversed_w(x: Floats, w: Floats, q: Floats) -> Floats:
 
 
 def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
-    """Return the first positive zero of E, by Newton's method on E/x, or a rotation beyond the farthest."""
+    """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
     x = e[0] / (0.5 * (e[4] * e[0]) - sine)
     count = 0
     while np.any(which) and count < MOST_CORRECTIONS:
         x = np.where((x > 0.0) & (x < FARTHEST), x, FARTHEST)
-        at, slope = energy_and_slope(e, x)
-        change = at * x / (slope * x - at)
-        x = x - change
-        which = which & (np.abs(change) > LAST_STEP * x)
+        lag, versine = turned(x)
+        w = x * x * faded(e[4] * x)
+        at = energy(e, x, lag, versine, w)
+        falls = slope_of(e, x, lag, versine, w) * x - at
+        bends = bend_of(e, x, lag, versine, w) * (x * x) - 2.0 * falls
+        change = 2.0 * at * falls * x / (2.0 * falls * falls - at * bends)
+        x = np.where(which, x - change, x)
+        which = which & (np.abs(change) > LAST_OF_HALLEY * x)
         count = count + 1
     return np.where(which, 2.0 * FARTHEST, x)
 
 
 def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E."""
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
     low: Floats = 0.0
     high = end
@@ -1649,20 +1662,19 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
     while np.any(which) and count < 2 * MOST_CORRECTIONS:
         lag, versine = turned(x)
         w = x * x * faded(e[4] * x)
-        slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
-        bend = e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+        slope = slope_of(e, x, lag, versine, w)
         low = np.where(slope > 0.0, x, low)
         high = np.where(slope > 0.0, high, x)
-        following = x - slope / bend
-        following = np.where((following > low) & (following < high), following, 0.5 * (low + high))
-        which = which & (np.abs(following - x) > LAST_STEP * x)
-        x = following
+        following = inside_or_middle(x - slope / bend_of(e, x, lag, versine, w), low, high)
+        change = np.abs(following - x)
+        x = np.where(which, following, x)
+        which = which & (change > LAST_STEP * x)
         count = count + 1
     return x
 
 
 def stays_positive(start: Floats, sine: Floats, vers: Floats, x: Floats, lag: Floats, versine: Floats) -> Mask:
-    """Return whether start + sine sin(x) + vers (1 - cos(x)) is positive and concave up to a rotation below half a
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
     turn."""
     at_end = start + (sine * (x - lag) + vers * versine)
     return (start > 0.0) & (at_end > 0.0) & (vers <= 0.0) & (vers * (1.0 - versine) <= sine * (x - lag))
@@ -1683,14 +1695,16 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tupl
     ends = np.sqrt(end / e[0]) + np.sqrt(end / back[0])
     total = 0.125 * (ends + slowness(e, back, end, 0)) + 0.25 * slowness(e, back, end, 1)
     change: Floats = 1.0
+    changes = which
     first = 2
-    while first < 16 and np.any(which & (change > CONVERGED)):
+    while first < 16 and np.any(changes):
         added: Floats = 0.0
         for k in range(first, 2 * first - 1 + 1):
             added = added + slowness(e, back, end, k)
         added = added / float(2 * first)
-        change = np.abs(added - total) / total
-        total = 0.5 * (total + added)
+        change = np.where(changes, np.abs(added - total) / total, change)
+        total = np.where(changes, 0.5 * (total + added), total)
+        changes = which & (change > CONVERGED)
         first = 2 * first
     return (PI * total, change)
 
@@ -1698,7 +1712,7 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tupl
 def time_of_peak(e: Floats, peak: Floats) -> Floats:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: Floats = 0.0
-    for k in range(11 + 1):
+    for k in range(9 + 1):
         x = peak * PLACES[k]
         lag, versine = turned(x)
         total = total + WEIGHTS[k] * np.sqrt(x / energy(e, x, lag, versine, x * x * faded(e[4] * x)))
@@ -1709,8 +1723,11 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
     """Bring lanes to the end of their phase."""
     c = s.cells
     peak = peak_of_swing(e, end, here)
-    at, slope = energy_and_slope(e, peak)
-    keep_faster(s, here, np.sqrt(at), c[ix.TIME] + time_of_peak(e, peak), peak, 0.5 * slope)
+    lag, versine = turned(peak)
+    w = peak * peak * faded(e[4] * peak)
+    speed = np.sqrt(energy(e, peak, lag, versine, w))
+    rate = 0.5 * slope_of(e, peak, lag, versine, w)
+    keep_faster(s, here, speed, c[ix.TIME] + time_of_peak(e, peak), peak, rate)
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -1736,15 +1753,12 @@ def swing(s: Lanes, which: Mask) -> Mask:
     """Complete phases in the closed form where it applies, and return these lanes."""
     c = s.cells
     e = np.zeros_like(s.registers[0])
+    back = np.zeros_like(s.registers[0])
     q = -2.0 * c[s.roles.net_square]
     factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
     end = end_of_swing(e, c[s.roles.net_sine], which)
     lag, versine = turned(np.minimum(end, FARTHEST))
-    sine = end - lag
-    back = np.zeros_like(s.registers[0])
-    factors(back, -(c[s.roles.drive] + (c[s.roles.net_sine] * sine + c[s.roles.net_vers] * versine)),
-        c[s.roles.net_sine] * (1.0 - versine) + c[s.roles.net_vers] * sine,
-        c[s.roles.net_sine] * sine - c[s.roles.net_vers] * (1.0 - versine), -q)
+    mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, end - lag, versine)
     fits = which & (end < FARTHEST) & (q >= 0.0) & (q * end < FADED) & (back[0] > 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], end, lag,
         versine)

@@ -32,4 +32,5 @@ on a mask executes its body for each lane where the mask is true. If a function 
 to cells apply to these lanes.
 """
 
-TEXT = ("roots", "tables", "series", "phases", "records", "step", "swing", "rest")  # modules, each uses only earlier modules
+# Modules, each uses only earlier modules.
+TEXT = ("roots", "tables", "series", "phases", "records", "step", "swing", "rest")

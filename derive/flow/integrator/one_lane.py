@@ -47,7 +47,7 @@ def _gauss(count: int) -> Iterator[tuple[float, float]]:
 
 # Nodes of rules in the closed form of a phase, `derive.flow.integrator.swing`.
 SINES = tuple(_halvings(16))
-PLACES, WEIGHTS = zip(*_gauss(12), strict=True)
+PLACES, WEIGHTS = zip(*_gauss(10), strict=True)
 
 
 def _codes(name: str) -> Any:

@@ -36,7 +36,7 @@ from derive.flow.integrator.one_lane import (
     up,
     where,
 )
-from derive.flow.integrator.roots import LAST_STEP
+from derive.flow.integrator.roots import LAST_STEP, inside_or_middle
 from derive.flow.integrator.step import keep_faster, on_standstill
 
 PI = 3.141592653589793
@@ -46,6 +46,7 @@ LAST = 7  # of the terms of these series
 VERSINE = tuple((-1) ** k / factorial(2 * k + 2) for k in range(LAST + 1))
 LAG = tuple((-1) ** k / factorial(2 * k + 3) for k in range(LAST + 1))
 FADING = tuple((-1) ** k / factorial(k + 2) for k in range(2 * LAST + 1))
+LAST_OF_HALLEY = 2.0**-18  # relative step of Halley's method after which the next one would be below rounding
 MOST_CORRECTIONS = 12  # of a root by Newton's method
 CONVERGED = 2.0**-22  # change of the duration by the last halving, whose square is the error
 
@@ -97,12 +98,21 @@ def energy(e: S, x: V, lag: V, versine: V, w: V) -> V:
     return e[0] * x + (e[1] * w + (e[2] * versine + e[3] * lag))
 
 
-def energy_and_slope(e: S, x: V) -> tuple[V, V]:
-    """Return E and its derivative at a rotation."""
-    lag, versine = turned(x)
-    w = x * x * faded(e[4] * x)
-    slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
-    return energy(e, x, lag, versine, w), slope
+def slope_of(e: S, x: V, lag: V, versine: V, w: V) -> V:
+    """Return the derivative of E."""
+    return e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+
+
+def bend_of(e: S, x: V, lag: V, versine: V, w: V) -> V:
+    """Return the second derivative of E."""
+    return e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+
+
+def mirror(back: S, drive: V, sine: V, vers: V, q: V, sine_end: V, versine: V) -> None:
+    """Compute the factors of E about the end of a phase, from the sine and 1 - cos of the rotation there."""
+    cosine = 1.0 - versine
+    at_end = drive + (sine * sine_end + vers * versine)
+    factors(back, -at_end, sine * cosine + vers * sine_end, sine * sine_end - vers * cosine, -q)
 
 
 def reversed_w(x: V, w: V, q: V) -> V:
@@ -112,21 +122,25 @@ def reversed_w(x: V, w: V, q: V) -> V:
 
 
 def end_of_swing(e: S, sine: V, which: M) -> V:
-    """Return the first positive zero of E, by Newton's method on E/x, or a rotation beyond the farthest."""
+    """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
     x = e[0] / (0.5 * (e[4] * e[0]) - sine)
     count: N = 0
     while any_lane(which) and count < MOST_CORRECTIONS:
         x = where(x > 0.0 and x < FARTHEST, x, FARTHEST)
-        at, slope = energy_and_slope(e, x)
-        change = at * x / (slope * x - at)
-        x = x - change
-        which = which and abs(change) > LAST_STEP * x
+        lag, versine = turned(x)
+        w = x * x * faded(e[4] * x)
+        at = energy(e, x, lag, versine, w)
+        falls = slope_of(e, x, lag, versine, w) * x - at
+        bends = bend_of(e, x, lag, versine, w) * (x * x) - 2.0 * falls
+        change = 2.0 * at * falls * x / (2.0 * falls * falls - at * bends)
+        x = where(which, x - change, x)
+        which = which and abs(change) > LAST_OF_HALLEY * x
         count = count + 1
     return where(which, 2.0 * FARTHEST, x)
 
 
 def peak_of_swing(e: S, end: V, which: M) -> V:
-    """Return the rotation of the greatest speed, by Newton's method on the derivative of E."""
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
     low: V = 0.0
     high = end
@@ -134,20 +148,19 @@ def peak_of_swing(e: S, end: V, which: M) -> V:
     while any_lane(which) and count < 2 * MOST_CORRECTIONS:
         lag, versine = turned(x)
         w = x * x * faded(e[4] * x)
-        slope = e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
-        bend = e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+        slope = slope_of(e, x, lag, versine, w)
         low = where(slope > 0.0, x, low)
         high = where(slope > 0.0, high, x)
-        following = x - slope / bend
-        following = where(following > low and following < high, following, 0.5 * (low + high))
-        which = which and abs(following - x) > LAST_STEP * x
-        x = following
+        following = inside_or_middle(x - slope / bend_of(e, x, lag, versine, w), low, high)
+        change = abs(following - x)
+        x = where(which, following, x)
+        which = which and change > LAST_STEP * x
         count = count + 1
     return x
 
 
 def stays_positive(start: V, sine: V, vers: V, x: V, lag: V, versine: V) -> M:
-    """Return whether start + sine sin(x) + vers (1 - cos(x)) is positive and concave up to a rotation below half a turn.
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a turn.
 
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """
@@ -170,14 +183,16 @@ def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
     ends = sqrt(end / e[0]) + sqrt(end / back[0])
     total = 0.125 * (ends + slowness(e, back, end, 0)) + 0.25 * slowness(e, back, end, 1)
     change: V = 1.0
+    changes = which
     first: N = 2
-    while first < 16 and any_lane(which and change > CONVERGED):
+    while first < 16 and any_lane(changes):
         added: V = 0.0
         for k in up(first, 2 * first - 1):
             added = added + slowness(e, back, end, k)
         added = added / number(2 * first)
-        change = abs(added - total) / total
-        total = 0.5 * (total + added)
+        change = where(changes, abs(added - total) / total, change)
+        total = where(changes, 0.5 * (total + added), total)
+        changes = which and change > CONVERGED
         first = 2 * first
     return PI * total, change
 
@@ -185,7 +200,7 @@ def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
 def time_of_peak(e: S, peak: V) -> V:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: V = 0.0
-    for k in up(0, 11):
+    for k in up(0, 9):
         x = peak * PLACES[k]
         lag, versine = turned(x)
         total = total + WEIGHTS[k] * sqrt(x / energy(e, x, lag, versine, x * x * faded(e[4] * x)))
@@ -195,8 +210,11 @@ def time_of_peak(e: S, peak: V) -> V:
 def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
     """Bring lanes to the end of their phase."""
     peak = peak_of_swing(e, end, here)
-    at, slope = energy_and_slope(e, peak)
-    keep_faster(s, here, sqrt(at), s.time + time_of_peak(e, peak), peak, 0.5 * slope)
+    lag, versine = turned(peak)
+    w = peak * peak * faded(e[4] * peak)
+    speed = sqrt(energy(e, peak, lag, versine, w))
+    rate = 0.5 * slope_of(e, peak, lag, versine, w)
+    keep_faster(s, here, speed, s.time + time_of_peak(e, peak), peak, rate)
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
@@ -219,19 +237,12 @@ def complete(s: Lanes, which: M, e: S, back: S, end: V) -> M:
 def swing(s: Lanes, which: M) -> M:
     """Complete phases in the closed form where it applies, and return these lanes."""
     e = new_series()
+    back = new_series()
     q = -2.0 * s.net_square
     factors(e, s.drive, s.net_sine, s.net_vers, q)
     end = end_of_swing(e, s.net_sine, which)
     lag, versine = turned(minimum(end, FARTHEST))
-    sine = end - lag
-    back = new_series()
-    factors(
-        back,
-        -(s.drive + (s.net_sine * sine + s.net_vers * versine)),
-        s.net_sine * (1.0 - versine) + s.net_vers * sine,
-        s.net_sine * sine - s.net_vers * (1.0 - versine),
-        -q,
-    )
+    mirror(back, s.drive, s.net_sine, s.net_vers, q, end - lag, versine)
     fits = which and end < FARTHEST and q >= 0.0 and q * end < FADED and back[0] > 0.0
     fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, end, lag, versine)
     pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, end, lag, versine)
