@@ -81,6 +81,7 @@ class Sensitivity:
         return outputs.index(output), parameters.index(parameter)
 
     def __str__(self) -> str:
+        """Return the table of derivatives and elasticities as text."""
         heads = [f"d {name} [{unit}] (elasticity)" for name, unit in self.outputs.items()]
         rows = [["by", "value", *heads]]
         for name, unit in self.parameters.items():

@@ -107,6 +107,7 @@ class Section(SectionGeometry, Mass):
     rounding: ClassVar[float] = 1e-14
 
     def __post_init__(self) -> None:
+        """Check lines, circle and numbers, convert their units and freeze them."""
         take_units(self, (*self.quantities, "between", "base", "water_unit_weight", "ponds"))
         freeze(self, self.quantities)
         freeze(self, ("between", "base"))
@@ -129,6 +130,7 @@ class Section(SectionGeometry, Mass):
         copy_computed(other, self, _OF_GEOMETRY)
 
     def __eq__(self, other: object) -> bool:
+        """Return whether another section has equal fields."""
         if not isinstance(other, Section):
             return False
         names = [field.name for field in fields(self)]

@@ -25,6 +25,7 @@ class CrackedSection(Section):
     crack: Any  # depth, m
 
     def __post_init__(self) -> None:
+        """Check the complete circle and the crack, then the remaining section."""
         if self._is_cracked:
             of_whole = geometry_errors(self._uncracked)
             faults = chain(of_whole, self._crack_errors())

@@ -101,6 +101,7 @@ class MeanDepth(NamedTuple):
     depths: Depths
 
     def __call__(self, rotation: Any) -> Any:
+        """Return the mean depth in m at rotations in rad, in the shape of the rotations."""
         shape, turned = self.section._rotations(rotation)
         over_radius = self.depths.mean(turned)
         by_rotation = over_radius.reshape(shape)

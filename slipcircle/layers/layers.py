@@ -78,6 +78,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
+        """Check layers, surcharges and crack, convert their units and freeze them."""
         own = ("layers", "surcharge", "rate", "crack")
         take_units(self, own)
         freeze(self, own)
@@ -108,6 +109,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         yield self._overhang
 
     def __eq__(self, other: object) -> bool:
+        """Return whether another section has equal soils, layers and fields."""
         if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
             return False
         if self.soils != other.soils:

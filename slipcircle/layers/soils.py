@@ -58,6 +58,7 @@ class Soil:
     name: str = ""
 
     def __post_init__(self) -> None:
+        """Check the numbers, convert their units and freeze them."""
         fields = (*SOIL_NUMBERS, "friction", "datum")
         take_units(self, fields)
         freeze(self, fields)

@@ -68,6 +68,7 @@ class Equation:
         return self.sums + self.numbers
 
     def __str__(self) -> str:
+        """Return the equation of motion with a legend of its symbols."""
         used = {"omega", "s"}
         for term in self.sums:
             used.update(symbols_in(term.formula))

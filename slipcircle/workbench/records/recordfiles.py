@@ -72,6 +72,7 @@ class Channel(NamedTuple):
     samples: Samples | None = None
 
     def __str__(self) -> str:
+        """Return the column with the reason why it is not used."""
         return f"column {self.place}{f' ({self.name})' * bool(self.name)}: {self.reason}"
 
 

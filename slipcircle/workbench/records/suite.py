@@ -136,6 +136,7 @@ class Unread(NamedTuple):
     reason: str
 
     def __str__(self) -> str:
+        """Return the file with the reason why it is not used."""
         return f"{self.file}: {self.reason}"
 
 
@@ -158,9 +159,11 @@ class Suite:
     unread: tuple[Unread, ...] = ()
 
     def __len__(self) -> int:
+        """Return the number of horizontal components."""
         return len(self.entries)
 
     def __iter__(self) -> Iterator[Entry]:
+        """Return an iterator over the horizontal components."""
         return iter(self.entries)
 
     @property

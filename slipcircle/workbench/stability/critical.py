@@ -207,6 +207,7 @@ class SlopeScene(Scene[Numbers]):
     set_by_start: Any = AS_ENTERED
 
     def __post_init__(self) -> None:
+        """Check the fields, and set the strength factor by the starting method."""
         if self.starts_by_method:
             self._start_with(AS_ENTERED)  # until all fields are known to be valid
         super().__post_init__()

@@ -121,6 +121,7 @@ class Slope:
     datum: float | None = None
 
     def __post_init__(self) -> None:
+        """Check the fields, convert their units and freeze them."""
         take_units(self, vars(self))
         mistakes = self._field_mistakes()
         if not mistakes:

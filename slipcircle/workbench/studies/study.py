@@ -132,6 +132,7 @@ class Study(Shaken, Pictured):
     # -- tables -------------------------------------------------------------------------------------------------------
 
     def __repr__(self) -> str:
+        """Return the design and a summary of the results in one line."""
         sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.axes(self).items())
         parts = [" ".join(words) for words in self._summary()]
         return f"<Study {self.scene.name}: {'; '.join([sizes, *parts])}>"
@@ -147,9 +148,11 @@ class Study(Shaken, Pictured):
         return rows
 
     def __len__(self) -> int:
+        """Return the number of samples."""
         return self.design.n
 
     def __bool__(self) -> bool:
+        """Return True, also for studies without samples."""
         return True
 
     def __getitem__(self, index: int) -> Motion:
