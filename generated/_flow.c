@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "bea5685aa5a3c74550914341f2f6c77755935ba82b88973fa11f5a0bc8ef3352"
+#define DIGEST "45876f98d15fda391196b6f1f88bb05ec3ea60e34155484a849aca5a3f83bc0c"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2597,52 +2597,63 @@ INLINE void factors(V *e, V drive, V sine, V vers, V q)
     e[4] = q;
 }
 
-/* Return E from its factors and its functions. */
-INLINE V energy(V *e, V x, V lag, V versine, V w)
+/* Compute the four functions of which E is the sum. */
+INLINE void functions(V *f, V x, V q)
 {
-    return (e[0] * x) + ((e[1] * w) + ((e[2] * versine) + (e[3] * lag)));
+    const Pair lag_versine = turned(x);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    f[0] = x;
+    f[1] = (x * x) * faded(q * x);
+    f[2] = versine;
+    f[3] = lag;
+}
+
+/* Return E from its factors and its functions. */
+INLINE V energy(V *e, V *f)
+{
+    return (e[0] * f[0]) + ((e[1] * f[1]) + ((e[2] * f[2]) + (e[3] * f[3])));
 }
 
 /* Return the derivative of E. */
-INLINE V slope_of(V *e, V x, V lag, V versine, V w)
+INLINE V slope_of(V *e, V *f)
 {
-    return e[0] + ((e[1] * (x - (e[4] * w))) + ((e[2] * (x - lag)) + (e[3] * versine)));
+    return e[0] + ((e[1] * (f[0] - (e[4] * f[1]))) + ((e[2] * (f[0] - f[3])) + (e[3] * f[2])));
 }
 
 /* Return the second derivative of E. */
-INLINE V bend_of(V *e, V x, V lag, V versine, V w)
+INLINE V bend_of(V *e, V *f)
 {
-    return (e[1] * (1.0 - (e[4] * (x - (e[4] * w))))) + ((e[2] * (1.0 - versine)) + (e[3] * (x - lag)));
+    return (e[1] * (1.0 - (e[4] * (f[0] - (e[4] * f[1]))))) + ((e[2] * (1.0 - f[2])) + (e[3] * (f[0] - f[3])));
 }
 
-/* Compute the factors of E about the end of a phase, from the sine and 1 - cos of the rotation there. */
-INLINE void mirror(V *back, V drive, V sine, V vers, V q, V sine_end, V versine)
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
 {
-    V cosine = 1.0 - versine;
-    V at_end = drive + ((sine * sine_end) + (vers * versine));
+    V sine_end = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V at_end = drive + ((sine * sine_end) + (vers * f[2]));
     factors(back, -at_end, (sine * cosine) + (vers * sine_end), (sine * sine_end) - (vers * cosine), -q);
 }
 
-/* Return the function w of -q from w of q. */
-INLINE V reversed_w(V x, V w, V q)
+/* Replace the functions for q by those for -q. */
+INLINE void reverse(V *f, V q)
 {
-    V y = q * x;
-    return (((x * x) - w) - (y * w)) / ((1.0 - y) + ((q * q) * w));
+    V y = q * f[0];
+    f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / ((1.0 - y) + ((q * q) * f[1]));
 }
 
 /* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
 static V end_of_swing(V *e, V sine, M which)
 {
     V x = e[0] / ((0.5 * (e[4] * e[0])) - sine);
+    V f[STRIDE];
     int count = 0;
     while (bits(which) && (count < MOST_CORRECTIONS)) {
         x = pick((x > 0.0) & (x < FARTHEST), x, broadcast(FARTHEST));
-        const Pair lag_versine = turned(x);
-        V lag = lag_versine.one, versine = lag_versine.other;
-        V w = (x * x) * faded(e[4] * x);
-        V at = energy(e, x, lag, versine, w);
-        V falls = (slope_of(e, x, lag, versine, w) * x) - at;
-        V bends = (bend_of(e, x, lag, versine, w) * (x * x)) - (2.0 * falls);
+        functions(f, x, e[4]);
+        V at = energy(e, f);
+        V falls = (slope_of(e, f) * x) - at;
+        V bends = (bend_of(e, f) * (x * x)) - (2.0 * falls);
         V change = (((2.0 * at) * falls) * x) / (((2.0 * falls) * falls) - (at * bends));
         x = pick(which, x - change, x);
         which = which & (magnitude(change) > (LAST_OF_HALLEY * x));
@@ -2655,17 +2666,16 @@ static V end_of_swing(V *e, V sine, M which)
 static V peak_of_swing(V *e, V end, M which)
 {
     V x = 0.5 * end;
+    V f[STRIDE];
     V low = broadcast(0.0);
     V high = end;
     int count = 0;
     while (bits(which) && (count < (2 * MOST_CORRECTIONS))) {
-        const Pair lag_versine = turned(x);
-        V lag = lag_versine.one, versine = lag_versine.other;
-        V w = (x * x) * faded(e[4] * x);
-        V slope = slope_of(e, x, lag, versine, w);
+        functions(f, x, e[4]);
+        V slope = slope_of(e, f);
         low = pick(slope > 0.0, x, low);
         high = pick(slope > 0.0, high, x);
-        V following = inside_or_middle(x - (slope / bend_of(e, x, lag, versine, w)), low, high);
+        V following = inside_or_middle(x - (slope / bend_of(e, f)), low, high);
         V change = magnitude(following - x);
         x = pick(which, following, x);
         which = which & (change > (LAST_STEP * x));
@@ -2677,22 +2687,22 @@ static V peak_of_swing(V *e, V end, M which)
 /* Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
  * turn. A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is
  * there. */
-INLINE M stays_positive(V start, V sine, V vers, V x, V lag, V versine)
+INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
-    V at_end = start + ((sine * (x - lag)) + (vers * versine));
-    return (start > 0.0) & (at_end > 0.0) & (vers <= 0.0) & ((vers * (1.0 - versine)) <= (sine * (x - lag)));
+    V sine_end = sine * (f[0] - f[3]);
+    return (start > 0.0) & ((start + (sine_end + (vers * f[2]))) > 0.0) & (vers <= 0.0) & ((vers * (1.0 - f[2])) <= sine_end);
 }
 
 /* Return the integrand of the duration at a node and at its mirror image, which is the same node from the end. */
 INLINE V slowness(V *e, V *back, V end, int k)
 {
     V x = end * SINES[k];
-    const Pair lag_versine = turned(x);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    V w = (x * x) * faded(e[4] * x);
+    V f[STRIDE];
+    functions(f, x, e[4]);
     V room = x * (end - x);
-    V here = sqrt_of(room / energy(e, x, lag, versine, w));
-    return here + sqrt_of(room / energy(back, x, lag, versine, reversed_w(x, w, e[4])));
+    V here = sqrt_of(room / energy(e, f));
+    reverse(f, e[4]);
+    return here + sqrt_of(room / energy(back, f));
 }
 
 /* Return the duration of a phase, and the relative change by the last halving of intervals. */
@@ -2721,11 +2731,10 @@ static Pair duration_of_swing(V *e, V *back, V end, M which)
 INLINE V time_of_peak(V *e, V peak)
 {
     V total = broadcast(0.0);
+    V f[STRIDE];
     for (int k = 0; k <= 9; k++) {
-        V x = peak * PLACES[k];
-        const Pair lag_versine = turned(x);
-        V lag = lag_versine.one, versine = lag_versine.other;
-        total = total + (WEIGHTS[k] * sqrt_of(x / energy(e, x, lag, versine, (x * x) * faded(e[4] * x))));
+        functions(f, peak * PLACES[k], e[4]);
+        total = total + (WEIGHTS[k] * sqrt_of(f[0] / energy(e, f)));
     }
     return (2.0 * sqrt_of(peak)) * total;
 }
@@ -2735,17 +2744,13 @@ static void finish(Batch *b, M here, V *e, V end, V duration)
 {
     V *const c = b->c;
     V peak = peak_of_swing(e, end, here);
-    const Pair lag_versine = turned(peak);
-    V lag = lag_versine.one, versine = lag_versine.other;
-    V w = (peak * peak) * faded(e[4] * peak);
-    V speed = sqrt_of(energy(e, peak, lag, versine, w));
-    V rate = 0.5 * slope_of(e, peak, lag, versine, w);
-    keep_faster(b, here, speed, c[TIME] + time_of_peak(e, peak), peak, rate);
+    V f[STRIDE];
+    functions(f, peak, e[4]);
+    keep_faster(b, here, sqrt_of(energy(e, f)), c[TIME] + time_of_peak(e, peak), peak, 0.5 * slope_of(e, f));
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
     c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
-    c[EVENT] = pick(here, broadcast((double)EVENT_STANDSTILL), c[EVENT]);
     c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
     EACH(lane, bits(here)) {
         on_standstill(b, lane);
@@ -2772,16 +2777,15 @@ static M swing(Batch *b, M which)
     V *const c = b->c;
     V e[STRIDE];
     V back[STRIDE];
+    V f[STRIDE];
     V q = (-2.0) * c[job->role->net_square];
     factors(e, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q);
     V end = end_of_swing(e, c[job->role->net_sine], which);
-    const Pair lag_versine = turned(minimum(end, broadcast(FARTHEST)));
-    V lag = lag_versine.one, versine = lag_versine.other;
-    mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, end - lag, versine);
-    M fits = which & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (back[0] > 0.0);
-    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], end, lag, versine);
-    M pressed = stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], end, lag, versine);
-    fits = fits & pressed & (c[job->role->normal_square] >= 0.0);
+    functions(f, minimum(end, broadcast(FARTHEST)), q);
+    mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, f);
+    M fits = which & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (back[0] > 0.0) & (c[job->role->normal_square] >= 0.0);
+    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
         fits = complete(b, fits, e, back, end);
     }

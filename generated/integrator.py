@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c01756de2f53ad82ab46dd67024221ef4942e304e114812d24e38a52f643c733
+# sha256 of the text below: 3d89f790c1910d177033f46850aa8f805588ba7930dc78098a057fe6258999ad
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1606,46 +1606,55 @@ def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> 
     e[4] = q
 
 
-def energy(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Floats:
+def functions(f: Floats, x: Floats, q: Floats) -> None:
+    """Compute the four functions of which E is the sum."""
+    lag, versine = turned(x)
+    f[0] = x
+    f[1] = x * x * faded(q * x)
+    f[2] = versine
+    f[3] = lag
+
+
+def energy(e: Floats, f: Floats) -> Floats:
     """Return E from its factors and its functions."""
-    return e[0] * x + (e[1] * w + (e[2] * versine + e[3] * lag))
+    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
 
 
-def slope_of(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Floats:
+def slope_of(e: Floats, f: Floats) -> Floats:
     """Return the derivative of E."""
-    return e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+    return e[0] + (e[1] * (f[0] - e[4] * f[1]) + (e[2] * (f[0] - f[3]) + e[3] * f[2]))
 
 
-def bend_of(e: Floats, x: Floats, lag: Floats, versine: Floats, w: Floats) -> Floats:
+def bend_of(e: Floats, f: Floats) -> Floats:
     """Return the second derivative of E."""
-    return e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+    return e[1] * (1.0 - e[4] * (f[0] - e[4] * f[1])) + (e[2] * (1.0 - f[2]) + e[3] * (f[0] - f[3]))
 
 
-def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, sine_end: Floats,
-        versine: Floats) -> None:
-    """Compute the factors of E about the end of a phase, from the sine and 1 - cos of the rotation there."""
-    cosine = 1.0 - versine
-    at_end = drive + (sine * sine_end + vers * versine)
+def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    sine_end = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    at_end = drive + (sine * sine_end + vers * f[2])
     factors(back, -at_end, sine * cosine + vers * sine_end, sine * sine_end - vers * cosine, -q)
 
 
-def reversed_w(x: Floats, w: Floats, q: Floats) -> Floats:
-    """Return the function w of -q from w of q."""
-    y = q * x
-    return (x * x - w - y * w) / (1.0 - y + q * q * w)
+def reverse(f: Floats, q: Floats) -> None:
+    """Replace the functions for q by those for -q."""
+    y = q * f[0]
+    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / (1.0 - y + q * q * f[1])
 
 
 def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
     """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
     x = e[0] / (0.5 * (e[4] * e[0]) - sine)
+    f = np.zeros_like(e)
     count = 0
     while np.any(which) and count < MOST_CORRECTIONS:
         x = np.where((x > 0.0) & (x < FARTHEST), x, FARTHEST)
-        lag, versine = turned(x)
-        w = x * x * faded(e[4] * x)
-        at = energy(e, x, lag, versine, w)
-        falls = slope_of(e, x, lag, versine, w) * x - at
-        bends = bend_of(e, x, lag, versine, w) * (x * x) - 2.0 * falls
+        functions(f, x, e[4])
+        at = energy(e, f)
+        falls = slope_of(e, f) * x - at
+        bends = bend_of(e, f) * (x * x) - 2.0 * falls
         change = 2.0 * at * falls * x / (2.0 * falls * falls - at * bends)
         x = np.where(which, x - change, x)
         which = which & (np.abs(change) > LAST_OF_HALLEY * x)
@@ -1656,16 +1665,16 @@ def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
 def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
     """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
+    f = np.zeros_like(e)
     low: Floats = 0.0
     high = end
     count = 0
     while np.any(which) and count < 2 * MOST_CORRECTIONS:
-        lag, versine = turned(x)
-        w = x * x * faded(e[4] * x)
-        slope = slope_of(e, x, lag, versine, w)
+        functions(f, x, e[4])
+        slope = slope_of(e, f)
         low = np.where(slope > 0.0, x, low)
         high = np.where(slope > 0.0, high, x)
-        following = inside_or_middle(x - slope / bend_of(e, x, lag, versine, w), low, high)
+        following = inside_or_middle(x - slope / bend_of(e, f), low, high)
         change = np.abs(following - x)
         x = np.where(which, following, x)
         which = which & (change > LAST_STEP * x)
@@ -1673,21 +1682,22 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
     return x
 
 
-def stays_positive(start: Floats, sine: Floats, vers: Floats, x: Floats, lag: Floats, versine: Floats) -> Mask:
+def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
     """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
     turn."""
-    at_end = start + (sine * (x - lag) + vers * versine)
-    return (start > 0.0) & (at_end > 0.0) & (vers <= 0.0) & (vers * (1.0 - versine) <= sine * (x - lag))
+    sine_end = sine * (f[0] - f[3])
+    return (start > 0.0) & (start + (sine_end + vers * f[2]) > 0.0) & (vers <= 0.0) & (vers * (1.0 - f[2]) <= sine_end)
 
 
 def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
     """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
     x = end * SINES[k]
-    lag, versine = turned(x)
-    w = x * x * faded(e[4] * x)
+    f = np.zeros_like(e)
+    functions(f, x, e[4])
     room = x * (end - x)
-    here = np.sqrt(room / energy(e, x, lag, versine, w))
-    return here + np.sqrt(room / energy(back, x, lag, versine, reversed_w(x, w, e[4])))
+    here = np.sqrt(room / energy(e, f))
+    reverse(f, e[4])
+    return here + np.sqrt(room / energy(back, f))
 
 
 def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
@@ -1712,10 +1722,10 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tupl
 def time_of_peak(e: Floats, peak: Floats) -> Floats:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: Floats = 0.0
+    f = np.zeros_like(e)
     for k in range(9 + 1):
-        x = peak * PLACES[k]
-        lag, versine = turned(x)
-        total = total + WEIGHTS[k] * np.sqrt(x / energy(e, x, lag, versine, x * x * faded(e[4] * x)))
+        functions(f, peak * PLACES[k], e[4])
+        total = total + WEIGHTS[k] * np.sqrt(f[0] / energy(e, f))
     return 2.0 * np.sqrt(peak) * total
 
 
@@ -1723,16 +1733,13 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
     """Bring lanes to the end of their phase."""
     c = s.cells
     peak = peak_of_swing(e, end, here)
-    lag, versine = turned(peak)
-    w = peak * peak * faded(e[4] * peak)
-    speed = np.sqrt(energy(e, peak, lag, versine, w))
-    rate = 0.5 * slope_of(e, peak, lag, versine, w)
-    keep_faster(s, here, speed, c[ix.TIME] + time_of_peak(e, peak), peak, rate)
+    f = np.zeros_like(e)
+    functions(f, peak, e[4])
+    keep_faster(s, here, np.sqrt(energy(e, f)), c[ix.TIME] + time_of_peak(e, peak), peak, 0.5 * slope_of(e, f))
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
     c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
-    c[ix.EVENT] = np.where(here, float(ix.EVENT_STANDSTILL), c[ix.EVENT])
     c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
     i = np.flatnonzero(here)
     if i.size:
@@ -1754,16 +1761,16 @@ def swing(s: Lanes, which: Mask) -> Mask:
     c = s.cells
     e = np.zeros_like(s.registers[0])
     back = np.zeros_like(s.registers[0])
+    f = np.zeros_like(s.registers[0])
     q = -2.0 * c[s.roles.net_square]
     factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
     end = end_of_swing(e, c[s.roles.net_sine], which)
-    lag, versine = turned(np.minimum(end, FARTHEST))
-    mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, end - lag, versine)
-    fits = which & (end < FARTHEST) & (q >= 0.0) & (q * end < FADED) & (back[0] > 0.0)
-    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], end, lag,
-        versine)
-    pressed = stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], end, lag, versine)
-    fits = fits & pressed & (c[s.roles.normal_square] >= 0.0)
+    functions(f, np.minimum(end, FARTHEST), q)
+    mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
+    fits = which & (end < FARTHEST) & (q >= 0.0) & (q *
+         end < FADED) & (back[0] > 0.0) & (c[s.roles.normal_square] >= 0.0)
+    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
         fits = complete(s, fits, e, back, end)
     return fits

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0ccb106cad5fb3f682bdc7007b23fc6367353699ba4fa20c9280deae6657f62a
+# sha256 of the text below: 117282f7ec40a63a65e817df54dd648f17579a9a11222d279636aa3e113839fb
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "bea5685aa5a3c74550914341f2f6c77755935ba82b88973fa11f5a0bc8ef3352"  # of the compiled integrator's source
+DIGEST = "45876f98d15fda391196b6f1f88bb05ec3ea60e34155484a849aca5a3f83bc0c"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

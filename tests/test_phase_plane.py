@@ -85,10 +85,10 @@ def test_e_under_constant_friction_solves_the_equation(q: float) -> None:
         for at in (1e-6, 0.04, 1.5):
             exact = by_quadrature(numbers, mpmath.mpf(at))
             assert abs(phase_plane.energy_at(mpmath.mpf(at), numbers) / exact - 1) < 1e-20
-            e, x = [0.0] * 5, at
+            e, b = [0.0] * 5, [0.0] * 4
             swing.factors(e, *numbers)
-            found = swing.energy(e, x, *swing.turned(x), x * x * swing.faded(q * x))
-            assert found == pytest.approx(float(exact), rel=1e-14)
+            swing.functions(b, at, q)
+            assert swing.energy(e, b) == pytest.approx(float(exact), rel=1e-14)
 
 
 @pytest.mark.parametrize("distance", [0.0, 1e-10, -1e-6, 0.3])
@@ -109,8 +109,9 @@ def test_a_phase_near_the_limit_keeps_its_digits(share: float) -> None:
     e, back = [0.0] * 5, [0.0] * 5
     swing.factors(e, *numbers)
     end = swing.end_of_swing(e, numbers[1], True)
-    lag, versine = swing.turned(end)
-    swing.mirror(back, *numbers, end - lag, versine)
+    b = [0.0] * 4
+    swing.functions(b, end, numbers[3])
+    swing.mirror(back, *numbers, b)
     duration, change = swing.duration_of_swing(e, back, end, True)
     peak = swing.peak_of_swing(e, end, True)
     with mpmath.workdps(60):

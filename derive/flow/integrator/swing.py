@@ -20,7 +20,6 @@ from derive.flow.integrator.one_lane import (
     PLACES,
     SINES,
     WEIGHTS,
-    Event,
     Lanes,
     M,
     N,
@@ -93,45 +92,55 @@ def factors(e: S, drive: V, sine: V, vers: V, q: V) -> None:
     e[4] = q
 
 
-def energy(e: S, x: V, lag: V, versine: V, w: V) -> V:
+def functions(f: S, x: V, q: V) -> None:
+    """Compute the four functions of which E is the sum."""
+    lag, versine = turned(x)
+    f[0] = x
+    f[1] = x * x * faded(q * x)
+    f[2] = versine
+    f[3] = lag
+
+
+def energy(e: S, f: S) -> V:
     """Return E from its factors and its functions."""
-    return e[0] * x + (e[1] * w + (e[2] * versine + e[3] * lag))
+    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
 
 
-def slope_of(e: S, x: V, lag: V, versine: V, w: V) -> V:
+def slope_of(e: S, f: S) -> V:
     """Return the derivative of E."""
-    return e[0] + (e[1] * (x - e[4] * w) + (e[2] * (x - lag) + e[3] * versine))
+    return e[0] + (e[1] * (f[0] - e[4] * f[1]) + (e[2] * (f[0] - f[3]) + e[3] * f[2]))
 
 
-def bend_of(e: S, x: V, lag: V, versine: V, w: V) -> V:
+def bend_of(e: S, f: S) -> V:
     """Return the second derivative of E."""
-    return e[1] * (1.0 - e[4] * (x - e[4] * w)) + (e[2] * (1.0 - versine) + e[3] * (x - lag))
+    return e[1] * (1.0 - e[4] * (f[0] - e[4] * f[1])) + (e[2] * (1.0 - f[2]) + e[3] * (f[0] - f[3]))
 
 
-def mirror(back: S, drive: V, sine: V, vers: V, q: V, sine_end: V, versine: V) -> None:
-    """Compute the factors of E about the end of a phase, from the sine and 1 - cos of the rotation there."""
-    cosine = 1.0 - versine
-    at_end = drive + (sine * sine_end + vers * versine)
+def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    sine_end = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    at_end = drive + (sine * sine_end + vers * f[2])
     factors(back, -at_end, sine * cosine + vers * sine_end, sine * sine_end - vers * cosine, -q)
 
 
-def reversed_w(x: V, w: V, q: V) -> V:
-    """Return the function w of -q from w of q."""
-    y = q * x
-    return (x * x - w - y * w) / (1.0 - y + q * q * w)
+def reverse(f: S, q: V) -> None:
+    """Replace the functions for q by those for -q."""
+    y = q * f[0]
+    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / (1.0 - y + q * q * f[1])
 
 
 def end_of_swing(e: S, sine: V, which: M) -> V:
     """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
     x = e[0] / (0.5 * (e[4] * e[0]) - sine)
+    f = new_series()
     count: N = 0
     while any_lane(which) and count < MOST_CORRECTIONS:
         x = where(x > 0.0 and x < FARTHEST, x, FARTHEST)
-        lag, versine = turned(x)
-        w = x * x * faded(e[4] * x)
-        at = energy(e, x, lag, versine, w)
-        falls = slope_of(e, x, lag, versine, w) * x - at
-        bends = bend_of(e, x, lag, versine, w) * (x * x) - 2.0 * falls
+        functions(f, x, e[4])
+        at = energy(e, f)
+        falls = slope_of(e, f) * x - at
+        bends = bend_of(e, f) * (x * x) - 2.0 * falls
         change = 2.0 * at * falls * x / (2.0 * falls * falls - at * bends)
         x = where(which, x - change, x)
         which = which and abs(change) > LAST_OF_HALLEY * x
@@ -142,16 +151,16 @@ def end_of_swing(e: S, sine: V, which: M) -> V:
 def peak_of_swing(e: S, end: V, which: M) -> V:
     """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
     x = 0.5 * end
+    f = new_series()
     low: V = 0.0
     high = end
     count: N = 0
     while any_lane(which) and count < 2 * MOST_CORRECTIONS:
-        lag, versine = turned(x)
-        w = x * x * faded(e[4] * x)
-        slope = slope_of(e, x, lag, versine, w)
+        functions(f, x, e[4])
+        slope = slope_of(e, f)
         low = where(slope > 0.0, x, low)
         high = where(slope > 0.0, high, x)
-        following = inside_or_middle(x - slope / bend_of(e, x, lag, versine, w), low, high)
+        following = inside_or_middle(x - slope / bend_of(e, f), low, high)
         change = abs(following - x)
         x = where(which, following, x)
         which = which and change > LAST_STEP * x
@@ -159,23 +168,24 @@ def peak_of_swing(e: S, end: V, which: M) -> V:
     return x
 
 
-def stays_positive(start: V, sine: V, vers: V, x: V, lag: V, versine: V) -> M:
+def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
     """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a turn.
 
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """
-    at_end = start + (sine * (x - lag) + vers * versine)
-    return start > 0.0 and at_end > 0.0 and vers <= 0.0 and vers * (1.0 - versine) <= sine * (x - lag)
+    sine_end = sine * (f[0] - f[3])
+    return start > 0.0 and start + (sine_end + vers * f[2]) > 0.0 and vers <= 0.0 and vers * (1.0 - f[2]) <= sine_end
 
 
 def slowness(e: S, back: S, end: V, k: N) -> V:
     """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
     x = end * SINES[k]
-    lag, versine = turned(x)
-    w = x * x * faded(e[4] * x)
+    f = new_series()
+    functions(f, x, e[4])
     room = x * (end - x)
-    here = sqrt(room / energy(e, x, lag, versine, w))
-    return here + sqrt(room / energy(back, x, lag, versine, reversed_w(x, w, e[4])))
+    here = sqrt(room / energy(e, f))
+    reverse(f, e[4])
+    return here + sqrt(room / energy(back, f))
 
 
 def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
@@ -200,26 +210,23 @@ def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
 def time_of_peak(e: S, peak: V) -> V:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: V = 0.0
+    f = new_series()
     for k in up(0, 9):
-        x = peak * PLACES[k]
-        lag, versine = turned(x)
-        total = total + WEIGHTS[k] * sqrt(x / energy(e, x, lag, versine, x * x * faded(e[4] * x)))
+        functions(f, peak * PLACES[k], e[4])
+        total = total + WEIGHTS[k] * sqrt(f[0] / energy(e, f))
     return 2.0 * sqrt(peak) * total
 
 
 def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
     """Bring lanes to the end of their phase."""
     peak = peak_of_swing(e, end, here)
-    lag, versine = turned(peak)
-    w = peak * peak * faded(e[4] * peak)
-    speed = sqrt(energy(e, peak, lag, versine, w))
-    rate = 0.5 * slope_of(e, peak, lag, versine, w)
-    keep_faster(s, here, speed, s.time + time_of_peak(e, peak), peak, rate)
+    f = new_series()
+    functions(f, peak, e[4])
+    keep_faster(s, here, sqrt(energy(e, f)), s.time + time_of_peak(e, peak), peak, 0.5 * slope_of(e, f))
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
     s.steps = s.steps + 1.0
-    s.event = number(Event.STANDSTILL)
     s.passed = number(Passed.NOTHING)
     if here:
         on_standstill(s)
@@ -238,15 +245,15 @@ def swing(s: Lanes, which: M) -> M:
     """Complete phases in the closed form where it applies, and return these lanes."""
     e = new_series()
     back = new_series()
+    f = new_series()
     q = -2.0 * s.net_square
     factors(e, s.drive, s.net_sine, s.net_vers, q)
     end = end_of_swing(e, s.net_sine, which)
-    lag, versine = turned(minimum(end, FARTHEST))
-    mirror(back, s.drive, s.net_sine, s.net_vers, q, end - lag, versine)
-    fits = which and end < FARTHEST and q >= 0.0 and q * end < FADED and back[0] > 0.0
-    fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, end, lag, versine)
-    pressed = stays_positive(s.normal0, s.normal_sine, s.normal_vers, end, lag, versine)
-    fits = fits and pressed and s.normal_square >= 0.0
+    functions(f, minimum(end, FARTHEST), q)
+    mirror(back, s.drive, s.net_sine, s.net_vers, q, f)
+    fits = which and end < FARTHEST and q >= 0.0 and q * end < FADED and back[0] > 0.0 and s.normal_square >= 0.0
+    fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
+    fits = fits and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
     if any_lane(fits):
         fits = complete(s, fits, e, back, end)
     return fits
