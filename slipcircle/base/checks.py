@@ -361,7 +361,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     """Return a message if the shapes of the fields do not broadcast."""
-    shapes: dict[str, Shape] = {}
+    shapes = {}
     for name, value in fields.items():
         shape = () if type(value) is float else np.shape(value)
         if shape:

@@ -173,7 +173,9 @@ class Section(SectionGeometry, Mass):
             own["level"] = self.mean_lift
         if self.in_standing_water:
             own["standing"] = self.standing_moment
-        return {**effects, "pore_pressure": own} if own else effects
+        if own:
+            return {**effects, "pore_pressure": own}
+        return effects
 
     # Rotations within the range of the method, rad: the toe must not rise far above the original ground.
     rotation_range = cached_property(lambda self: lazy_import("toe").rotation_range(self))

@@ -167,7 +167,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def depths(self) -> list[Depths | None]:
         """Depths of the arc below the datums of the soils, None where the cohesion does not grow."""
         raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
-        depths: list[Depths | None] = []
+        depths = []
         for soil, datum in zip(self.soils, self.datums, strict=True):
             grows = np.any(soil.cohesion_gradient)
             depths.append(depths_below(self, datum) if grows else None)
@@ -181,7 +181,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Return numbers or arrays as rows, (numbers, lanes)."""
         of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
-        rows: Floats = np.add(of_lanes, 0.0)
+        rows = np.add(of_lanes, 0.0)
         return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:
@@ -191,8 +191,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         of_geometry = len(values) == circles
         shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
-        shaped = values.reshape((*shape, *components))
-        return shaped[()]
+        return values.reshape((*shape, *components))[()]
 
     # --- geometry ----------------------------------------------------------------------------------------------------
 
@@ -287,8 +286,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
-        per_mean_weight = self._moments_of_weight / self._weights_per_area
-        return dict(zip(MEASURES, per_mean_weight, strict=True))
+        return dict(zip(MEASURES, self._moments_of_weight / self._weights_per_area, strict=True))
 
     @cached_property
     def mean_unit_weight(self) -> Any:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, Bounds, array_of, frozen, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, array_of, frozen, mistakes, raise_all
 from slipcircle.base.kinds import Floats, Integers
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
@@ -151,10 +151,10 @@ class Pulse:
 
     def __post_init__(self) -> None:
         """Check name, amplitude, start, duration and number of cycles."""
-        faults = list[str]()
+        faults = []
         if self.name not in PULSES:
             faults.append(f"name = {self.name!r}: must be one of {', '.join(PULSES)}")
-        bounds: dict[str, Bounds] = {
+        bounds = {
             "amplitude": (-INFINITY, INFINITY, "a finite number"),
             "start": (-5e-324, INFINITY, "a time in s, not before 0"),
             "duration": (0.0, INFINITY, "a positive time in s"),

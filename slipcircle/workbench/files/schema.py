@@ -1,7 +1,6 @@
 """JSON Schema of a scene file, for editors: tables, keys and their allowed values."""
 
 from collections.abc import Mapping
-from typing import Any
 
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
@@ -83,7 +82,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
         properties[inside] = many[inner.repeats] | {"title": inner.title} if inner.repeats else one
     schema = _object(properties, table.title, []) | _other_units(table.keys)
     present = {k: _present(k, key) for k, key in table.keys.items()}
-    needs: list[Any] = [present[k] for k, key in table.keys.items() if key.required]
+    needs = [present[k] for k, key in table.keys.items() if key.required]
     needs += [{"oneOf": [present[k] for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [present[k] for k in table.any_of]}] if table.any_of else []
     if table.sets:
