@@ -47,7 +47,7 @@ def test_a_wrong_cell_is_seen_next_to_the_limit() -> None:
 
 
 def test_the_naive_form_fails_at_each(results: list[Result]) -> None:
-    """By a factor of five at least, or without a number; the one case where it does not says so."""
+    """Naive forms err by a factor of five at least, or give no number; the one exception is marked."""
     for x in results:
         fails = not x.naive_error <= 5 * x.our_error
         assert fails == ("better here" not in x.naive), x

@@ -113,7 +113,7 @@ LADDERS = {  # the effects as they are added, and whether each rung rests
 
 @pytest.mark.parametrize("name", LADDERS)
 def test_ladders_on_the_command_line(name: str, said: Any) -> None:
-    """What decides comes first, what adds a few percent last."""
+    """The decisive effect comes first, effects of a few percent last."""
     lines = said("plan --ladder", name).splitlines()
     assert max(map(len, lines)) <= 100
     shown = [x.split() for x in lines if "+ " in x or "none" in x]
@@ -162,7 +162,9 @@ EQUATIONS: dict[str, tuple[Any, dict[str, Any]]] = {
 
 
 def as_function(equation: Equation, formula: str) -> Callable[[dict[str, float]], float]:
-    """A formula by the terms as they are printed, as a function of what is in them and of the numbers below them."""
+    """Return a formula by the terms as they are printed, as a function of what is in them and of the numbers below
+    them.
+    """
     sums: dict[str, str] = dict.fromkeys(["M", "sigma", "u", "T", "u_1", "u_2", "u_3"], "0")
     for term in equation.sums:
         sums[term.symbol] = f"{sums[term.symbol]} + ({term.formula})" if term.symbol in sums else term.formula
@@ -185,7 +187,7 @@ def as_function(equation: Equation, formula: str) -> Callable[[dict[str, float]]
 
 
 def by_soil(equation: Equation) -> Equation:
-    """An equation that sums over soils i, written out: ``l_i`` becomes ``l_1``, ``l_2``, ..."""
+    """Return an equation that sums over soils i, written out: ``l_i`` becomes ``l_1``, ``l_2``, ..."""
 
     def of_soil(text: str, k: int) -> str:
         return re.sub(r"\b(?!d?phi\b)(\w*)i\b", rf"\g<1>{k}", text)
@@ -215,7 +217,9 @@ def test_the_printed_equation_gives_the_acceleration_of_the_motion(name: str) ->
 
 
 def check_equation(scene: Scene[Any], times: tuple[float, ...]) -> None:
-    """The printed equation gives the acceleration, and another one where any printed number is off by a hundredth."""
+    """Return the printed equation gives the acceleration, and another one where any printed number is off by a
+    hundredth.
+    """
     motion, equation = solve(scene), by_soil(plan(scene).equation)
     net_moment = as_function(equation, equation.balance.formula)
     numbers = {number.symbol: number.value for number in equation.numbers}
@@ -320,7 +324,7 @@ def test_the_printed_numbers_of_soils_are_the_means_along_their_stretches(scene:
 @pytest.mark.parametrize("name", SHIPPED)
 @pytest.mark.usefixtures("unseen")
 def test_what_is_said_of_layered_scenes_has_no_name_of_the_program(name: str, said: Any, tmp_path: Path) -> None:
-    """Each soil is named once in the plan's equation, and the strength of the soils in one reason."""
+    """The plan's equation names each soil once, and one reason names the strength of the soils."""
     scene: Any = load(name)
     chosen = plan(scene)
     own = [effect for effect in ALL_EFFECTS if effect not in EFFECTS]

@@ -20,7 +20,7 @@ from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
-from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 
 
@@ -386,6 +386,7 @@ class Motion(Conversions, Generic[Numbers]):
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
             return type(self)(plan, self._final[(slice(None), *rows)], invalid)
+        plan = replace(plan, recipe=recipe_of(scene))  # other lanes may have standing water
         problem = problem_of(plan, invalid)  # a single lane is solved to rounding
         return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
