@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "45876f98d15fda391196b6f1f88bb05ec3ea60e34155484a849aca5a3f83bc0c"
+#define DIGEST "868c4db8d59bb4878b3f04ffe3d578288c83f600ed42669e6f3defe0a61d41cf"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1153,8 +1153,8 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 /* --- the text of derive/flow/integrator --- */
 
 static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
-static const double PLACES[] = {0.005856308436795614, 0.05188639398032369, 0.13965624074297703, 0.2609850936822264, 0.4045642847657475, 0.5570113146004433, 0.7041172924000904, 0.8321716520870235, 0.9292418765798955, 0.9863044145193489};
-static const double WEIGHTS[] = {0.15275338713072584, 0.14917298647260374, 0.14209610931838204, 0.13168863844917664, 0.11819453196151841, 0.10193011981724044, 0.08327674157670475, 0.06267204833410907, 0.04060142980038694, 0.017614007139152118};
+static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
+static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -2617,13 +2617,18 @@ INLINE V energy(V *e, V *f)
 /* Return the derivative of E. */
 INLINE V slope_of(V *e, V *f)
 {
-    return e[0] + ((e[1] * (f[0] - (e[4] * f[1]))) + ((e[2] * (f[0] - f[3])) + (e[3] * f[2])));
+    V sine = f[0] - f[3];
+    V lost = f[0] - (e[4] * f[1]);
+    return e[0] + ((e[1] * lost) + ((e[2] * sine) + (e[3] * f[2])));
 }
 
 /* Return the second derivative of E. */
 INLINE V bend_of(V *e, V *f)
 {
-    return (e[1] * (1.0 - (e[4] * (f[0] - (e[4] * f[1]))))) + ((e[2] * (1.0 - f[2])) + (e[3] * (f[0] - f[3])));
+    V sine = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V lost = f[0] - (e[4] * f[1]);
+    return (e[1] * (1.0 - (e[4] * lost))) + ((e[2] * cosine) + (e[3] * sine));
 }
 
 /* Compute the factors of E about the end of a phase, from the four functions there. */
@@ -2632,14 +2637,17 @@ INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
     V sine_end = f[0] - f[3];
     V cosine = 1.0 - f[2];
     V at_end = drive + ((sine * sine_end) + (vers * f[2]));
-    factors(back, -at_end, (sine * cosine) + (vers * sine_end), (sine * sine_end) - (vers * cosine), -q);
+    V sine_back = (sine * cosine) + (vers * sine_end);
+    V vers_back = (sine * sine_end) - (vers * cosine);
+    factors(back, -at_end, sine_back, vers_back, -q);
 }
 
 /* Replace the functions for q by those for -q. */
 INLINE void reverse(V *f, V q)
 {
     V y = q * f[0];
-    f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / ((1.0 - y) + ((q * q) * f[1]));
+    V faded_by = (1.0 - y) + ((q * q) * f[1]);
+    f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / faded_by;
 }
 
 /* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
@@ -2654,7 +2662,8 @@ static V end_of_swing(V *e, V sine, M which)
         V at = energy(e, f);
         V falls = (slope_of(e, f) * x) - at;
         V bends = (bend_of(e, f) * (x * x)) - (2.0 * falls);
-        V change = (((2.0 * at) * falls) * x) / (((2.0 * falls) * falls) - (at * bends));
+        V steepness = ((2.0 * falls) * falls) - (at * bends);
+        V change = (((2.0 * at) * falls) * x) / steepness;
         x = pick(which, x - change, x);
         which = which & (magnitude(change) > (LAST_OF_HALLEY * x));
         count = count + 1;
@@ -2675,7 +2684,8 @@ static V peak_of_swing(V *e, V end, M which)
         V slope = slope_of(e, f);
         low = pick(slope > 0.0, x, low);
         high = pick(slope > 0.0, high, x);
-        V following = inside_or_middle(x - (slope / bend_of(e, f)), low, high);
+        V following = x - (slope / bend_of(e, f));
+        following = inside_or_middle(following, low, high);
         V change = magnitude(following - x);
         x = pick(which, following, x);
         which = which & (change > (LAST_STEP * x));
@@ -2690,7 +2700,10 @@ static V peak_of_swing(V *e, V end, M which)
 INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
     V sine_end = sine * (f[0] - f[3]);
-    return (start > 0.0) & ((start + (sine_end + (vers * f[2]))) > 0.0) & (vers <= 0.0) & ((vers * (1.0 - f[2])) <= sine_end);
+    V at_end = start + (sine_end + (vers * f[2]));
+    V cosine = 1.0 - f[2];
+    M concave = (vers <= 0.0) & ((vers * cosine) <= sine_end);
+    return (start > 0.0) & (at_end > 0.0) & concave;
 }
 
 /* Return the integrand of the duration at a node and at its mirror image, which is the same node from the end. */
@@ -2702,14 +2715,16 @@ INLINE V slowness(V *e, V *back, V end, int k)
     V room = x * (end - x);
     V here = sqrt_of(room / energy(e, f));
     reverse(f, e[4]);
-    return here + sqrt_of(room / energy(back, f));
+    V there = sqrt_of(room / energy(back, f));
+    return here + there;
 }
 
 /* Return the duration of a phase, and the relative change by the last halving of intervals. */
 static Pair duration_of_swing(V *e, V *back, V end, M which)
 {
     V ends = sqrt_of(end / e[0]) + sqrt_of(end / back[0]);
-    V total = (0.125 * (ends + slowness(e, back, end, 0))) + (0.25 * slowness(e, back, end, 1));
+    V total = 0.125 * (ends + slowness(e, back, end, 0));
+    total = total + (0.25 * slowness(e, back, end, 1));
     V change = broadcast(1.0);
     M changes = which;
     int first = 2;
@@ -2732,7 +2747,7 @@ INLINE V time_of_peak(V *e, V peak)
 {
     V total = broadcast(0.0);
     V f[STRIDE];
-    for (int k = 0; k <= 9; k++) {
+    for (int k = 0; k <= 11; k++) {
         functions(f, peak * PLACES[k], e[4]);
         total = total + (WEIGHTS[k] * sqrt_of(f[0] / energy(e, f)));
     }
@@ -2746,7 +2761,10 @@ static void finish(Batch *b, M here, V *e, V end, V duration)
     V peak = peak_of_swing(e, end, here);
     V f[STRIDE];
     functions(f, peak, e[4]);
-    keep_faster(b, here, sqrt_of(energy(e, f)), c[TIME] + time_of_peak(e, peak), peak, 0.5 * slope_of(e, f));
+    V speed = sqrt_of(energy(e, f));
+    V rate = 0.5 * slope_of(e, f);
+    V time = c[TIME] + time_of_peak(e, peak);
+    keep_faster(b, here, speed, time, peak, rate);
     c[X] = pick(here, end, c[X]);
     c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
     c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
@@ -2755,19 +2773,6 @@ static void finish(Batch *b, M here, V *e, V end, V duration)
     EACH(lane, bits(here)) {
         on_standstill(b, lane);
     }
-}
-
-/* Complete phases whose duration is certain and ends before the end time, and return these lanes. */
-static M complete(Batch *b, M which, V *e, V *back, V end)
-{
-    V *const c = b->c;
-    const Pair duration_change = duration_of_swing(e, back, end, which);
-    V duration = duration_change.one, change = duration_change.other;
-    M ends = which & (change <= CONVERGED) & ((c[TIME] + duration) < c[END_TIME]);
-    if (bits(ends)) {
-        finish(b, ends, e, end, duration);
-    }
-    return ends;
 }
 
 /* Complete phases in the closed form where it applies, and return these lanes. */
@@ -2783,11 +2788,18 @@ static M swing(Batch *b, M which)
     V end = end_of_swing(e, c[job->role->net_sine], which);
     functions(f, minimum(end, broadcast(FARTHEST)), q);
     mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, f);
-    M fits = which & (end < FARTHEST) & (q >= 0.0) & ((q * end) < FADED) & (back[0] > 0.0) & (c[job->role->normal_square] >= 0.0);
+    M fits = which & (end < FARTHEST) & (back[0] > 0.0);
+    fits = fits & (q >= 0.0) & ((q * end) < FADED);
+    fits = fits & (c[job->role->normal_square] >= 0.0);
     fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
     fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
     if (bits(fits)) {
-        fits = complete(b, fits, e, back, end);
+        const Pair duration_change = duration_of_swing(e, back, end, fits);
+        V duration = duration_change.one, change = duration_change.other;
+        fits = fits & (change <= CONVERGED) & ((c[TIME] + duration) < c[END_TIME]);
+        if (bits(fits)) {
+            finish(b, fits, e, end, duration);
+        }
     }
     return fits;
 }
@@ -2797,7 +2809,8 @@ static M leap(Batch *b, M which)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    M begins = which & (c[X] == 0.0) & (c[OMEGA] == 0.0) & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
+    M begins = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
     if (bits(begins)) {
         begins = swing(b, begins);
     }

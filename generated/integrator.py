@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3d89f790c1910d177033f46850aa8f805588ba7930dc78098a057fe6258999ad
+# sha256 of the text below: 81cc99dd40bf96da27c3846dd72b0c365daabe9922e621e7b0de8df5110539ce
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -234,10 +234,12 @@ SINES = (0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582
     0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567,
     0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688,
     0.4509914298352196)
-PLACES = (0.005856308436795614, 0.05188639398032369, 0.13965624074297703, 0.2609850936822264, 0.4045642847657475,
-    0.5570113146004433, 0.7041172924000904, 0.8321716520870235, 0.9292418765798955, 0.9863044145193489)
-WEIGHTS = (0.15275338713072584, 0.14917298647260374, 0.14209610931838204, 0.13168863844917664, 0.11819453196151841,
-    0.10193011981724044, 0.08327674157670475, 0.06267204833410907, 0.04060142980038694, 0.017614007139152118)
+PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667,
+    0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289,
+    0.9500957578259143, 0.9903976028453998)
+WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
+    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
+    0.028531388628933663, 0.0123412297999872)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -1622,12 +1624,17 @@ def energy(e: Floats, f: Floats) -> Floats:
 
 def slope_of(e: Floats, f: Floats) -> Floats:
     """Return the derivative of E."""
-    return e[0] + (e[1] * (f[0] - e[4] * f[1]) + (e[2] * (f[0] - f[3]) + e[3] * f[2]))
+    sine = f[0] - f[3]
+    lost = f[0] - e[4] * f[1]
+    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
 
 
 def bend_of(e: Floats, f: Floats) -> Floats:
     """Return the second derivative of E."""
-    return e[1] * (1.0 - e[4] * (f[0] - e[4] * f[1])) + (e[2] * (1.0 - f[2]) + e[3] * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    lost = f[0] - e[4] * f[1]
+    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
 
 
 def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
@@ -1635,13 +1642,16 @@ def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
     at_end = drive + (sine * sine_end + vers * f[2])
-    factors(back, -at_end, sine * cosine + vers * sine_end, sine * sine_end - vers * cosine, -q)
+    sine_back = sine * cosine + vers * sine_end
+    vers_back = sine * sine_end - vers * cosine
+    factors(back, -at_end, sine_back, vers_back, -q)
 
 
 def reverse(f: Floats, q: Floats) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
-    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / (1.0 - y + q * q * f[1])
+    faded_by = 1.0 - y + q * q * f[1]
+    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
 
 
 def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
@@ -1655,7 +1665,8 @@ def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
         at = energy(e, f)
         falls = slope_of(e, f) * x - at
         bends = bend_of(e, f) * (x * x) - 2.0 * falls
-        change = 2.0 * at * falls * x / (2.0 * falls * falls - at * bends)
+        steepness = 2.0 * falls * falls - at * bends
+        change = 2.0 * at * falls * x / steepness
         x = np.where(which, x - change, x)
         which = which & (np.abs(change) > LAST_OF_HALLEY * x)
         count = count + 1
@@ -1674,7 +1685,8 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
         slope = slope_of(e, f)
         low = np.where(slope > 0.0, x, low)
         high = np.where(slope > 0.0, high, x)
-        following = inside_or_middle(x - slope / bend_of(e, f), low, high)
+        following = x - slope / bend_of(e, f)
+        following = inside_or_middle(following, low, high)
         change = np.abs(following - x)
         x = np.where(which, following, x)
         which = which & (change > LAST_STEP * x)
@@ -1686,7 +1698,10 @@ def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask
     """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
     turn."""
     sine_end = sine * (f[0] - f[3])
-    return (start > 0.0) & (start + (sine_end + vers * f[2]) > 0.0) & (vers <= 0.0) & (vers * (1.0 - f[2]) <= sine_end)
+    at_end = start + (sine_end + vers * f[2])
+    cosine = 1.0 - f[2]
+    concave = (vers <= 0.0) & (vers * cosine <= sine_end)
+    return (start > 0.0) & (at_end > 0.0) & concave
 
 
 def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
@@ -1697,13 +1712,15 @@ def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
     room = x * (end - x)
     here = np.sqrt(room / energy(e, f))
     reverse(f, e[4])
-    return here + np.sqrt(room / energy(back, f))
+    there = np.sqrt(room / energy(back, f))
+    return here + there
 
 
 def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
     """Return the duration of a phase, and the relative change by the last halving of intervals."""
     ends = np.sqrt(end / e[0]) + np.sqrt(end / back[0])
-    total = 0.125 * (ends + slowness(e, back, end, 0)) + 0.25 * slowness(e, back, end, 1)
+    total = 0.125 * (ends + slowness(e, back, end, 0))
+    total = total + 0.25 * slowness(e, back, end, 1)
     change: Floats = 1.0
     changes = which
     first = 2
@@ -1723,7 +1740,7 @@ def time_of_peak(e: Floats, peak: Floats) -> Floats:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: Floats = 0.0
     f = np.zeros_like(e)
-    for k in range(9 + 1):
+    for k in range(11 + 1):
         functions(f, peak * PLACES[k], e[4])
         total = total + WEIGHTS[k] * np.sqrt(f[0] / energy(e, f))
     return 2.0 * np.sqrt(peak) * total
@@ -1735,7 +1752,10 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
     peak = peak_of_swing(e, end, here)
     f = np.zeros_like(e)
     functions(f, peak, e[4])
-    keep_faster(s, here, np.sqrt(energy(e, f)), c[ix.TIME] + time_of_peak(e, peak), peak, 0.5 * slope_of(e, f))
+    speed = np.sqrt(energy(e, f))
+    rate = 0.5 * slope_of(e, f)
+    time = c[ix.TIME] + time_of_peak(e, peak)
+    keep_faster(s, here, speed, time, peak, rate)
     c[ix.X] = np.where(here, end, c[ix.X])
     c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
     c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
@@ -1744,16 +1764,6 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
     i = np.flatnonzero(here)
     if i.size:
         on_standstill(s, i)
-
-
-def complete(s: Lanes, which: Mask, e: Floats, back: Floats, end: Floats) -> Mask:
-    """Complete phases whose duration is certain and ends before the end time, and return these lanes."""
-    c = s.cells
-    duration, change = duration_of_swing(e, back, end, which)
-    ends = which & (change <= CONVERGED) & (c[ix.TIME] + duration < c[ix.END_TIME])
-    if np.any(ends):
-        finish(s, ends, e, end, duration)
-    return ends
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
@@ -1767,19 +1777,24 @@ def swing(s: Lanes, which: Mask) -> Mask:
     end = end_of_swing(e, c[s.roles.net_sine], which)
     functions(f, np.minimum(end, FARTHEST), q)
     mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
-    fits = which & (end < FARTHEST) & (q >= 0.0) & (q *
-         end < FADED) & (back[0] > 0.0) & (c[s.roles.normal_square] >= 0.0)
+    fits = which & (end < FARTHEST) & (back[0] > 0.0)
+    fits = fits & (q >= 0.0) & (q * end < FADED)
+    fits = fits & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
     fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
     if np.any(fits):
-        fits = complete(s, fits, e, back, end)
+        duration, change = duration_of_swing(e, back, end, fits)
+        fits = fits & (change <= CONVERGED) & (c[ix.TIME] + duration < c[ix.END_TIME])
+        if np.any(fits):
+            finish(s, fits, e, end, duration)
     return fits
 
 
 def leap(s: Lanes, which: Mask) -> Mask:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
-    begins = which & (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0) & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    begins = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
     if np.any(begins):
         begins = swing(s, begins)
     return begins

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3ed830346855dd53bd72a43efbbfeaa8ef78abfbf83802ff74b71a0e95f7ee94
+# sha256 of the text below: 05a51ccf9fd8cc5833df16955b15609ee263fbdefab134c2cc6f685933c8e4d5
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -403,13 +403,12 @@ class Linker:
         sums = {results[0]: operation for operation, results in self.series.items() if operation.kind == "lin"}
         cells = dict[str, str]()
         for name, constant in CONSTANTS.items():
-            operation = sums.get(str(registers[name]))
-            if operation is None or operation.cells[0] != outputs[constant] or "sin(x)" not in operation.registers:
+            operation = sums.get(str(registers[name]), OnSeries("", (), ("",)))
+            start, *factors = operation.cells
+            known = dict(zip(operation.registers, factors, strict=True))
+            if start != outputs[constant] or "sin(x)" not in known or known.keys() - FACTORS:
                 return {}
-            if not FACTORS.keys() >= {*operation.registers}:
-                return {}
-            factors = dict(zip(operation.registers, operation.cells[1:], strict=True))
-            cells |= {f"cell_{name}_{factor}": factors.get(x, ZERO) for x, factor in FACTORS.items()}
+            cells |= {f"cell_{name}_{factor}": known.get(x, ZERO) for x, factor in FACTORS.items()}
         return cells
 
     def zero(self, name: str) -> str:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 117282f7ec40a63a65e817df54dd648f17579a9a11222d279636aa3e113839fb
+# sha256 of the text below: d6e751f3ab8692525f582881c773fcb8a3d360bdbefbb93a4667c8212e271cc5
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "45876f98d15fda391196b6f1f88bb05ec3ea60e34155484a849aca5a3f83bc0c"  # of the compiled integrator's source
+DIGEST = "868c4db8d59bb4878b3f04ffe3d578288c83f600ed42669e6f3defe0a61d41cf"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -22,6 +22,7 @@ from sympy import (
     exp,
     expand,
     factorial,
+    hyper,
     lambdify,
     sin,
     solve,
@@ -33,7 +34,7 @@ from derive.algebra import dynamics
 from derive.algebra.prove import prove_zero
 
 x, q, drive, sine, vers = symbols("x q drive sine vers", real=True)
-slope, brake, load, load_sine, load_vers = symbols("slope brake load load_sine load_vers", real=True)
+SOFTENING = slope, brake, load, load_sine, load_vers = symbols("slope brake load load_sine load_vers", real=True)
 NET = drive + sine * sin(x) + vers * (1 - cos(x))  # net moment over Theta*, without the part that omega^2 causes
 LOAD = load + load_sine * sin(x) + load_vers * (1 - cos(x))  # what friction loses of it by exp(-slope x)
 W = (q * x - 1 + exp(-q * x)) / q**2
@@ -49,7 +50,8 @@ def equation() -> tuple[Expr, Expr]:
     rate = dynamics.balance()["3.11"].subs(dynamics.omega_star, omega)
     prove_zero(2 * omega * diff(omega, x) - diff(energy, x), "2 omega domega/dx = dE/dx")
     right = expand(2 * rate)
-    k, f = -right.coeff(energy, 1), right.coeff(energy, 0) / 2
+    k = -right.coeff(energy, 1)
+    f = right.coeff(energy, 0) / 2
     prove_zero(right - (2 * f - k * energy), "(3.11) is linear in E")
     return k, f
 
@@ -102,32 +104,36 @@ def prove(count: int = 3) -> str:
         net = NET.subs(problem, simultaneous=True) * exp(-j * slope * x)
         prove_zero(diff(term, x) + q * term - 2 * net, f"term {j} under softening friction")
         weight = diff(exp(-brake * fall / slope), fall, j).subs(fall, 0) / factorial(j)
-        prove_zero(problem[drive].coeff(drive) - weight, f"weight {j} of exp(-brake W/slope)")
+        found = problem[drive].coeff(drive)
+        prove_zero(found - weight, f"weight {j} of exp(-brake W/slope)")
     factor = exp(brake * exp(-slope * x) / slope)
     prove_zero(diff(factor, x) + brake * exp(-slope * x) * factor, "exp(brake W/slope) removes brake W E")
     return "E' + k E = 2 f derived from (3.11), solved for constant friction and for exponential softening"
 
 
 @cache
-def _factors() -> Callable[..., Any]:
-    return lambdify((drive, sine, vers, q), constant(), "mpmath")
+def _energy() -> Callable[..., Any]:
+    """Return E as a function of mpmath, regular at q = 0."""
+    terms = [factor * function for factor, function in zip(constant(), BASIS, strict=True)]
+    terms[1] = constant()[1] * x**2 * hyper([1], [3], -q * x) / 2
+    return lambdify((x, drive, sine, vers, q), Add(*terms), "mpmath")
 
 
-def energy_at(at: Any, numbers: Sequence[Any], softens: Sequence[Any] | None = None) -> Any:
+def energy_at(at: Any, numbers: Sequence[Any], softens: Sequence[Any] = ()) -> Any:
     """Return E at a rotation as a number of mpmath, from drive, sine, vers and q.
 
     ``softens`` are slope, brake, load, load_sine and load_vers of exponential softening.
     """
     numbers = [mpmath.mpf(number) for number in numbers]
-    if softens is None:
-        functions = (at, at**2 * mpmath.hyp1f1(1, 3, -numbers[3] * at) / 2, 1 - mpmath.cos(at), at - mpmath.sin(at))
-        return mpmath.fdot(_factors()(*numbers), functions)
-    names = (drive, sine, vers, q, slope, brake, load, load_sine, load_vers)
+    if not softens:
+        return _energy()(at, *numbers)
     fall = mpmath.exp(-softens[0] * at)
-    total, term, j = mpmath.mpf(0), mpmath.inf, 0
+    total = mpmath.mpf(0)
     for j, problem in enumerate(softening()):
-        part = lambdify(names, list(problem.values()), "mpmath")(*numbers, *softens)
-        term = fall**j * energy_at(at, part)
+        numbers_of = lambdify((drive, sine, vers, q, *SOFTENING), [*problem.values()], "mpmath")
+        of_term = numbers_of(*numbers, *softens)
+        term = fall**j * energy_at(at, of_term)
         total += term
         if j > 1 and abs(term) <= mpmath.eps * abs(total):
-            return mpmath.exp(softens[1] * fall / softens[0]) * total
+            break
+    return mpmath.exp(softens[1] * fall / softens[0]) * total

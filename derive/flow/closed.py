@@ -21,18 +21,21 @@ def prove() -> str:
     """Prove E, its derivatives, and E about the end of a phase, and return the claim."""
 
     def claim(found: Any, derived: Any, form: str) -> None:
-        prove_zero(nsimplify(found, rational=True) - nsimplify(derived, rational=True), f"{form} in the integrator")
+        exact = nsimplify(found, rational=True)
+        expected = nsimplify(derived, rational=True)
+        prove_zero(exact - expected, f"{form} in the integrator")
 
     forms = (swing.energy, swing.slope_of, swing.bend_of)
     for order, form in enumerate(forms):
-        found = form(factors(drive, sine, vers, q), BASIS)
+        of_start = factors(drive, sine, vers, q)
+        found = form(of_start, BASIS)
         claim(found, phase_plane.energy().diff(x, order), f"derivative {order} of E")
     end = symbols("end", real=True)
     mirrored = expand_trig(-NET.subs(x, end - x))
-    about_end = (mirrored.subs(x, 0), mirrored.diff(x).subs(x, 0), mirrored.diff(x, 2).subs(x, 0), -q)
+    about_end = [mirrored.diff(x, order).subs(x, 0) for order in range(3)]
     of_end: list[Any] = [0] * 5
     swing.mirror(of_end, drive, sine, vers, q, [end, 0, 1 - cos(end), end - sin(end)])
-    for factor, derived in zip(of_end, factors(*about_end), strict=True):
+    for factor, derived in zip(of_end, factors(*about_end, -q), strict=True):
         claim(factor, derived, "factors of E about the end")
     reversed_basis = [*BASIS]
     swing.reverse(reversed_basis, q)

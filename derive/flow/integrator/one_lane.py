@@ -5,7 +5,6 @@ truth value. Operations on programs, tables and records exist in the generated i
 """
 
 import math
-from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
@@ -25,29 +24,12 @@ N = int  # a number that all lanes share
 EPS = 2.0**-52
 INFINITY = math.inf
 
-
-def _halvings(finest: int) -> Iterator[float]:
-    """Yield sin(u)^2 at the inner nodes of the trapezoidal rule on [0, pi/4], halving by halving."""
-    intervals = 1
-    while intervals <= finest:
-        for k in range(1, intervals + 1, 2):
-            yield float(mpmath.sin(mpmath.pi * k / (4 * intervals)) ** 2)
-        intervals *= 2
-
-
-def _gauss(count: int) -> Iterator[tuple[float, float]]:
-    """Yield the squares of the positive nodes of Gauss's rule with twice as many nodes on [-1, 1], and the weights."""
-    with mpmath.workdps(40):
-        n = 2 * count
-        for k in range(count, 0, -1):
-            x = mpmath.findroot(lambda x: mpmath.legendre(n, x), mpmath.cos(mpmath.pi * (k - 0.25) / (n + 0.5)))
-            slope = n * mpmath.legendre(n - 1, x) / (1 - x * x)
-            yield float(x * x), float(2 / ((1 - x * x) * slope * slope))
-
-
-# Nodes of rules in the closed form of a phase, `derive.flow.integrator.swing`.
-SINES = tuple(_halvings(16))
-PLACES, WEIGHTS = zip(*_gauss(10), strict=True)
+# Nodes of rules in `derive.flow.integrator.swing`: sin(u)^2 of the trapezoidal rule in u on [0, pi/4], halving by
+# halving, and squares of the positive nodes of Gauss's rule on [-1, 1], with their weights.
+_ORDER = (16, 8, *range(4, 16, 8), *range(2, 16, 4), *range(1, 16, 2))
+_GAUSS = mpmath.calculus.quadrature.GaussLegendre(mpmath.mp).calc_nodes(4, 120)
+SINES = tuple(float(mpmath.sin(mpmath.pi * k / 64) ** 2) for k in _ORDER)
+PLACES, WEIGHTS = zip(*sorted((float(x * x), float(weight)) for x, weight in _GAUSS if x > 0), strict=True)
 
 
 def _codes(name: str) -> Any:
@@ -90,8 +72,11 @@ any_lane: Any = bool
 number: Any = float
 minimum: Any = min
 sqrt = math.sqrt
-numbers = maximum = all_lanes = none_of = greatest = least = integer = lanes_in = tail = log2_of = power_of_two = (
-    generated
-)
-sin = cos = log = hypot = isnan = break_of = jump_of = constant_of = coefficients_of = generated
-prologue = operate = operate_later = note = read_samples = generated
+numbers = tail = generated
+maximum = greatest = least = integer = generated
+all_lanes = none_of = lanes_in = generated
+log2_of = power_of_two = generated
+sin = cos = log = hypot = isnan = generated
+break_of = jump_of = constant_of = coefficients_of = generated
+prologue = operate = operate_later = generated
+note = read_samples = generated

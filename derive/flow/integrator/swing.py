@@ -108,12 +108,17 @@ def energy(e: S, f: S) -> V:
 
 def slope_of(e: S, f: S) -> V:
     """Return the derivative of E."""
-    return e[0] + (e[1] * (f[0] - e[4] * f[1]) + (e[2] * (f[0] - f[3]) + e[3] * f[2]))
+    sine = f[0] - f[3]
+    lost = f[0] - e[4] * f[1]
+    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
 
 
 def bend_of(e: S, f: S) -> V:
     """Return the second derivative of E."""
-    return e[1] * (1.0 - e[4] * (f[0] - e[4] * f[1])) + (e[2] * (1.0 - f[2]) + e[3] * (f[0] - f[3]))
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    lost = f[0] - e[4] * f[1]
+    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
 
 
 def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
@@ -121,13 +126,16 @@ def mirror(back: S, drive: V, sine: V, vers: V, q: V, f: S) -> None:
     sine_end = f[0] - f[3]
     cosine = 1.0 - f[2]
     at_end = drive + (sine * sine_end + vers * f[2])
-    factors(back, -at_end, sine * cosine + vers * sine_end, sine * sine_end - vers * cosine, -q)
+    sine_back = sine * cosine + vers * sine_end
+    vers_back = sine * sine_end - vers * cosine
+    factors(back, -at_end, sine_back, vers_back, -q)
 
 
 def reverse(f: S, q: V) -> None:
     """Replace the functions for q by those for -q."""
     y = q * f[0]
-    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / (1.0 - y + q * q * f[1])
+    faded_by = 1.0 - y + q * q * f[1]
+    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
 
 
 def end_of_swing(e: S, sine: V, which: M) -> V:
@@ -141,7 +149,8 @@ def end_of_swing(e: S, sine: V, which: M) -> V:
         at = energy(e, f)
         falls = slope_of(e, f) * x - at
         bends = bend_of(e, f) * (x * x) - 2.0 * falls
-        change = 2.0 * at * falls * x / (2.0 * falls * falls - at * bends)
+        steepness = 2.0 * falls * falls - at * bends
+        change = 2.0 * at * falls * x / steepness
         x = where(which, x - change, x)
         which = which and abs(change) > LAST_OF_HALLEY * x
         count = count + 1
@@ -160,7 +169,8 @@ def peak_of_swing(e: S, end: V, which: M) -> V:
         slope = slope_of(e, f)
         low = where(slope > 0.0, x, low)
         high = where(slope > 0.0, high, x)
-        following = inside_or_middle(x - slope / bend_of(e, f), low, high)
+        following = x - slope / bend_of(e, f)
+        following = inside_or_middle(following, low, high)
         change = abs(following - x)
         x = where(which, following, x)
         which = which and change > LAST_STEP * x
@@ -174,7 +184,10 @@ def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """
     sine_end = sine * (f[0] - f[3])
-    return start > 0.0 and start + (sine_end + vers * f[2]) > 0.0 and vers <= 0.0 and vers * (1.0 - f[2]) <= sine_end
+    at_end = start + (sine_end + vers * f[2])
+    cosine = 1.0 - f[2]
+    concave = vers <= 0.0 and vers * cosine <= sine_end
+    return start > 0.0 and at_end > 0.0 and concave
 
 
 def slowness(e: S, back: S, end: V, k: N) -> V:
@@ -185,13 +198,15 @@ def slowness(e: S, back: S, end: V, k: N) -> V:
     room = x * (end - x)
     here = sqrt(room / energy(e, f))
     reverse(f, e[4])
-    return here + sqrt(room / energy(back, f))
+    there = sqrt(room / energy(back, f))
+    return here + there
 
 
 def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
     """Return the duration of a phase, and the relative change by the last halving of intervals."""
     ends = sqrt(end / e[0]) + sqrt(end / back[0])
-    total = 0.125 * (ends + slowness(e, back, end, 0)) + 0.25 * slowness(e, back, end, 1)
+    total = 0.125 * (ends + slowness(e, back, end, 0))
+    total = total + 0.25 * slowness(e, back, end, 1)
     change: V = 1.0
     changes = which
     first: N = 2
@@ -211,7 +226,7 @@ def time_of_peak(e: S, peak: V) -> V:
     """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
     total: V = 0.0
     f = new_series()
-    for k in up(0, 9):
+    for k in up(0, 11):
         functions(f, peak * PLACES[k], e[4])
         total = total + WEIGHTS[k] * sqrt(f[0] / energy(e, f))
     return 2.0 * sqrt(peak) * total
@@ -222,7 +237,10 @@ def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
     peak = peak_of_swing(e, end, here)
     f = new_series()
     functions(f, peak, e[4])
-    keep_faster(s, here, sqrt(energy(e, f)), s.time + time_of_peak(e, peak), peak, 0.5 * slope_of(e, f))
+    speed = sqrt(energy(e, f))
+    rate = 0.5 * slope_of(e, f)
+    time = s.time + time_of_peak(e, peak)
+    keep_faster(s, here, speed, time, peak, rate)
     s.x = end
     s.omega = 0.0
     s.time = s.time + duration
@@ -230,15 +248,6 @@ def finish(s: Lanes, here: M, e: S, end: V, duration: V) -> None:
     s.passed = number(Passed.NOTHING)
     if here:
         on_standstill(s)
-
-
-def complete(s: Lanes, which: M, e: S, back: S, end: V) -> M:
-    """Complete phases whose duration is certain and ends before the end time, and return these lanes."""
-    duration, change = duration_of_swing(e, back, end, which)
-    ends = which and change <= CONVERGED and s.time + duration < s.end_time
-    if any_lane(ends):
-        finish(s, ends, e, end, duration)
-    return ends
 
 
 def swing(s: Lanes, which: M) -> M:
@@ -251,17 +260,23 @@ def swing(s: Lanes, which: M) -> M:
     end = end_of_swing(e, s.net_sine, which)
     functions(f, minimum(end, FARTHEST), q)
     mirror(back, s.drive, s.net_sine, s.net_vers, q, f)
-    fits = which and end < FARTHEST and q >= 0.0 and q * end < FADED and back[0] > 0.0 and s.normal_square >= 0.0
+    fits = which and end < FARTHEST and back[0] > 0.0
+    fits = fits and q >= 0.0 and q * end < FADED
+    fits = fits and s.normal_square >= 0.0
     fits = fits and stays_positive(s.normal_load, s.upright_sine, s.upright_vers, f)
     fits = fits and stays_positive(s.normal0, s.normal_sine, s.normal_vers, f)
     if any_lane(fits):
-        fits = complete(s, fits, e, back, end)
+        duration, change = duration_of_swing(e, back, end, fits)
+        fits = fits and change <= CONVERGED and s.time + duration < s.end_time
+        if any_lane(fits):
+            finish(s, fits, e, end, duration)
     return fits
 
 
 def leap(s: Lanes, which: M) -> M:
     """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    begins = which and s.x == 0.0 and s.omega == 0.0 and s.drive > 0.0 and s.lifted == 0.0
+    rests = s.x == 0.0 and s.omega == 0.0
+    begins = which and rests and s.drive > 0.0 and s.lifted == 0.0
     if any_lane(begins):
         begins = swing(s, begins)
     return begins

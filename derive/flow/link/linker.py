@@ -173,13 +173,12 @@ class Linker:
         sums = {results[0]: operation for operation, results in self.series.items() if operation.kind == "lin"}
         cells = dict[str, str]()
         for name, constant in CONSTANTS.items():
-            operation = sums.get(str(registers[name]))
-            if operation is None or operation.cells[0] != outputs[constant] or "sin(x)" not in operation.registers:
+            operation = sums.get(str(registers[name]), OnSeries("", (), ("",)))
+            start, *factors = operation.cells
+            known = dict(zip(operation.registers, factors, strict=True))
+            if start != outputs[constant] or "sin(x)" not in known or known.keys() - FACTORS:
                 return {}
-            if not FACTORS.keys() >= {*operation.registers}:
-                return {}
-            factors = dict(zip(operation.registers, operation.cells[1:], strict=True))
-            cells |= {f"cell_{name}_{factor}": factors.get(x, ZERO) for x, factor in FACTORS.items()}
+            cells |= {f"cell_{name}_{factor}": known.get(x, ZERO) for x, factor in FACTORS.items()}
         return cells
 
     def zero(self, name: str) -> str:
