@@ -130,11 +130,12 @@ def test_other_accuracies(accuracy: float) -> None:
         assert motion.error_estimate <= accuracy or (motion.warnings and k in NUMBERS), f"scene {k}"
 
 
-@pytest.mark.parametrize("near", [0.0, 1e-15, -1e-15])
-def test_a_decision_that_rounding_makes_is_not_silent(near: float) -> None:
+@pytest.mark.parametrize(("near", "ratio"), [(0.0, 0.0), (1e-15, 0.1), (-1e-15, 0.1)])
+def test_a_decision_that_rounding_makes_is_not_silent(near: float, ratio: float) -> None:
     arc = Arc(100.0, np.radians(190.0), np.radians(280.0), 2e4)
-    limit = slipcircle.solve(Scene(arc, 1.0, {"rotation": {}})).limit_friction
-    motion = slipcircle.solve(Scene(arc, limit * (1.0 + near), {"rotation": {}}))
+    effects: dict[str, Any] = {"rotation": {}, "pore_pressure": {"ratio": ratio}}
+    limit = slipcircle.solve(Scene(arc, 1.0, effects)).limit_friction
+    motion = slipcircle.solve(Scene(arc, limit * (1.0 + near), effects))
     assert motion.error_estimate > 0.01
     assert any("ill-conditioned" in w for w in motion.warnings)
 

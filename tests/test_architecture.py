@@ -206,6 +206,7 @@ CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "tabulated": ("vaiont-as-printed", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
+    "decimals": ("vaiont", {"friction": 0.419}, bool),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),

@@ -14,10 +14,11 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from flint import arb, ctx
+from flint import ctx
 from mpmath import mpf
 
-from slipcircle import Arc, Motion, solve
+from generated import kernels
+from slipcircle import Arc, Motion, Scene, solve
 from tests.support import accuracy, golden, oracle, taylor
 from tests.support.lanes import BACKENDS, backend
 from tests.support.motions import finite
@@ -43,9 +44,8 @@ def data_of(case: Mapping[str, Any]) -> golden.Data:
     """Return the data of the scene of a case."""
     scene = dict(case["scene"])
     if "ulps" in case:
-        scene["friction"] = abs(float(Arc(**scene["arc"]).dimensionless.limit_friction))
-        for _ in range(abs(case["ulps"])):
-            scene["friction"] = float(np.nextafter(scene["friction"], math.copysign(math.inf, case["ulps"])))
+        limit = abs(float(Arc(**scene["arc"]).dimensionless.limit_friction))
+        scene["friction"] = limit + case["ulps"] * float(np.spacing(limit))
     return scene
 
 
@@ -62,9 +62,6 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
         return False, (turned * m["radius"], mpf(1e9), omega * m["radius"] / m["scale"])
     with ctx.workprec(400):
         p = taylor.Problem(data_of(case))
-        if "ulps" in case:  # the printed limit decides: the dip that has it exactly
-            printed = arb(abs(float(Arc(**case["scene"]["arc"]).dimensionless.limit_friction)))
-            p.dip = p.lean = (printed * p.press / p.fall).atan() * (1 if p.dip > 0 else -1)
         found = taylor.Solution(p, 26, 22)
         record = found.record()
     return found.arrested, tuple(mpf(record[n]) for n in ("run_out", "duration", "peak_velocity"))
@@ -95,6 +92,21 @@ def answered(name: str) -> None:
         for found, exact in zip((motion.run_out, motion.duration, abs(motion.peak.velocity)), right, strict=True):
             error = abs(mpf(float(found)) - (exact if found == motion.run_out else abs(exact)))
             assert error <= case.get("tolerance", TOLERANCE) * abs(exact), (found, exact)
+
+
+def test_ensemble_close_to_the_limit() -> None:
+    """Protect the run-out 2 R (psi - delta) at distances from 1e-3 to an ulp, over friction and geometry."""
+    near = np.array([1e-3, 1e-6, 1e-9, 1e-12, 2e-16])
+    ends = np.array([[SLOPE["theta_1"]], [SLOPE["theta_1"] - 0.1]])
+    limits = np.abs(kernels.limit_friction(ends, SLOPE["theta_2"]))
+    motion = solve(Scene(Arc(**SLOPE | {"theta_1": ends}), limits * (1.0 - near), TURNING, accuracy=1e-13))
+    for place in np.ndindex(motion.shape):
+        with ctx.workprec(400):
+            m = oracle.moments(SLOPE | {"theta_1": float(ends[place[0], 0])})
+            mu = oracle.exact(float(limits[place[0], 0] * (1.0 - near[place[1]])))
+            exact = float(2 * SLOPE["radius"] * (m["dip"] - (mu * m["press"] / m["fall"]).atan()))
+        assert abs(motion.run_out[place] / exact - 1) <= 1e-12
+        assert motion.error_estimate[place] < 1e-11
 
 
 # --- friction that rises, or settles after much higher values --------------------------------------------------------

@@ -132,12 +132,14 @@ def test_on_the_command_line(said: Any, records: Any, asked: Any) -> None:
     assert asked("plan")[0] == 2
 
 
-def test_the_error_to_expect_grows_next_to_the_limit() -> None:
-    limit = solve(scene(("rotation",), 0.5)).limit_friction
-    far, near = (solve(scene(("rotation",), limit * (1 - gap))).error_estimate for gap in (0.5, 1e-9))
+@pytest.mark.parametrize("effects", [("rotation",), ("rotation", "pore_pressure")])
+def test_the_error_to_expect_grows_next_to_the_limit(effects: tuple[str, ...]) -> None:
+    """Except for weight alone, whose limit friction is known to more digits than a double has."""
+    limit = solve(scene(effects, 0.5)).limit_friction
+    far, near = (solve(scene(effects, limit * (1 - gap))).error_estimate for gap in (0.5, 1e-9))
     assert far < 1e-12
-    assert near > 1e-7
-    assert solve(scene(("rotation",), limit)).error_estimate == 1.0
+    assert near > 1e-7 if "pore_pressure" in effects else near < 1e-12
+    assert solve(scene(effects, limit)).error_estimate == 1.0
 
 
 # --- the equation of motion ------------------------------------------------------------------------------------------
