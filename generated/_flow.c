@@ -1,9 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-<<<<<<< HEAD
-#define DIGEST "868c4db8d59bb4878b3f04ffe3d578288c83f600ed42669e6f3defe0a61d41cf"
-=======
-#define DIGEST "afc2fc3defdcbb0360fa00eb4f82db0fe926046fc55af95e2beafff3ec56f4a7"
->>>>>>> main
+#define DIGEST "e155e8419bb992a0166a8fa99bff543dc8330cb069ebf687e0f3f81304cb2014"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.

@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: 81cc99dd40bf96da27c3846dd72b0c365daabe9922e621e7b0de8df5110539ce
-=======
-# sha256 of the text below: 6e2bf151b493e6555f59c5992f92920deafab1222c94f570bdb0e131429f6c0a
->>>>>>> main
+# sha256 of the text below: 63b1b01fe160d27deeaf71974952d774bec57edef282fb58090a761ddb4da33c
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of

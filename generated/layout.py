@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: 47ecff84b95807123559bd9cf0ac2f9f7e6139c57b0c478cdef3b79bab4388a8
-=======
-# sha256 of the text below: 4f2f244c845887d2aeee1630692e2f2aeff9c9b88abb9e8a0db5b74ce7301004
->>>>>>> main
+# sha256 of the text below: e5e9a86ba596fead0640c035f4ad5e3ff24d2cb1abbdbe02f8ed0741dc2649af
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.

@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: d6e751f3ab8692525f582881c773fcb8a3d360bdbefbb93a4667c8212e271cc5
-=======
-# sha256 of the text below: edfbcf7c98add9fca27c2c8ddf04f017e4d2de19fa54b3a768b9f101003f1796
->>>>>>> main
+# sha256 of the text below: 138193d554e917b942c4ccda5c2737675be9abaa57421273569728ea8d622639
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -19,11 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-<<<<<<< HEAD
-DIGEST = "868c4db8d59bb4878b3f04ffe3d578288c83f600ed42669e6f3defe0a61d41cf"  # of the compiled integrator's source
-=======
-DIGEST = "afc2fc3defdcbb0360fa00eb4f82db0fe926046fc55af95e2beafff3ec56f4a7"  # of the compiled integrator's source
->>>>>>> main
+DIGEST = "e155e8419bb992a0166a8fa99bff543dc8330cb069ebf687e0f3f81304cb2014"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
