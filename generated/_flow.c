@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e155e8419bb992a0166a8fa99bff543dc8330cb069ebf687e0f3f81304cb2014"
+#define DIGEST "104c931c71497437b8a6c24f70ef1e54f0030f23be58b942abfe27d325a3586d"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2593,9 +2593,9 @@ INLINE void factors(V *e, V drive, V sine, V vers, V q)
 {
     V share = 2.0 / (1.0 + (q * q));
     e[0] = 2.0 * drive;
-    e[1] = q * ((share * ((sine * q) - vers)) - (2.0 * drive));
-    e[2] = share * (sine + (vers * q));
     e[3] = share * (vers - (sine * q));
+    e[2] = share * (sine + (vers * q));
+    e[1] = (-q) * (e[3] + e[0]);
     e[4] = q;
 }
 
@@ -2655,11 +2655,13 @@ INLINE void reverse(V *f, V q)
 /* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
 static V end_of_swing(V *e, V sine, M which)
 {
-    V x = e[0] / ((0.5 * (e[4] * e[0])) - sine);
+    V falls_by = (0.5 * (e[4] * e[0])) - sine;
+    V x = e[0] / falls_by;
     V f[STRIDE];
     int count = 0;
     while (bits(which) && (count < MOST_CORRECTIONS)) {
-        x = pick((x > 0.0) & (x < FARTHEST), x, broadcast(FARTHEST));
+        M inside = (x > 0.0) & (x < FARTHEST);
+        x = pick(inside, x, broadcast(FARTHEST));
         functions(f, x, e[4]);
         V at = energy(e, f);
         V falls = (slope_of(e, f) * x) - at;
@@ -2724,7 +2726,8 @@ INLINE V slowness(V *e, V *back, V end, int k)
 /* Return the duration of a phase, and the relative change by the last halving of intervals. */
 static Pair duration_of_swing(V *e, V *back, V end, M which)
 {
-    V ends = sqrt_of(end / e[0]) + sqrt_of(end / back[0]);
+    V ends = sqrt_of(end / e[0]);
+    ends = ends + sqrt_of(end / back[0]);
     V total = 0.125 * (ends + slowness(e, back, end, 0));
     total = total + (0.25 * slowness(e, back, end, 1));
     V change = broadcast(1.0);
@@ -2736,7 +2739,8 @@ static Pair duration_of_swing(V *e, V *back, V end, M which)
             added = added + slowness(e, back, end, k);
         }
         added = added / (double)(2 * first);
-        change = pick(changes, magnitude(added - total) / total, change);
+        V relative = magnitude(added - total) / total;
+        change = pick(changes, relative, change);
         total = pick(changes, 0.5 * (total + added), total);
         changes = which & (change > CONVERGED);
         first = 2 * first;

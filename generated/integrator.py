@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 63b1b01fe160d27deeaf71974952d774bec57edef282fb58090a761ddb4da33c
+# sha256 of the text below: 4fafeb24117bb9127d4b707cab7218287a72947510aafd5c6b5242dd24c6ccad
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1606,9 +1606,9 @@ def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> 
     """Compute the factors of E, followed by q."""
     share = 2.0 / (1.0 + q * q)
     e[0] = 2.0 * drive
-    e[1] = q * (share * (sine * q - vers) - 2.0 * drive)
-    e[2] = share * (sine + vers * q)
     e[3] = share * (vers - sine * q)
+    e[2] = share * (sine + vers * q)
+    e[1] = -q * (e[3] + e[0])
     e[4] = q
 
 
@@ -1660,11 +1660,13 @@ def reverse(f: Floats, q: Floats) -> None:
 
 def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
     """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
-    x = e[0] / (0.5 * (e[4] * e[0]) - sine)
+    falls_by = 0.5 * (e[4] * e[0]) - sine
+    x = e[0] / falls_by
     f = np.zeros_like(e)
     count = 0
     while np.any(which) and count < MOST_CORRECTIONS:
-        x = np.where((x > 0.0) & (x < FARTHEST), x, FARTHEST)
+        inside = (x > 0.0) & (x < FARTHEST)
+        x = np.where(inside, x, FARTHEST)
         functions(f, x, e[4])
         at = energy(e, f)
         falls = slope_of(e, f) * x - at
@@ -1722,7 +1724,8 @@ def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
 
 def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
     """Return the duration of a phase, and the relative change by the last halving of intervals."""
-    ends = np.sqrt(end / e[0]) + np.sqrt(end / back[0])
+    ends = np.sqrt(end / e[0])
+    ends = ends + np.sqrt(end / back[0])
     total = 0.125 * (ends + slowness(e, back, end, 0))
     total = total + 0.25 * slowness(e, back, end, 1)
     change: Floats = 1.0
@@ -1733,7 +1736,8 @@ def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tupl
         for k in range(first, 2 * first - 1 + 1):
             added = added + slowness(e, back, end, k)
         added = added / float(2 * first)
-        change = np.where(changes, np.abs(added - total) / total, change)
+        relative = np.abs(added - total) / total
+        change = np.where(changes, relative, change)
         total = np.where(changes, 0.5 * (total + added), total)
         changes = which & (change > CONVERGED)
         first = 2 * first

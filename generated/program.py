@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 05a51ccf9fd8cc5833df16955b15609ee263fbdefab134c2cc6f685933c8e4d5
+# sha256 of the text below: 85e424aa9bf298524226551e50faf7af1abac83d75032893d05b0bd2fa587c15
 """Linker of programs of scenes from the fragments of their effects and laws."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -408,7 +408,8 @@ class Linker:
             known = dict(zip(operation.registers, factors, strict=True))
             if start != outputs[constant] or "sin(x)" not in known or known.keys() - FACTORS:
                 return {}
-            cells |= {f"cell_{name}_{factor}": known.get(x, ZERO) for x, factor in FACTORS.items()}
+            for register, factor in FACTORS.items():
+                cells[f"cell_{name}_{factor}"] = known.get(register, ZERO)
         return cells
 
     def zero(self, name: str) -> str:

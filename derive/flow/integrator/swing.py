@@ -86,9 +86,9 @@ def factors(e: S, drive: V, sine: V, vers: V, q: V) -> None:
     """Compute the factors of E, followed by q."""
     share = 2.0 / (1.0 + q * q)
     e[0] = 2.0 * drive
-    e[1] = q * (share * (sine * q - vers) - 2.0 * drive)
-    e[2] = share * (sine + vers * q)
     e[3] = share * (vers - sine * q)
+    e[2] = share * (sine + vers * q)
+    e[1] = -q * (e[3] + e[0])
     e[4] = q
 
 
@@ -140,11 +140,13 @@ def reverse(f: S, q: V) -> None:
 
 def end_of_swing(e: S, sine: V, which: M) -> V:
     """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
-    x = e[0] / (0.5 * (e[4] * e[0]) - sine)
+    falls_by = 0.5 * (e[4] * e[0]) - sine
+    x = e[0] / falls_by
     f = new_series()
     count: N = 0
     while any_lane(which) and count < MOST_CORRECTIONS:
-        x = where(x > 0.0 and x < FARTHEST, x, FARTHEST)
+        inside = x > 0.0 and x < FARTHEST
+        x = where(inside, x, FARTHEST)
         functions(f, x, e[4])
         at = energy(e, f)
         falls = slope_of(e, f) * x - at
@@ -204,7 +206,8 @@ def slowness(e: S, back: S, end: V, k: N) -> V:
 
 def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
     """Return the duration of a phase, and the relative change by the last halving of intervals."""
-    ends = sqrt(end / e[0]) + sqrt(end / back[0])
+    ends = sqrt(end / e[0])
+    ends = ends + sqrt(end / back[0])
     total = 0.125 * (ends + slowness(e, back, end, 0))
     total = total + 0.25 * slowness(e, back, end, 1)
     change: V = 1.0
@@ -215,7 +218,8 @@ def duration_of_swing(e: S, back: S, end: V, which: M) -> tuple[V, V]:
         for k in up(first, 2 * first - 1):
             added = added + slowness(e, back, end, k)
         added = added / number(2 * first)
-        change = where(changes, abs(added - total) / total, change)
+        relative = abs(added - total) / total
+        change = where(changes, relative, change)
         total = where(changes, 0.5 * (total + added), total)
         changes = which and change > CONVERGED
         first = 2 * first

@@ -178,7 +178,8 @@ class Linker:
             known = dict(zip(operation.registers, factors, strict=True))
             if start != outputs[constant] or "sin(x)" not in known or known.keys() - FACTORS:
                 return {}
-            cells |= {f"cell_{name}_{factor}": known.get(x, ZERO) for x, factor in FACTORS.items()}
+            for register, factor in FACTORS.items():
+                cells[f"cell_{name}_{factor}"] = known.get(register, ZERO)
         return cells
 
     def zero(self, name: str) -> str:
