@@ -87,11 +87,14 @@ def softening() -> Iterator[Problem]:
     NET, where t_j = (-brake/slope)^j/j!. A resonance, q = j slope, needs no exception: `BASIS` is regular at q = 0.
     """
     parts = ((drive, load), (sine, load_sine), (vers, load_vers))
-    before, t, j = Integer(0), Integer(1), 0
+    before = Integer(0)
+    t = Integer(1)
+    j = 0
     while True:
         yield {a: t * a + before * b for a, b in parts} | {q: q - j * slope}
         j += 1
-        before, t = t, -t * brake / (slope * j)
+        before = t
+        t = -t * brake / (slope * j)
 
 
 def prove(count: int = 3) -> str:
