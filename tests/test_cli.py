@@ -336,28 +336,15 @@ def test_ctrl_c_while_modules_load(module: str) -> None:
 
 def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
     """Commands have their own help with a sentence; the first help lists scenes and exit status, in 100 columns."""
-    commands = [
-        "new",
-        "run",
-        "plan",
-        "sweep",
-        "records",
-        "backanalyse",
-        "sensitivity",
-        "search",
-        "schema",
-        "cost",
-        "info",
-    ]
-    assert {*commands} == {*COMMANDS}
-    for name in ("", *commands):
+    assert {*COMMANDS} >= {"new", "run", "plan", "sweep", "records", "backanalyse", "sensitivity", "search", "info"}
+    for name in ("", *COMMANDS):
         text = said(name, "--help")
         assert text.startswith(f"usage: slipcircle {name}".rstrip())
         assert max(map(len, text.splitlines())) <= 100
         assert re.search(r"\n\n[A-Z][^\n]*(\n[^\n]+)*\.\n", text), name
     text = said("--help")
     assert "0 success, 1 invalid input, 2 invalid call, 130 interrupted" in text
-    assert all(name in text for name in (*shipped(), *commands))
+    assert all(name in text for name in (*shipped(), *COMMANDS))
     assert said("--version") == f"slipcircle {slipcircle.__version__}\n"
 
 
