@@ -138,5 +138,5 @@ def test_a_campaign_of_mutants_says_why_nothing_was_measured(tmp_path: Path) -> 
 def test_tests_are_selected_by_the_files_that_they_reach() -> None:
     chosen, known = reach.tests_of(["slipcircle/ground/ponds.py"])
     assert "tests/test_free_water.py::test_factors_are_those_of_plain_slices" in chosen < known
-    with pytest.raises(ValueError, match="--of derive/none.py: no test is known to reach it; give a module of"):
+    with pytest.raises(ValueError, match=r"--of derive/none\.py: no test is known to reach it; give a module of"):
         reach.tests_of(["derive/none.py"])
