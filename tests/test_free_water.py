@@ -404,3 +404,27 @@ def test_pages_and_pictures_are_the_same_in_map_coordinates(tmp_path: Path) -> N
     assert len(near) > 20
     assert far == pytest.approx(near, abs=0.02)
     assert frames[1] == pytest.approx(frames[0], abs=1e-3)
+
+
+def test_the_total_stress_includes_the_weight_of_free_water() -> None:
+    """Total less effective stress is the mean pore pressure: none below a pond on dry soil, else that of the level."""
+    ground, circle = [(-24, 20), (0, 20), (40, 0), (60, 0)], ((26.0, 34.0), 38.0, 19e3)
+    pond = solve(Scene(Section(ground, *circle, ponds=[(30.0, 60.0, 5.0)]), 0.1, ["rotation"]))
+    times = np.linspace(0.0, float(pond.duration), 5)
+    assert pond.at(times).normal_stress == pytest.approx(pond.effective_stress_at(times), rel=1e-9)
+    assert pond.peak.normal_stress == pytest.approx(float(pond.effective_stress_at(pond.peak.time)), rel=1e-9)
+    section = Section(ground, *circle, level=[(-24, 12), (0, 12), (30, 5), (60, 5)])
+    slide = solve(Scene(section, 0.1, ["rotation"]))
+    angles = np.linspace(
+        *sorted(
+            np.arctan2(
+                np.array([e[1] - 34.0 for e in (section.entry, section.exit)]),
+                np.array([e[0] - 26.0 for e in (section.entry, section.exit)]),
+            )
+        ),
+        200_001,
+    )
+    heights = 34.0 + 38.0 * np.sin(angles)
+    head = np.interp(26.0 + 38.0 * np.cos(angles), [-24, 0, 30, 60], [12, 12, 5, 5]) - heights
+    mean = float(np.mean(np.maximum(head, 0.0))) * section.water_unit_weight
+    assert float(slide.pore_pressure_at(0.0)) == pytest.approx(mean, rel=1e-4)
