@@ -1,6 +1,6 @@
 """Random scenes stored with their motion to 20 and 30 digits; ``tests.campaigns.references`` draws other scenes.
 
-Of the 400 scenes of plain data 300 depend on position and velocity, and 100 on time, rates or heat. `taylor` solved each
+Of the 400 scenes 300 depend on position and velocity, and 100 on time, rates or heat. `taylor` solved each scene
 twice, by series of different length at different precision, and the digits agreed. `test_accuracy` solves six scenes
 again; ``python -m tests.support.references`` solves all, and stores the answers.
 """
