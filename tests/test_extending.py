@@ -7,10 +7,10 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -20,6 +20,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, solve
+from slipcircle.core import number
 from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run
@@ -315,10 +316,9 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
 class LoadedArc(Arc):
     """An arc with a rigid load on top, such as a house: N/m, at x and y from the centre, m."""
 
-    load: Any = 0.0
+    load: Any = field(default=0.0, metadata=number("N/m", -1.0, 1e12, help="weight of the load"))
     x: float = 0.0
     y: float = 0.0
-    quantities: ClassVar[Mapping[str, int]] = {**Arc.quantities, "load": 0}
 
     @cached_property
     def bare(self) -> Arc:

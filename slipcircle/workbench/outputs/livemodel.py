@@ -21,7 +21,8 @@ from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with
 from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.files.numbers import Number, by_name
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of
 from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
 
@@ -44,7 +45,7 @@ MOST_NUMBERS = 60_000  # greatest number of values in tables
 class Slider(NamedTuple):
     """Number of a scene with its range in the unit of its key."""
 
-    number: Number
+    number: Key
     low: float
     high: float
 
@@ -60,7 +61,7 @@ class Slider(NamedTuple):
             "key": number.key,
             "name": number.name,
             "label": quantity_words(number),
-            "unit": number.unit or "g" * number.key.endswith("_g"),
+            "unit": number.written or "g" * number.key.endswith("_g"),
             "low": self.low,
             "high": self.high,
             "value": float(number.from_si(parameter_value(scene, number.name))),
@@ -108,7 +109,7 @@ def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: fl
         return False
 
 
-def _around(scene: Scene, number: Number) -> Slider | None:
+def _around(scene: Scene, number: Key) -> Slider | None:
     """Return a slider around the scene's value, narrowed until both ends are valid, or None if it gets too narrow."""
     value = float(number.from_si(parameter_value(scene, number.name)))
     share = 0.1 if number.name in _SHAPE else SHARE
