@@ -14,9 +14,9 @@ from scipy.optimize import least_squares, minimize_scalar
 
 from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, solve
 from slipcircle.derivatives import with_parameters
-from slipcircle.workbench.common.records import record
 from slipcircle.workbench.common.summary import summary
 from slipcircle.workbench.files.shipped import find
+from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
 from slipcircle.workbench.studies.roots import solve_exact

@@ -22,8 +22,8 @@ from derive import __main__ as derive_line
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
 from slipcircle.workbench.commands import COMMANDS
-from slipcircle.workbench.common.records import record
 from slipcircle.workbench.files.shipped import find, shipped
+from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.support.lanes import BINARY, compiled
 from tests.support.outputs import COMPUTING, columns
@@ -336,7 +336,7 @@ command()
 """
 
 
-@pytest.mark.parametrize("module", ["numpy", "argparse", "slipcircle.workbench.outputs.trace"])
+@pytest.mark.parametrize("module", ["numpy", "argparse", "slipcircle.workbench.common.trace"])
 def test_ctrl_c_while_modules_load(module: str) -> None:
     """Of the package, of the program and of the command."""
     done = fresh("-c", LOADING.format(module))
@@ -419,7 +419,7 @@ from slipcircle import load, solve
 for name in ("newmark-pulse", "vaiont-heated", "vaiont-rate", "vaiont-frozen", "wet-slope"):
     m = solve(load(name)); m.at([0, 1]); m.energy; m.error_estimate
 loaded = {name.partition(".")[0] for name in set(sys.modules) - bare - set(hidden)} - sys.stdlib_module_names
-assert "slipcircle.workbench.outputs.plots" not in sys.modules  # nothing was drawn
+assert "slipcircle.workbench.outputs.pictures.plots" not in sys.modules  # nothing was drawn
 from slipcircle.core.motion import solver
 solver.motion_of = None  # so that nothing can be computed
 print(json.dumps([done, sorted(loaded), [told(line) for line in needs]]))

@@ -16,7 +16,6 @@ import mpmath
 import numpy as np
 import pytest
 from flint import arb_series
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, solve
@@ -25,6 +24,7 @@ from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run
 from tests.support import golden, taylor
+from tests.support.along_the_arc import first_slide
 from tests.support.outputs import blocks
 from tests.support.pieces import Pieces
 
@@ -214,7 +214,7 @@ def motion_file(name: str, keys: str) -> str:
 
 
 def integrated(friction: Friction, held: Callable[[float], float], gain: float) -> tuple[float, float]:
-    """Peak velocity and run-out by Runge and Kutta's method, of weights that are sums over small pieces."""
+    """Return peak velocity and run-out by plain integration, with weights that are sums over small pieces."""
     radius, first, last, _ = RIGHT
     of_arc = (last - first) * radius**2
     level, upright = (np.array(turned(x, HOUSE | {"load": 0.0})) for x in (0.0, np.pi / 2))
@@ -227,17 +227,8 @@ def integrated(friction: Friction, held: Callable[[float], float], gain: float) 
         resisting = mu * (press - pressure * of_arc) + held(radius * rotation) * of_arc
         return [omega, (drive - resisting) / inertia, gain * mu * omega]
 
-    def rests(t: float, y: Any) -> float:
-        return float(y[1])
-
-    def fastest(t: float, y: Any) -> float:
-        return rate(t, y)[1]
-
-    rests.terminal, rests.direction = True, -1  # type: ignore[attr-defined]
-    found = solve_ivp(rate, (0.0, 100.0), [0.0] * 3, "DOP853", None, False, (rests, fastest), rtol=1e-12, atol=1e-14,
-                      max_step=0.05)  # fmt: skip
-    (end,), tops = found.y_events
-    return radius * max(y[1] for y in tops), radius * end[0]
+    rotation, _, omega = first_slide(rate, [0.0] * 3)
+    return radius * omega, radius * rotation
 
 
 def check_height_moment(root: Path) -> None:

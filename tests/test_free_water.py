@@ -16,10 +16,10 @@ from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
-from slipcircle.workbench.outputs import livesection
+from slipcircle.workbench.outputs.page import section as livesection
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import factors_of_safety
-from tests.campaigns import standing_water
+from tests.campaigns import combined
 
 WATER = 9810.0
 TURNING = ["rotation", "centripetal"]
@@ -343,29 +343,6 @@ def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
 
 # --- motions in standing water ----------------------------------------------------------------------------------------
 
-POOLS = [standing_water.drawn(np.random.default_rng([7, k])) for k in range(12)]
-
-
-@pytest.mark.parametrize("layered", [False, True])
-def test_motions_in_standing_water_are_those_of_a_plain_integration(layered: bool) -> None:
-    """``python -m tests.campaigns.standing_water 200`` compares more."""
-    pool = next(pool for pool in POOLS if layered == (pool.joint is not None))
-    assert standing_water.difference(pool) < 1e-8
-
-
-@pytest.mark.parametrize("number", range(len(POOLS)))
-def test_motion_and_statics_agree_at_the_start(number: int) -> None:
-    """Also from the other side and in map coordinates, where all is the same."""
-    pool = POOLS[number]
-    motion = solve(pool.scene())
-    factors = factors_of_safety(pool.scene())
-    assert motion.factor_of_safety == pytest.approx(float(factors["paper"]), rel=1e-12)
-    assert motion.yield_coefficient == pytest.approx(float(factors["k_y"]), rel=1e-11)
-    mirrored = solve(pool.scene(facing=-1.0))
-    assert mirrored.factor_of_safety == pytest.approx(motion.factor_of_safety, rel=1e-12)
-    assert mirrored.run_out == pytest.approx(motion.run_out, rel=1e-10)
-    assert solve(pool.scene(shift=5e6)).run_out == pytest.approx(motion.run_out, rel=1e-6)
-
 
 @pytest.mark.parametrize("layers", [{}, {"layers": [(Soil(2e4, 2e3, 0.2, name="soil"), None)]}])
 def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> None:
@@ -436,17 +413,17 @@ def test_standing_water_is_told_of(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "x = 38 to 80 m, level 1 m" in capsys.readouterr().out
 
 
-def test_pages_and_pictures_are_the_same_in_map_coordinates() -> None:
+def test_pages_and_pictures_are_the_same_in_map_coordinates(tmp_path: Path) -> None:
     """Lines of the page's section, and the frame of the picture."""
-    pool = next(pool for pool in POOLS if pool.joint is None)
+    pool = next(x for x, _ in combined.motions(5, tmp_path) if x.count == 1 and x.level and x.level[-1][1] > 0.0)
     drawings, frames = [], []
-    for shift in (0.0, 5e6):
-        motion = solve(pool.scene(shift=shift))
+    for pool.shift in (0.0, 5e6):
+        motion = solve(combined.read(pool, tmp_path))
         section = livesection.section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
         paths = re.findall(r'<path class="(?:soil|body|slip|water|circle)" d="([^"]*)"', str(section))
         drawings.append([float(number) for number in re.findall(r"-?\d+\.\d+", " ".join(paths))])
         axes = motion.plot("section")
-        frames.append([*(np.array(axes.get_xlim()) - shift), *axes.get_ylim()])
+        frames.append([*(np.array(axes.get_xlim()) - pool.shift), *axes.get_ylim()])
     near, far = drawings
     assert len(near) > 20
     assert far == pytest.approx(near, abs=0.02)

@@ -251,50 +251,39 @@ def test_estimate_is_at_least_the_true_error(name: str) -> None:
 # --- in the phase plane ----------------------------------------------------------------------------------------------
 
 
-class Plane:
-    """One direction of travel in 60 digits: pressed, then perhaps carried by water. All dimensionless.
+def braked(given: golden.Data) -> tuple[mpf, mpf, mpf]:
+    """Return run-out, duration and peak velocity of a mass under drag; E = omega^2 is elementary in the rotation x.
 
-    E = omega^2 obeys E' + q E = 2 (fall - mu (press - water)), whose solution is elementary.
+    E' + q E = 2 (fall sin(dip - x) - mu press cos(dip - x)), in digits enough for E near its zeros.
     """
+    with ctx.workprec(260):
+        p = taylor.Problem(given)
+        numbers = (p.fall, p.press, p.polar, p.drag, p.dip, p.omega, p.scale)
+        fall, press, polar, drag, dip, omega, scale = (mpf(x.mid().str(70, radius=False)) for x in numbers)
+    mu, radius = mpf(given["friction"]), mpf(given["arc"]["radius"])
+    q = 2 * (mu * polar + drag)
 
-    def __init__(self, given: golden.Data) -> None:
-        with ctx.workprec(260):
-            p = taylor.Problem(given)
-            water = p.water.on(arb(0))[0] * p.level
-            named = {k: getattr(p, k) for k in ("fall", "press", "polar", "drag", "dip", "omega", "cohesion", "scale")}
-            m = {k: mpf(v.mid().str(70, radius=False)) for k, v in (named | {"water": water}).items()}
-        self.m, self.mu, self.radius = m, mpf(given["friction"]), mpf(given["arc"]["radius"])
-        self.q = q = 2 * (self.mu * m["polar"] + m["drag"])
-        self.sine = 2 * (m["fall"] * q + self.mu * m["press"]) / (q * q + 1)
-        self.cosine = 2 * (m["fall"] - self.mu * m["press"] * q) / (q * q + 1)
-        self.level = 2 * (self.mu * m["water"] - m["cohesion"]) / q
-        self.first = m["omega"] ** 2 - self.forced(mpf(0))
+    def forced(x: mpf) -> mpf:
+        across, along = mpmath.sin(dip - x), mpmath.cos(dip - x)
+        return 2 * (fall * (q * across + along) - mu * press * (q * along - across)) / (q * q + 1)
 
-    def forced(self, x: mpf) -> mpf:
-        dip = self.m["dip"] - x
-        return self.sine * mpmath.sin(dip) + self.cosine * mpmath.cos(dip) + self.level
+    def energy(x: mpf) -> mpf:
+        return forced(x) + (omega**2 - forced(mpf(0))) * mpmath.exp(-q * x)
 
-    def energy(self, x: mpf) -> mpf:
-        return self.forced(x) + self.first * mpmath.exp(-self.q * x)
+    def slope(x: mpf) -> mpf:
+        return 2 * (fall * mpmath.sin(dip - x) - mu * press * mpmath.cos(dip - x)) - q * energy(x)
 
-    def time(self, end: mpf) -> mpf:
-        """The integral of E^-1/2 to a standstill, by x = end sin^2, on panels that crowd towards both ends."""
-        finest = 16 * (1 + self.q * end)  # E changes over 1/q
-        parts = [mpf(0), *itertools.takewhile(lambda p: p < 0.5, (4**k / finest for k in range(99)))]
-        inner = [mpmath.asin(mpmath.sqrt(p)) for p in parts]
-        edges = [*inner, *(mpmath.pi / 2 - s for s in reversed(inner))]
+    def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
+        return mpmath.findroot(f, (low, high), solver="bisect", maxsteps=220, verify=False)
 
-        def rate(s: mpf) -> mpf:
-            return end * mpmath.sin(2 * s) / mpmath.sqrt(self.energy(end * mpmath.sin(s) ** 2))
-
-        nodes, weights = np.polynomial.legendre.leggauss(40)
-        rule = list(zip(((1 + nodes) / 2).tolist(), (weights / 2).tolist(), strict=True))
-        return mpmath.fsum(w * (b - a) * rate(a + (b - a) * z) for a, b in itertools.pairwise(edges) for z, w in rule)
-
-
-def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
-    """The root between two places, by bisection to the last of 60 digits."""
-    return mpmath.findroot(f, (low, high), solver="bisect", maxsteps=220, verify=False)
+    fastest = root(slope, mpf(0), 80 / q)
+    end = root(energy, 2 * fastest + mpf(10) ** -40, mpf(2))
+    crowded = [mpf(0), *itertools.takewhile(lambda share: share < 0.5, (4**k / (16 + 16 * q * end) for k in range(99)))]
+    inner = [mpmath.asin(mpmath.sqrt(share)) for share in crowded]  # x = end sin^2; E changes over 1/q at both ends
+    edges = [*inner, *(mpmath.pi / 2 - s for s in reversed(inner))]
+    duration = mpmath.quad(lambda s: end * mpmath.sin(2 * s) / mpmath.sqrt(energy(end * mpmath.sin(s) ** 2)), edges,
+                           method="gauss-legendre", maxdegree=4)  # fmt: skip
+    return end * radius, duration * scale, mpmath.sqrt(energy(fastest)) * radius / scale
 
 
 BRAKES = {  # of what drag; how near, where not just within the estimate
@@ -317,11 +306,7 @@ def test_a_drag_that_takes_up_the_drive(name: str) -> None:
     estimate = motion.error_estimate
     finite(motion)
     with mpmath.workdps(60):
-        p = Plane(given)
-        fastest = root(lambda x: p.energy(x + mpf(10) ** -30) - p.energy(x), mpf(0), 80 / p.q)
-        end = root(p.energy, 2 * fastest + mpf(10) ** -40, mpf(2))
-        peak = mpmath.sqrt(p.energy(fastest)) * p.radius / p.m["scale"]
-        wanted = end * p.radius, p.time(end) * p.m["scale"], peak
+        wanted = braked(given)
         assert motion.arrested
         for found, exact in zip((motion.run_out, motion.duration, float(motion.peak.velocity)), wanted, strict=True):
             error = float(abs(mpf(found) / exact - 1))

@@ -12,7 +12,7 @@ from slipcircle.derivatives.parameters import with_parameter_arrays
 from slipcircle.layers import LayeredSection, Soil, soils_under, stretches
 from slipcircle.layers.strength import Needs
 from slipcircle.tables import Series
-from slipcircle.workbench.common.records import foreland_words
+from slipcircle.workbench.outputs.json_records import foreland_words
 from slipcircle.workbench.outputs.tables import plan_part, stretches_part
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import Slope

@@ -18,9 +18,10 @@ from slipcircle import Motion, Scene, Section, Status, load, solve
 from slipcircle.derivatives import parameter_value, with_parameters
 from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.files.shipped import shipped
-from slipcircle.workbench.outputs import live, livesection
-from slipcircle.workbench.outputs.livemodel import Slider, default_sliders, unsolvable
-from slipcircle.workbench.outputs.shapes import mass_of
+from slipcircle.workbench.outputs.page import live
+from slipcircle.workbench.outputs.page import section as livesection
+from slipcircle.workbench.outputs.page.model import Slider, default_sliders, unsolvable
+from slipcircle.workbench.outputs.pictures.shapes import mass_of
 from tests.support.layered import TURNING, profile
 
 GENERATED = Path(__file__).parents[1] / "generated"

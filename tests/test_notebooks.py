@@ -41,7 +41,7 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
 from slipcircle.base import progress as progress_of_commands
 from slipcircle.workbench.cost import rows as cost
-from slipcircle.workbench.outputs.plotstyle import described
+from slipcircle.workbench.outputs.pictures.plotstyle import described
 from slipcircle.workbench.outputs.report import ASSUMED
 from tests.support.outputs import QUICK, words_of
 

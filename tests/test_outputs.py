@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, solve
-from slipcircle.workbench.common.records import record
-from slipcircle.workbench.outputs.trace import csv, telling_times
+from slipcircle.workbench.common.trace import csv, telling_times
+from slipcircle.workbench.outputs.json_records import record
 from tests.support import golden
 from tests.support.outputs import printed
 

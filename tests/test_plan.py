@@ -22,8 +22,8 @@ from slipcircle.layers import LayeredSection, Soil, stretches
 from slipcircle.messages.choice import FLOW
 from slipcircle.messages.equation import Equation
 from slipcircle.tables import Series
+from slipcircle.workbench.cost.ladder import ladder
 from slipcircle.workbench.files.shipped import shipped
-from slipcircle.workbench.studies.ladder import ladder
 
 ARC = load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}

@@ -17,15 +17,15 @@ from PIL import Image, ImageSequence
 
 from slipcircle import Arc, Scene, Section, Slope, critical, grid, load, solve
 from slipcircle.messages import swings_back
-from slipcircle.workbench.common.records import record
+from slipcircle.workbench.common.trace import csv
+from slipcircle.workbench.common.trace import drawn as trace
+from slipcircle.workbench.cost.ladder import ladder
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs import layerplot, plots, plotstyle, searchplot, sectionplot
+from slipcircle.workbench.outputs.json_records import record
+from slipcircle.workbench.outputs.pictures import layerplot, plots, plotstyle, searchplot, sectionplot
 from slipcircle.workbench.outputs.report import report
 from slipcircle.workbench.outputs.tables import cell_text, stretches_part
-from slipcircle.workbench.outputs.trace import csv
-from slipcircle.workbench.outputs.trace import drawn as trace
 from slipcircle.workbench.studies.fragility import interval_note
-from slipcircle.workbench.studies.ladder import ladder
 from tests.support.layered import TURNING, profile
 from tests.support.motions import from_method
 from tests.support.outputs import printed

@@ -16,8 +16,9 @@ from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import load, solve
-from slipcircle.workbench.cost import costplot, kernels, rows
-from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.cost import kernels, rows
+from slipcircle.workbench.outputs.pictures import costplot
+from slipcircle.workbench.outputs.pictures import files as pictures
 from tests.support import accuracy, golden
 from tests.support.kernels import angles, errors
 from tests.support.motions import residual

@@ -22,10 +22,10 @@ from scipy import stats
 from slipcircle import Motion, Scene, Status, ensemble, load, solve
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.quantities import prefixed
-from slipcircle.workbench.common.records import record as record_of
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
+from slipcircle.workbench.outputs.json_records import record as record_of
+from slipcircle.workbench.outputs.pictures import files as pictures
 from slipcircle.workbench.outputs.provenance import comments, inputs
 from slipcircle.workbench.outputs.report import _energy, report, study_report
 from slipcircle.workbench.outputs.tables import cell_text, interval

@@ -18,7 +18,7 @@ from slipcircle.base.text import clean
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.markup import escaped
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.outputs import live
+from slipcircle.workbench.outputs.page import live
 from slipcircle.workbench.outputs.report import report
 from tests.support.outputs import tree
 

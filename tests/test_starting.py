@@ -64,9 +64,16 @@ def close(one: Any, other: Any) -> None:
 
 @pytest.mark.parametrize("seed", [5, 6])
 def test_motions_start_from_the_factor_of_a_method_as_plain_integration_does(seed: int, tmp_path: Path) -> None:
-    """``python -m tests.campaigns.combined 200`` compares more motions; also yield coefficients and further factors."""
+    """``python -m tests.campaigns.combined 200`` compares more motions.
+
+    Also yield coefficients and further factors, and the slopes seen from behind and in map coordinates.
+    """
     for drawn, motion in islice(combined.motions(seed, tmp_path), 2):
         assert combined.difference(drawn, motion) < combined.BOUND
+        drawn.facing *= -1
+        assert solve(combined.read(drawn, tmp_path)).run_out == pytest.approx(motion.run_out, rel=1e-10)
+        drawn.shift = 5e6
+        assert solve(combined.read(drawn, tmp_path)).run_out == pytest.approx(motion.run_out, rel=1e-6)
         slope = of_scene(motion.plan.scene)
         assert slope.factor(drawn.start, motion.yield_coefficient) == pytest.approx(1.0, rel=1e-12)
         if not drawn.shaken:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
-from slipcircle.workbench.outputs import plots, studyplots, tornado
+from slipcircle.workbench.outputs.pictures import plots, studyplots, tornado
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.outputs.tables import interval
 from slipcircle.workbench.studies.ensemble import grid

@@ -24,7 +24,7 @@ from slipcircle.workbench.files.keys import WITH_ARC, Key, Table, fitted
 from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 from slipcircle.workbench.files.points import read_points
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
-from slipcircle.workbench.outputs.plotstyle import amount, measure
+from slipcircle.workbench.outputs.pictures.plotstyle import amount, measure
 from tests.campaigns import profiles
 
 # Sizes in the units of published keys: NIST Special Publication 811, appendix B.8, to all digits stated there,

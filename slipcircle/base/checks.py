@@ -32,6 +32,7 @@ class Message(str):
     template: str
 
     def __new__(cls, template: str) -> Self:
+        """Create a message from a template with fields in braces."""
         text = _worded(template, str)
         message = super().__new__(cls, text)
         message.template = template
@@ -79,6 +80,7 @@ class InputError(ValueError):
         super().__init__(_lines(self.messages, what))
 
     def __reduce__(self) -> tuple[Any, ...]:
+        """Return the constructor's arguments for pickle."""
         templates = [message.template for message in self.messages]
         return InputError, (self.what, templates)
 
@@ -164,6 +166,7 @@ class Frozen(dict[Any, Any]):
     clear = pop = popitem = setdefault = update = _refuse
 
     def __reduce__(self) -> tuple[Any, ...]:
+        """Return the constructor's arguments for pickle."""
         return Frozen, (dict(self),)
 
 
@@ -358,7 +361,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
     """Return a message if the shapes of the fields do not broadcast."""
-    shapes: dict[str, Shape] = {}
+    shapes = {}
     for name, value in fields.items():
         shape = () if type(value) is float else np.shape(value)
         if shape:

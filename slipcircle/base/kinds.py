@@ -26,6 +26,7 @@ else:
         """Cached property without the lock that Python 3.11 takes, which costs a microsecond."""
 
         def __get__(self, instance, owner=None):
+            """Return the stored value, computed at the first access."""
             if instance is None:
                 return self
             value = instance.__dict__[self.attrname] = self.func(instance)

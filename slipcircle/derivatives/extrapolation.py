@@ -27,7 +27,14 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
     for power in range(first_power, last_power + 1, first_power):
         following = _combined(column, power, -1.0)
         noise = _combined(noise, power, 1.0)
-        change = _last_change(following, column)
+        # The greatest difference of each entry from its neighbours in the preceding column and in its own.
+        longer = column[..., :-1]
+        shorter = column[..., 1:]
+        after = following[..., 1:]
+        before_last = following[..., -2:-1]
+        next_one = np.concatenate([after, before_last], axis=-1)
+        changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
+        change = np.max(changes, axis=0)
         error = CAUTION * change + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
         is_unknown = np.isnan(error)
@@ -46,21 +53,7 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
     """Return the next column of a tableau without a power of h, or its noise if ``sign`` is positive."""
     factor = 2.0**power
     longer = column[..., :-1]
-    shorter = column[..., 1:]
-    combined = factor * shorter + sign * longer
-    weight = factor - 1
-    return np.asarray(combined / weight)
-
-
-def _last_change(following: Floats, column: Floats) -> Floats:
-    """Return the greatest difference of each entry from its neighbours in the preceding column and in its own."""
-    longer = column[..., :-1]
-    shorter = column[..., 1:]
-    after = following[..., 1:]
-    before_last = following[..., -2:-1]
-    next_one = np.concatenate([after, before_last], axis=-1)
-    changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
-    return np.max(changes, axis=0)
+    return np.asarray((factor * column[..., 1:] + sign * longer) / (factor - 1))
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
@@ -69,8 +62,7 @@ def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     other = following[..., None, :]
     differences = np.abs(one - other)
     allowed = NOISY * noise
-    unlike = differences - allowed[..., None, :]
-    return np.triu(unlike).max(axis=-1)
+    return np.triu(differences - allowed[..., None, :]).max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:

@@ -28,7 +28,11 @@ ROUNDING = 4e-16  # least relative rounding error of an outcome
 GOAL = 1e-9  # error times scale, over the greatest effect of any number, at which no further ladder is needed
 KNOWN = 1e-3  # error times scale, over the greatest effect of any number, above which a derivative is unknown
 SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
-SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
+SMOOTH = "smooth"
+KINK = "kink"
+JUMP = "jump"
+ONE_SIDE = "one side"
+UNRESOLVED = "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
 Outcomes = Callable[[Any], Sequence[Any] | Floats]
 
@@ -169,7 +173,7 @@ def _judged(
     shortest = np.broadcast_to(steps[:, 0, -1], central.shape)
     by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
     by_number = [column.swapaxes(0, 1) for column in by_outcome]
-    every = list[list[Derivatives]]()
+    every = []
     for of_number in zip(*by_number, strict=True):
         outcomes = zip(*of_number, strict=True)
         every.append([_of_one(*one) for one in outcomes])
@@ -182,7 +186,7 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
     goals = np.maximum(GOAL * size, from_rounding)
-    by_number: list[list[float]] = goals[..., 0].T.tolist()
+    by_number = goals[..., 0].T.tolist()
     return by_number
 
 

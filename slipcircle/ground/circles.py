@@ -83,10 +83,8 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     leaves = has_part_inside & (edges.last_clear == 0.0)
     per_r = 1.0 / radius[:, None]
     per_square = per_r**2
-    before = edges.edge * start
-    entry = edges.first + before
     return Cut(
-        start=entry * per_r,
+        start=(edges.first + edges.edge * start) * per_r,
         part=edges.edge * share * per_r,
         first=edges.first_clear * per_square,
         second=edges.last_clear * per_square,
@@ -110,15 +108,12 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
     accurate = _clearance(vertex, radius[lane])
     clear[near] = accurate.high
     size = line.largest + centre.largest[:, None]
-    rounding = 32 * EPS * r * (r + size)
-    return np.where(clear > rounding, clear, 0.0)
+    return np.where(clear > 32 * EPS * r * (r + size), clear, 0.0)
 
 
 def _doubled(vectors: Vectors) -> Vectors:
     """Return vectors in double-double arithmetic."""
-    x = DoubleDouble(vectors.x)
-    y = DoubleDouble(vectors.y)
-    return Vectors(x, y)
+    return Vectors(DoubleDouble(vectors.x), DoubleDouble(vectors.y))
 
 
 def _clearance(from_centre: Vectors, radius: Floats) -> DoubleDouble:
@@ -151,20 +146,14 @@ def _share_from_inside(edges: _Edges) -> Floats:
     g = edges.first_clear
     discriminant = b * b + d * g
     root = np.sqrt(discriminant)
-    from_sum = g / (b + root)
-    from_difference = (root - b) / d
-    positive_root = np.where(b > 0.0, from_sum, from_difference)
-    return np.minimum(positive_root, 1.0)
+    return np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
 
 
 def _may_pass_through(edges: _Edges) -> Flags:
     """Return whether both ends are outside and the foot of the perpendicular from the centre is between them."""
     to_foot = -edges.first.dot(edges.edge)
     square = edges.edge.square
-    foot_on_edge = (to_foot > 0.0) & (to_foot < square)
-    first_outside = edges.first_clear == 0.0
-    last_outside = edges.last_clear == 0.0
-    return foot_on_edge & first_outside & last_outside
+    return (to_foot > 0.0) & (to_foot < square) & (edges.first_clear == 0.0) & (edges.last_clear == 0.0)
 
 
 def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> ArrayPair:
@@ -184,9 +173,7 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     square = d.high
     entry = (-b.high - root) / square
     start = np.maximum(entry, 0.0)
-    length = 2 * root / square
-    share = np.minimum(length, 1.0 - start)
-    return start, share
+    return start, np.minimum(2 * root / square, 1.0 - start)
 
 
 def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
@@ -204,11 +191,7 @@ def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     circles = np.arange(len(count))
     lanes = np.repeat(circles, count)
     before = np.cumsum(count) - count
-    first_of_circle = np.repeat(before, count)
-    numbers = np.arange(len(lanes))
-    number = numbers - first_of_circle
-    holds_an_end = from_start | to_end | all_inside
-    return lanes, number, holds_an_end
+    return lanes, np.arange(len(lanes)) - np.repeat(before, count), from_start | to_end | all_inside
 
 
 def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
@@ -220,10 +203,7 @@ def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     leaves = parts.leaves & mine
     first = lane, enters.argmax(axis=1)
     last = lane, leaves.argmax(axis=1)
-    all_ends = parts.start + parts.part
-    left = parts.start[first]
-    right = all_ends[last]
-    return left, right
+    return parts.start[first], (parts.start + parts.part)[last]
 
 
 def moments(parts: Cut, mine: Flags) -> ArrayDict:
@@ -295,8 +275,7 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     of_radial = start * radial + edge * radial_s
     of_moment = start * moment + edge * moment_s
     by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
-    over_edges = by_edge * start.cross(edge)
-    return over_edges.sum(axis=2)
+    return (by_edge * start.cross(edge)).sum(axis=2)
 
 
 def thickness(parts: Cut, mine: Flags) -> Floats:

@@ -104,6 +104,7 @@ class Section(SectionGeometry, Mass):
     rounding: ClassVar[float] = 1e-14
 
     def __post_init__(self) -> None:
+        """Check lines, circle and numbers, convert their units and freeze them."""
         take_units(self, (*self.quantities, "ponds"))
         freeze(self, self.quantities)
         kind: Any = type(self)
@@ -122,6 +123,7 @@ class Section(SectionGeometry, Mass):
         copy_computed(other, self, _OF_GEOMETRY)
 
     def __eq__(self, other: object) -> bool:
+        """Return whether another section has equal fields."""
         if not isinstance(other, Section):
             return False
         names = [field.name for field in fields(self)]
@@ -164,7 +166,9 @@ class Section(SectionGeometry, Mass):
             own["level"] = self.mean_lift
         if self.in_standing_water:
             own["standing"] = self.standing_moment
-        return {**effects, "pore_pressure": own} if own else effects
+        if own:
+            return {**effects, "pore_pressure": own}
+        return effects
 
     # Rotations within the range of the method, rad: the toe must not rise far above the original ground.
     rotation_range = cached_property(lambda self: lazy_import("toe").rotation_range(self))

@@ -25,6 +25,7 @@ class CrackedSection(Section):
     crack: Any  # depth, m
 
     def __post_init__(self) -> None:
+        """Check the complete circle and the crack, then the remaining section."""
         if self._is_cracked:
             of_whole = geometry_errors(self._uncracked)
             faults = chain(of_whole, self._crack_errors())
@@ -38,7 +39,7 @@ class CrackedSection(Section):
     @cached_property
     def _uncracked(self) -> Any:
         """Section of the complete circle."""
-        whole: Any = replace_unchecked(self, {"crack": 0.0})
+        whole = replace_unchecked(self, {"crack": 0.0})
         vars(whole)["shape"] = self.shape
         return whole
 
@@ -48,9 +49,7 @@ class CrackedSection(Section):
         ground, centre, radius = self._uncracked._circle
         depth = np.broadcast_to(self.crack, self.shape).reshape(-1)
         down = np.stack([np.zeros_like(depth), depth], axis=1)
-        lowered = ground - down[:, None]
-        from_centre = lowered - centre[:, None]
-        return from_centre / radius[:, None, None]
+        return (ground - down[:, None] - centre[:, None]) / radius[:, None, None]
 
     @cached_property
     def _crack_place(self) -> Floats:
@@ -61,8 +60,7 @@ class CrackedSection(Section):
         whole = self._uncracked
         _, centre, radius = whole._circle
         left, right = whole._ends
-        over_radius = crack_place(self._lowered_ground, left.x, right.x, whole._facing)
-        return centre[:, 0] + radius * over_radius
+        return centre[:, 0] + radius * crack_place(self._lowered_ground, left.x, right.x, whole._facing)
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
@@ -71,8 +69,18 @@ class CrackedSection(Section):
         if not self._is_cracked:
             return ground, centre, radius
         below_circle = centre[:, 1] - 1.1 * radius
-        with_slits = _with_slits(ground, below_circle, self._crack_place)
-        return with_slits, centre, radius
+        # Grounds (lanes, V + 3, 2) with a slit down to a height at the x of each lane.
+        lines = each_lane(ground, len(self._crack_place))
+        across = self._crack_place[:, None]
+        heights, _ = edge_below(lines, across, across)
+        top = heights[:, 0]
+        slit_x = np.stack([self._crack_place, self._crack_place, self._crack_place], axis=1)
+        slit_y = np.stack([top, below_circle, top], axis=1)
+        slit = np.stack([slit_x, slit_y], axis=2)
+        points = np.concatenate([lines, slit], axis=1)
+        all_x = points[..., 0]
+        order = np.argsort(all_x, axis=1, kind="stable")
+        return np.take_along_axis(points, order[..., None], axis=1), centre, radius
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:
@@ -134,18 +142,3 @@ def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Flo
     from_right = or_left.max(axis=1)
     place = np.where(facing > 0.0, from_left, from_right)
     return np.where(np.isfinite(place), place, np.nan)
-
-
-def _with_slits(ground: Floats, bottom: Floats, x: Floats) -> Floats:
-    """Return grounds (lanes, V + 3, 2) with a slit down to a height at the x of each lane."""
-    lines = each_lane(ground, len(x))
-    across = x[:, None]
-    heights, _ = edge_below(lines, across, across)
-    top = heights[:, 0]
-    slit_x = np.stack([x, x, x], axis=1)
-    slit_y = np.stack([top, bottom, top], axis=1)
-    slit = np.stack([slit_x, slit_y], axis=2)
-    points = np.concatenate([lines, slit], axis=1)
-    all_x = points[..., 0]
-    order = np.argsort(all_x, axis=1, kind="stable")
-    return np.take_along_axis(points, order[..., None], axis=1)

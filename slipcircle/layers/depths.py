@@ -33,37 +33,28 @@ class Depths(NamedTuple):
         limit = self.last if limit is None else limit
         inside = np.clip(there, self.first, limit)
         if self.level is None:
-            within = self._above(inside)
+            # The integral of the height of the line from the entry to directions on the arc.
+            entry = self.facing * self.first
+            end = self.facing * inside
+            left = np.minimum(entry, end)
+            right = np.maximum(entry, end)
+            within = self.heights.integral(left, right)
         else:
             within = relieved(self.level, self.first, inside)
         at_first, at_last = self.held
         beyond = there - inside
-        at_end = np.where(beyond > 0.0, at_last, at_first)
-        total: Floats = within + beyond * at_end
-        return total
-
-    def _above(self, inside: Floats) -> Floats:
-        """Return the integral of the height of the line from the entry to directions on the arc."""
-        entry = self.facing * self.first
-        end = self.facing * inside
-        left = np.minimum(entry, end)
-        right = np.maximum(entry, end)
-        return self.heights.integral(left, right)
+        return within + beyond * np.where(beyond > 0.0, at_last, at_first)
 
     def mean(self, rotation: Floats) -> Floats:
         """Mean depth over the arc under the mass after rotations (..., circles)."""
         up_to_exit = self.integral(self.last + rotation)
-        up_to_entry = self.integral(self.first + rotation)
-        opening = self.last - self.first
-        mean: Floats = (up_to_exit - up_to_entry) / opening
-        return mean
+        return (up_to_exit - self.integral(self.first + rotation)) / (self.last - self.first)
 
     @property
     def kinks(self) -> Floats:
         """Directions at which a cumulative integral has kinks, (circles, kinks)."""
         of_line = self.heights.kinks * self.facing[:, None]
-        ends = np.stack([self.first, self.last], axis=1)
-        return np.concatenate([of_line, ends], axis=1)
+        return np.concatenate([of_line, np.stack([self.first, self.last], axis=1)], axis=1)
 
 
 def depths_below(section: Any, top: Any) -> Depths:
@@ -90,8 +81,7 @@ def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> F
     x = facing * np.sin(direction)
     inside = x + facing * inward
     y, _ = edge_below(line, x[:, None], inside[:, None])
-    depth = y[:, 0] + np.cos(direction)
-    return np.maximum(depth, 0.0)
+    return np.maximum(y[:, 0] + np.cos(direction), 0.0)
 
 
 class MeanDepth(NamedTuple):
@@ -101,10 +91,9 @@ class MeanDepth(NamedTuple):
     depths: Depths
 
     def __call__(self, rotation: Any) -> Any:
+        """Return the mean depth in m at rotations in rad, in the shape of the rotations."""
         shape, turned = self.section._rotations(rotation)
-        over_radius = self.depths.mean(turned)
-        by_rotation = over_radius.reshape(shape)
-        return by_rotation * self.section.radius
+        return self.depths.mean(turned).reshape(shape) * self.section.radius
 
     @property
     def kinks(self) -> Floats:

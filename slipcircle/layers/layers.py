@@ -78,6 +78,7 @@ class LayeredSection(LayeredNumbers):
     own_effects: ClassVar[Names] = ("cohesion", "pore_pressure")
 
     def __post_init__(self) -> None:
+        """Check layers, surcharges and crack, convert their units and freeze them."""
         own = ("layers", "surcharge", "rate", "crack")
         take_units(self, own)
         freeze(self, own)
@@ -108,6 +109,7 @@ class LayeredSection(LayeredNumbers):
         yield self._overhang
 
     def __eq__(self, other: object) -> bool:
+        """Return whether another section has equal soils, layers and fields."""
         if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
             return False
         if self.soils != other.soils:
@@ -157,7 +159,7 @@ class LayeredSection(LayeredNumbers):
     def depths(self) -> list[Depths | None]:
         """Depths of the arc below the datums of the soils, None where the cohesion does not grow."""
         raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
-        depths: list[Depths | None] = []
+        depths = []
         for soil, datum in zip(self.soils, self.datums, strict=True):
             grows = np.any(soil.cohesion_gradient)
             depths.append(depths_below(self, datum) if grows else None)
@@ -171,7 +173,7 @@ class LayeredSection(LayeredNumbers):
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Return numbers or arrays as rows, (numbers, lanes)."""
         of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
-        rows: Floats = np.add(of_lanes, 0.0)
+        rows = np.add(of_lanes, 0.0)
         return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:
@@ -181,8 +183,7 @@ class LayeredSection(LayeredNumbers):
         of_geometry = len(values) == circles
         shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
-        shaped = values.reshape((*shape, *components))
-        return shaped[()]
+        return values.reshape((*shape, *components))[()]
 
     # --- geometry ----------------------------------------------------------------------------------------------------
 
@@ -277,8 +278,7 @@ class LayeredSection(LayeredNumbers):
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
-        per_mean_weight = self._moments_of_weight / self._weights_per_area
-        return dict(zip(MEASURES, per_mean_weight, strict=True))
+        return dict(zip(MEASURES, self._moments_of_weight / self._weights_per_area, strict=True))
 
     @cached_property
     def mean_unit_weight(self) -> Any:

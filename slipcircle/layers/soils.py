@@ -110,6 +110,7 @@ class Soil:
     name: str = ""
 
     def __post_init__(self) -> None:
+        """Check the numbers, convert their units and freeze them."""
         fields = (*declared(Soil), "friction", "datum")
         take_units(self, fields)
         freeze(self, fields)
@@ -129,7 +130,9 @@ class Soil:
     @property
     def weight_below_water(self) -> ArrayLike:
         """Unit weight below the water level, N/m^3."""
-        return self.unit_weight if self.saturated_unit_weight is None else self.saturated_unit_weight
+        if self.saturated_unit_weight is None:
+            return self.unit_weight
+        return self.saturated_unit_weight
 
     @property
     def peak(self) -> Any:
@@ -145,7 +148,9 @@ class Soil:
     def residual_cohesion(self) -> Any:
         """Cohesion after much slip, for a table or a function its initial value."""
         law = cohesion_law(self.cohesion)
-        return self.peak_cohesion if law is None else law[1].get("residual", self.peak_cohesion)
+        if law is None:
+            return self.peak_cohesion
+        return law[1].get("residual", self.peak_cohesion)
 
     @property
     def residual(self) -> Any:
@@ -156,7 +161,9 @@ class Soil:
             return self.friction["residual"]
         coefficient = self.friction.get("coefficient", 0.0)
         is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
-        return coefficient[-1] if is_table else coefficient
+        if is_table:
+            return coefficient[-1]
+        return coefficient
 
 
 Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
@@ -251,14 +258,18 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
     first, last, left, right = values
     in_order = first.ndim == last.ndim == 0 and first < last
     pulls = np.any(left < 0.0) or np.any(right < 0.0)
-    return [] if in_order and not pulls else [words]
+    if in_order and not pulls:
+        return []
+    return [words]
 
 
 def _top_mistakes(k: int, top: Any) -> list[str]:
     """Return messages about the top of a layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
-        return [] if top is None else [words]
+        if top is None:
+            return []
+        return [words]
     if top is None:
         return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
     if array_of(top).ndim > 1:

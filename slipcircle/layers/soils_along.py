@@ -99,11 +99,7 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
 
 def _means(section: LayeredSection, ends: Floats, integral: Floats) -> Floats:
     """Return means between neighbouring directions of a cumulative integral over R."""
-    angles = np.diff(ends)
-    parts = np.diff(integral, axis=-1)
-    means = parts / angles
-    in_metres: Floats = means * _radius(section)
-    return in_metres
+    return np.diff(integral, axis=-1) / np.diff(ends) * _radius(section)
 
 
 def _one_lane(section: LayeredSection) -> None:
@@ -145,8 +141,7 @@ def _from_entry(section: LayeredSection, integral: int, directions: Floats) -> F
     if facing < 0.0:
         up_to = profile.whole[integral] - up_to
     by_surface = up_to * section.weight_steps
-    total: Floats = by_surface.sum(axis=0)
-    return total
+    return by_surface.sum(axis=0)
 
 
 def _head(section: LayeredSection, start: float, end: float) -> float:

@@ -78,7 +78,7 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
     Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
+    cells = problem.cells() * _moves(problem.program, rounding)[:, runs]
     orders = cells[ix.ORDER]
     orders += FURTHER[runs]
     return cells
@@ -101,10 +101,7 @@ def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
         spreads, unlike = _of_ensemble(_closer(plan, problem), final, rounding)
         error = np.maximum(CUT * spreads, LEAST)
         error = np.minimum(error, 1.0)
-    close = final[ix.CLOSE] < UNDECIDED
-    still = final[ix.PHASES] == 0.0
-    if_decided = choose(still, 0.0, error)
-    return choose(unlike | close, 1.0, if_decided)
+    return choose(unlike | (final[ix.CLOSE] < UNDECIDED), 1.0, choose(final[ix.PHASES] == 0.0, 0.0, error))
 
 
 def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
@@ -120,7 +117,11 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
         change = np.abs(of_run - of_motion)
         greatest = np.fmax.reduce(change / sizes)
         spread = np.fmax(spread, greatest)
-        unlike |= _ends_otherwise(cells, final)
+        # Whether runs end with another status than the motion, or move where the motion does not.
+        other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
+        moves = cells[ix.PHASES] > 0.0
+        phases = final[ix.PHASES]
+        unlike |= other_status | (moves != (phases > 0.0))
     return spread, unlike
 
 
@@ -160,14 +161,6 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     return max(map(truediv, greatest, sizes + sizes[1:])), False
 
 
-def _ends_otherwise(cells: Floats, final: Final) -> Any:
-    """Return whether runs end with another status than the motion, or move where the motion does not."""
-    other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
-    moves = cells[ix.PHASES] > 0.0
-    phases = final[ix.PHASES]
-    return other_status | (moves != (phases > 0.0))
-
-
 def _end_alike(status: list[float], final: Final) -> bool:
     """Return whether all runs end with the status of the motion."""
     return {*map(_ending, status)} == {_ending(final[ix.STATUS])}
@@ -175,16 +168,12 @@ def _end_alike(status: list[float], final: Final) -> bool:
 
 def _ending(status: Any) -> Any:
     """Return statuses with one code for lanes at rest and at their end time, whose durations are compared instead."""
-    is_answer = (status >= ix.ARRESTED) & (status <= ix.ENDED)
-    return choose(is_answer, float(ix.ENDED), status)
+    return choose((status >= ix.ARRESTED) & (status <= ix.ENDED), float(ix.ENDED), status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:
     """Return dimensionless duration, run-out and peak velocity from final cells."""
-    duration = choose(_ends_in_time(final), final[ix.END_TIME], final[ix.REST_SINCE])
+    duration = choose(
+        ((final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)), final[ix.END_TIME], final[ix.REST_SINCE]
+    )
     return duration, final[ix.REACH_ROTATION], abs(final[ix.PEAK_OMEGA])
-
-
-def _ends_in_time(final: Final) -> Any:
-    """Return whether motions end at their end time. The duration of a creeping mass is its arrival."""
-    return (final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)

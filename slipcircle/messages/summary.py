@@ -60,4 +60,6 @@ def swings_back(motion: Any) -> Any:
 def range_words(motion: Any) -> str:
     """Return when and where a single motion leaves the range of validity, as text; empty if it does not."""
     state = motion.range_end
-    return f"after {shown(state.time, 3)} s, {measured(state.displacement, 'm', 3)}" if state else ""
+    if state:
+        return f"after {shown(state.time, 3)} s, {measured(state.displacement, 'm', 3)}"
+    return ""

@@ -33,8 +33,7 @@ def velocity_class(motion: Any) -> str:
     """Return the class of the peak velocity of a single motion, empty if it does not move."""
     if not motion.moves:
         return ""
-    place = np.searchsorted(LIMITS, motion.peak.velocity, side="right")
-    return CLASSES[int(place)]
+    return CLASSES[int(np.searchsorted(LIMITS, motion.peak.velocity, side="right"))]
 
 
 def velocity_times(motion: Any) -> VelocityTimes:
@@ -54,8 +53,7 @@ def velocity_times(motion: Any) -> VelocityTimes:
         above[0] += length
         for place, limit in enumerate(LIMITS, 1):
             above[place] += _time_above(motion, times, limit)
-    in_class = above[:-1] - above[1:]
-    return VelocityTimes(*in_class.tolist())
+    return VelocityTimes(*(above[:-1] - above[1:]).tolist())
 
 
 def _time_above(motion: Any, times: Floats, limit: float) -> float:
@@ -69,15 +67,15 @@ def _time_above(motion: Any, times: Floats, limit: float) -> float:
     begins_faster = before[crosses]
     start = times[:-1][crosses]
     end = times[1:][crosses]
-    low, high = start, end
+    low = start
+    high = end
 
     def has_passed(inside: Floats) -> Flags:
         return (_speed(motion, inside) > limit) != begins_faster
 
     for _ in range(ROUNDS if start.size else 0):
         low, high, _found = first_section(has_passed, low, high, SECTIONS)
-    parts = np.where(begins_faster, high - start, end - high)
-    return float(whole + np.sum(parts))
+    return float(whole + np.sum(np.where(begins_faster, high - start, end - high)))
 
 
 def _speed(motion: Any, times: Floats) -> Floats:

@@ -46,7 +46,8 @@ SLOW = 1e-8  # omega* at which the slope of the viscous moment is taken
 NEXT = 1e-6  # remaining rotation, relative, at which the stiffness is taken; relative tolerance of the arrival
 LONGEST = 2.0**200  # dimensionless time
 STEPS = 0.145  # number of explicit steps of a creeping mass over d t, as stability bounds their length
-COMPILED, IN_NUMPY = ix.MOST_STEPS / ix.STIFF_STEP, 200  # explicit steps that take as long as the implicit solution
+COMPILED = ix.MOST_STEPS / ix.STIFF_STEP  # explicit steps that take as long as the implicit solution
+IN_NUMPY = 200.0
 
 
 class Now(NamedTuple):
@@ -82,7 +83,9 @@ def other_than_position(problem: Problem) -> str:
     if "thermal_pressurisation" in recipe.effects:
         return "frictional heat"
     others = set(depends_on(recipe.laws)) - {"slip"}
-    return f"a friction law of {min(others)}" if others else ""
+    if others:
+        return f"a friction law of {min(others)}"
+    return ""
 
 
 def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
@@ -147,8 +150,7 @@ def slow_rotation(problem: Problem) -> Floats:
     stands = net <= 0.0
     ahead = _ahead(now)
     left = np.where(stands, 0.0, ahead.left)
-    is_endless = np.isinf(left)
-    return np.where(is_endless, np.nan, direction * left)
+    return np.where(np.isinf(left), np.nan, direction * left)
 
 
 def _first_steps(explicit_steps: Floats) -> Floats:
@@ -156,7 +158,9 @@ def _first_steps(explicit_steps: Floats) -> Floats:
 
     Implicit steps then begin after the first explicit step.
     """
-    most = COMPILED if compiled.engine() is compiled else IN_NUMPY
+    most = IN_NUMPY
+    if compiled.engine() is compiled:
+        most = COMPILED
     return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 
@@ -195,9 +199,7 @@ def _candidates(problem: Problem, cells: Floats) -> tuple[Integers, Floats, Floa
     stiffness = ahead.stiffness[creeps]
     discriminant = damping**2 - 4.0 * stiffness
     root = np.sqrt(np.maximum(discriminant, 0.0))
-    slow_rate = 2.0 * stiffness / (damping + root)
-    time_to_arrive = np.log(1.0 / LEFT) / slow_rate
-    return which[creeps], MARGIN * time_to_arrive, damping
+    return which[creeps], MARGIN * (np.log(1.0 / LEFT) / (2.0 * stiffness / (damping + root))), damping
 
 
 def _direction(towards: Floats) -> Floats:
@@ -243,10 +245,9 @@ def _ahead(now: Now) -> Ahead:
     net = _net(now, low - left)
     with np.errstate(all="ignore"):
         stiffness = np.where(falls, net / left, np.inf)
-    slowed = _net(now, low[None], SLOW)
     return Ahead(
         left=np.where(falls, low, np.inf),
-        damping=-slowed[0] / SLOW,
+        damping=-_net(now, low[None], SLOW)[0] / SLOW,
         stiffness=stiffness[0],
         greatest=np.fmax.reduce(stiffness),
     )
@@ -277,8 +278,7 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     if problem.functions:
         lazy_import("functions").extend(problem, cells)
     registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
-    net = problem.program.roles["net"]
-    return np.reshape(registers[net], distance.shape)
+    return np.reshape(registers[problem.program.roles["net"]], distance.shape)
 
 
 def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
@@ -304,9 +304,7 @@ def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integr
         place = len(shares) - after_last_outside
         low = times[place - 1, every]
         high = times[place, every]
-    speed = np.abs(omega[place, every])
-    since_arrival = (within - left[place, every]) / speed
-    return high - since_arrival
+    return high - (within - left[place, every]) / np.abs(omega[place, every])
 
 
 def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> ArrayPair:

@@ -28,7 +28,10 @@ def resolved(name: str, given: Parameters) -> ValueDict:
     """
     try:
         if name == "shaking":
-            return _shaking(given)
+            # The shaking parameters with k_h(t) and k_v(t), after checking their plausibility.
+            made = _as_series(given)
+            _check_strength(made)
+            return made
         if name == "pore_pressure":
             return _water(given)
     except InputError as error:
@@ -92,13 +95,6 @@ def _water(given: Parameters) -> ValueDict:
     return rest
 
 
-def _shaking(given: Parameters) -> ValueDict:
-    """Return the shaking parameters with k_h(t) and k_v(t), after checking their plausibility."""
-    made = _as_series(given)
-    _check_strength(made)
-    return made
-
-
 def _as_series(given: Parameters) -> ValueDict:
     if "record" in given:
         raise InputError("", [_IN_FILES.format("horizontal")])
@@ -122,7 +118,7 @@ def _as_series(given: Parameters) -> ValueDict:
     duration = float(given["duration"])
     cycles = float(given.get("cycles", 1.0))
     pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
-    made: ValueDict = {"horizontal": pulse}
+    made = {"horizontal": pulse}
     if "vertical_amplitude" in given:
         made["vertical"] = pulse
     for name in (*_FACTORS, "two_way"):

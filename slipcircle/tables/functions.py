@@ -62,8 +62,8 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
     ValueError
         If the function returns anything but non-negative numbers in the shape of its argument, or is not smooth.
     """
-    breaks = list[float]()
-    pieces = list[Floats]()
+    breaks = []
+    pieces = []
     left = 0.0
     if known:
         *breaks, left = known.breaks.tolist()
@@ -86,8 +86,7 @@ def sampled(function: Function, end: float, known: Data | None = None) -> Data:
             )
     breaks.append(end)
     pieces.append(pieces[-1])
-    table = continuous(np.array(breaks), np.array(pieces))
-    return table._replace(open=True)
+    return continuous(np.array(breaks), np.array(pieces))._replace(open=True)
 
 
 def _piece(function: Function, left: float, width: float) -> Floats | None:

@@ -32,6 +32,7 @@ class GivenArc(Arc[Numbers]):
         return super()._mistakes() + _given_mistakes(self.given)
 
     def __post_init__(self) -> None:
+        """Check the numbers, and copy the tabulated coefficients."""
         super().__post_init__()
         object.__setattr__(self, "given", dict(self.coefficients))
 

@@ -1,4 +1,4 @@
-"""Error estimates are upper bounds: ``python -m tests.campaigns.estimates --count 2000 --seed 1``.
+"""Error estimates are upper bounds: ``python -m tests.campaigns.estimates 2000 --seed 1``.
 
 Random scenes of every kind, each alone and with a neighbour as an ensemble at accuracies from 1e-3 to 1e-12, against
 the ensemble at 1e-16; then the scenes of `references` and `section_references` as ensembles, against their 20 to 30
@@ -6,7 +6,6 @@ digits. Prints what is too low and, for each kind, the estimates below their err
 status is 1 if more than 1 in 1,000 are, or if that median is above 30.
 """
 
-import argparse
 import contextlib
 import json
 import sys
@@ -21,6 +20,7 @@ import numpy as np
 
 from slipcircle import Arc, Motion, Scene, Section, solve
 from slipcircle.derivatives.parameters import parameter_value, parameters, with_parameter_arrays
+from tests.campaigns import options
 from tests.campaigns.lanes import random_profile
 from tests.support import accuracy, combinations, section_references
 from tests.support.along_the_arc import random_section
@@ -191,14 +191,11 @@ def said(kind: str, cases: list[Case]) -> tuple[int, float]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("--count", type=int, default=2000)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    numbers = range(options.count)
+    chosen = options(__doc__, 2000)
+    numbers = range(chosen.count)
     cases: list[Case] = []
     with ProcessPoolExecutor(2) as pool:
-        drawn_cases = pool.map(partial(compared, seed=options.seed), numbers, chunksize=4)
+        drawn_cases = pool.map(partial(compared, seed=chosen.seed), numbers, chunksize=4)
         stored_cases = pool.map(stored, range(len(STORED)), chunksize=4)
         for case in chain.from_iterable(chain(stored_cases, drawn_cases)):
             cases.append(case)

@@ -4,7 +4,6 @@
 increasing times or is refused in one line, within two seconds; any other is shown.
 """
 
-import argparse
 import sys
 import tempfile
 import time
@@ -18,6 +17,7 @@ import numpy as np
 
 from slipcircle import read_suite
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
+from tests.campaigns import options
 from tests.support.recordfiles import FILES, NORTH, TIME, rows
 
 SECONDS = 2.0
@@ -111,10 +111,7 @@ def faults(numbers: Iterable[int], seed: int, folder: Path) -> list[str]:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--seed", type=int, default=1)
-    given = parser.parse_args()
+    given = options(__doc__, 20_000)
     wrong = faults(range(given.count), given.seed, Path(tempfile.mkdtemp()))
     print(*wrong, f"{given.count} files, {len(wrong)} faults", sep="\n")
     sys.exit(bool(wrong))

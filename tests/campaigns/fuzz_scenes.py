@@ -4,7 +4,6 @@
 mistakes, within five seconds of a processor, or is shown with its file.
 """
 
-import argparse
 import contextlib
 import copy
 import io
@@ -28,6 +27,7 @@ from slipcircle.base import VERSION
 from slipcircle.workbench.files.keys import WITH_ARC, fitted
 from slipcircle.workbench.files.shipped import find, shipped
 from slipcircle.workbench.stability.stability import METHODS
+from tests.campaigns import options
 
 SECONDS = 5.0
 SIZES = (0, -1, 1, 5e-324, 1e-300, 1e-100, 1e-12, 1e-6, 1e-3, 0.5, 3, 45, 89.999, 90, 180, 271, 1e3, 1e6, 1e9, 1e12,
@@ -235,10 +235,7 @@ def faults(which: Iterable[int], seed: int, folder: Path, command: str = "run",
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
+    asked = options(__doc__, 2000)
     begun = time.monotonic()
     with tempfile.TemporaryDirectory() as place:
         bad = faults(range(asked.count), asked.seed, Path(place))

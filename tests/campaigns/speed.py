@@ -30,8 +30,8 @@ from slipcircle import Scene, ensemble, load, solve, synthetic_records
 from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.workbench.cost.rows import medians as median_seconds
 from slipcircle.workbench.outputs.info import machine
-from slipcircle.workbench.outputs.pictures import render
-from slipcircle.workbench.outputs.plotstyle import SERIES
+from slipcircle.workbench.outputs.pictures.files import render
+from slipcircle.workbench.outputs.pictures.plotstyle import SERIES
 from tests.support import blocks, oracle, taylor
 from tests.support.lanes import BINARY
 from tests.support.peers_of_motion import ARC, LAWS, VAIONT, alone, by_scipy, friction, in_batches, one_by_one

@@ -5,7 +5,7 @@ and of the circle; nothing that it computes. SciPy's DOP853 integrates motions.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from functools import lru_cache
 from itertools import combinations, pairwise
@@ -16,6 +16,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
+from slipcircle import Section
 from slipcircle.layers import LayeredSection, Soil
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
@@ -68,6 +69,31 @@ def kinks_of(lines: Any, x: Any) -> Any:
     every = np.concatenate(crossings)
     every = np.concatenate([x, every[(every >= x[:-1]) & (every <= x[1:])]])
     return np.arcsin(every[np.abs(every) <= 1.0])
+
+
+class Slide(NamedTuple):
+    """Displacement or rotation at the end of a slide, its time, and the greatest velocity or angular velocity."""
+
+    distance: float
+    time: float
+    fastest: float
+
+
+def first_slide(rate: Callable[[float, Any], Sequence[float]], start: Sequence[float], end: float = math.inf) -> Slide:
+    """Integrate rotation, angular velocity and further states from a start to the first standstill or a rotation."""
+    stops: Callable[..., float] = lambda t, state: min(state[1], end - state[0]) if t > 0.0 else 1.0  # noqa: E731
+    fastest: Callable[..., float] = lambda t, state: rate(t, state)[1]  # noqa: E731
+    stops.terminal, stops.direction = True, -1.0  # type: ignore[attr-defined]
+    run = solve_ivp(rate, (0.0, 1e4), start, "DOP853", rtol=1e-12, atol=1e-14, events=(stops, fastest))
+    greatest = max([start[1], *(state[1] for state in run.y_events[1])])
+    return Slide(run.y_events[0][0][0], run.t_events[0][0], greatest)
+
+
+def under_chord(arc: Any) -> Section:
+    """Return the section whose ground is the chord of an arc."""
+    ends = [(arc.radius * math.cos(theta), arc.radius * math.sin(theta)) for theta in (arc.theta_1, arc.theta_2)]
+    left, right = np.array(sorted(ends))
+    return Section([2 * left - right, 2 * right - left], (0.0, 0.0), arc.radius, arc.unit_weight)
 
 
 class Columns(NamedTuple):
@@ -262,10 +288,10 @@ class AlongTheArc:
         moment = driving - np.sign(state.velocity) * strength_factor * (max(gripping, 0.0) + cohesion)
         return section.gravity * moment / mass
 
-    def motion(self, strength_factor: float = 1.0, velocity: float = 0.0) -> tuple[float, float, float]:
-        """Return displacement and time of the first standstill of a motion down-slope, and its greatest velocity.
+    def motion(self, strength_factor: float = 1.0, velocity: float = 0.0, end: float = math.inf) -> Slide:
+        """Return displacement and time of the first standstill or of a rotation, and the greatest velocity before.
 
-        Zeros if the mass does not move.
+        Zeros if the mass does not move down-slope.
         """
 
         def rate(_: float, state: Any) -> tuple[float, float]:
@@ -274,14 +300,9 @@ class AlongTheArc:
             return omega, self.acceleration(moment, strength_factor) / self.radius
 
         if velocity == 0.0 and rate(0.0, (0.0, 0.0))[1] <= 0.0:
-            return 0.0, 0.0, 0.0
-        stops: Callable[..., float] = lambda t, state: state[1] if t > 0.0 else 1.0  # noqa: E731
-        fastest: Callable[..., float] = lambda t, state: rate(t, state)[1]  # noqa: E731
-        stops.terminal, stops.direction = True, -1.0  # type: ignore[attr-defined]
-        start = (0.0, velocity / self.radius)
-        run = solve_ivp(rate, (0.0, 1e4), start, "DOP853", rtol=1e-12, atol=1e-14, events=(stops, fastest))
-        greatest = max([velocity / self.radius, *(state[1] for state in run.y_events[1])])
-        return self.radius * run.y_events[0][0][0], run.t_events[0][0], self.radius * greatest
+            return Slide(0.0, 0.0, 0.0)
+        rotation, time, omega = first_slide(rate, (0.0, velocity / self.radius), end)
+        return Slide(self.radius * rotation, time, self.radius * omega)
 
     def factors(self, k_h: float, bishop: float) -> dict[str, float]:
         """By three methods, Bishop's from his own, and the share of the arc under negative normal stress."""

@@ -62,8 +62,6 @@ class Motion(Conversions, Generic[Numbers]):
             return np.reshape(values, self.shape)
         return values.item() if hasattr(values, "item") else values
 
-    # --- how it ended ------------------------------------------------------------------------------------------------
-
     @cached_property
     def status(self) -> Any:
         """State at the end, a `Status`."""
@@ -368,14 +366,14 @@ class Motion(Conversions, Generic[Numbers]):
         """
         return lazy_import("sensitivity").sensitivity(self)
 
-    # --- lanes, and one line of text ---------------------------------------------------------------------------------
-
     def __len__(self) -> int:
+        """Return the length of the scene's first dimension."""
         if not self.shape:
             raise TypeError("a single motion has no len(): its scene has no arrays")
         return int(self.shape[0])
 
     def __bool__(self) -> bool:
+        """Return True, also for ensembles without members."""
         return True
 
     def __getitem__(self, index: Any) -> Self:
@@ -392,6 +390,7 @@ class Motion(Conversions, Generic[Numbers]):
         return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
+        """Return a summary of the results in one line."""
         name = self.plan.scene.name
         if name:
             name += ": "

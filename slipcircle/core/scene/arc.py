@@ -148,6 +148,7 @@ class Arc(Mass, Generic[Numbers]):
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
+        """Check the numbers and convert their units, or become a `GivenArc` if coefficients are tabulated."""
         if self.given is not None and type(self) is Arc:  # it is another mass
             object.__setattr__(self, "__class__", lazy_import("tabulated").GivenArc)
             self.__post_init__()

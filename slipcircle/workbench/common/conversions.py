@@ -88,7 +88,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
 
 def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDict, ValueDict]:
     """Return coordinates by axis, with time as the last axis if given, and columns over all axes."""
-    axes: ValueDict = {}
+    axes = {}
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)
     if times is None:

@@ -82,7 +82,7 @@ def first_row(name: str, text: str, quantity: str) -> tuple[int, str | None, int
     A row of numbers followed by two rows of another length, such as a date, belongs to the header, and so does the
     number of samples with their step.
     """
-    rows: list[tuple[int, str | None, int]] = []
+    rows = []
     for k, line in enumerate(map(without_comment, io.StringIO(text))):
         row = _row(k, line)
         if (not row and _COMMAS.fullmatch(line)) or re.fullmatch(r"[-+]?\d+,0\d+", line):

@@ -112,7 +112,8 @@ def _sheet(text: str) -> tuple[Points, str]:
     rows = [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")]
     either = "|".join(_COLUMNS.values())
     head = next((k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row)), -1)
-    columns, unit = (0, 1), ""
+    columns = (0, 1)
+    unit = ""
     if head >= 0:
         columns, unit = _columns(rows[head][1])
     else:

@@ -30,7 +30,8 @@ from slipcircle.workbench.records.forcing import with_records
 from slipcircle.workbench.stability.critical import Critical, SlopeScene
 from slipcircle.workbench.stability.stability import soil
 
-_MOST_BYTES, _DEEPEST = 10**7, 64
+_MOST_BYTES = 10**7
+_DEEPEST = 64
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
@@ -44,7 +45,8 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     source = find(name)
     file = str(source)
     parts, keys = _parts(_content(source, file), file)
-    stability, remarks = parts.pop("stability"), parts.pop("remarks")
+    stability = parts.pop("stability")
+    remarks = parts.pop("remarks")
     try:
         gravity = float(np.asarray(parts["arc"].gravity))
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
@@ -148,8 +150,7 @@ def units_of_files(names: Iterable[str]) -> set[str]:
     """Return the units of output that scene files choose."""
     contents = (_content(source, str(source)) for source in map(find, names))
     tables = (content.get("output") for content in contents)
-    chosen = {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)}
-    return chosen & {*SYSTEMS}
+    return {str(table.get("units", "")).upper() for table in tables if isinstance(table, dict)} & {*SYSTEMS}
 
 
 _ADVICE = (
@@ -202,8 +203,10 @@ def _read(content: Mapping[str, Any], moving: bool) -> _Input:
     """Return the content of a file with its mistakes; unless ``moving``, tables for statics alone are allowed."""
     layout = layout_of(content)
     document = Document(layout.content, layout.tables)
-    given, keys = document.arguments, _keys(layout.tables, document.typed)
-    arc, slope = None, None
+    given = document.arguments
+    keys = _keys(layout.tables, document.typed)
+    arc = None
+    slope = None
     wrong: list[str] = []
     if layout.on_slope:
         slope, wrong = _slope_input(given, layout, document.wrong, keys, moving)
@@ -312,7 +315,7 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
 
 def _slope_message(error: InputError, keys: Callable[[str], str], file: str) -> str:
     """Return the message of an error in a slope, a section or a search, with the keys of its file."""
-    tables: dict[str, Table] = {**SLOPING, **LOADS}
+    tables = {**SLOPING, **LOADS}
     about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")
     of_slope = {key.name: f"{t}.{k}" for t in about for k, key in tables[t].keys.items()}
     of_slope |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}

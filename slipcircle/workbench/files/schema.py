@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
@@ -84,7 +83,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
         properties[inside] = many[inner.repeats] | {"title": inner.title} if inner.repeats else one
     schema = _object(properties, table.title, []) | _other_units(table.keys)
     present = {k: _present(k, key) for k, key in table.keys.items()}
-    needs: list[Any] = [present[k] for k, key in table.keys.items() if not key.optional]
+    needs = [present[k] for k, key in table.keys.items() if not key.optional]
     needs += [{"oneOf": [present[k] for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [present[k] for k in table.any_of]}] if table.any_of else []
     if table.sets:

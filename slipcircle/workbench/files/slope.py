@@ -73,7 +73,7 @@ class SlopeInput:
         fields = {name: value for name, value in self.ground.items() if name not in _OF_MOTION}
         fields |= self.water | self.given.get("tension_crack", {})
         fields |= {name: self.limits[name] for name in ("k_h", "k_h_on_surcharge") if name in self.limits}
-        soils: Values = {"layers": self.profile.layers} if self.profile else self.strength
+        soils = {"layers": self.profile.layers} if self.profile else self.strength
         return Slope(**fields, **soils, surcharge=self.surcharge)
 
     def stability(self, tell: Callable[[str], None]) -> tuple[ValueDict, Critical | None]:

@@ -84,7 +84,7 @@ def _shaking(settings: Values, gravity: float, remarks: list[str]) -> ValueDict:
     if "vertical_record" in settings or "vertical_column" in settings:
         of_vertical = {"record": settings.get("vertical_record", settings["record"])}
         chosen["vertical"] = {**settings, **of_vertical, "column": settings.get("vertical_column")}
-    series: ValueDict = {}
+    series = {}
     for name, of_record in chosen.items():
         file = of_record["record"]
         samples = _samples(ACCELERATION, file, of_record, remarks)

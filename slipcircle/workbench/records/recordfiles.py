@@ -24,11 +24,13 @@ from slipcircle.workbench.records.columns import Column
 from slipcircle.workbench.records.headers import Header, channels, header_of
 from slipcircle.workbench.records.tables import Table, table_of
 
-MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
+MOST_BYTES = 2**28
+MOST_NUMBERS = 2**24
 _LONGEST_STEP = 0.5  # s, greatest step of two columns without names that are read as time and acceleration
 WRAPPED = "wrapped"  # role of all columns if each line contains several values of one record
 SKIP = "skip"
-_CLOCK, _COUNTER = "has times of day or dates", "counts the samples"
+_CLOCK = "has times of day or dates"
+_COUNTER = "counts the samples"
 
 
 class Samples(NamedTuple):
@@ -72,6 +74,7 @@ class Channel(NamedTuple):
     samples: Samples | None = None
 
     def __str__(self) -> str:
+        """Return the column with the reason why it is not used."""
         return f"column {self.place}{f' ({self.name})' * bool(self.name)}: {self.reason}"
 
 
@@ -152,7 +155,8 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     roles = _roles(quantity, name, table, options)
     width = 1 if roles == (WRAPPED,) else table.width
     fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
-    cells, lines = [fields[k::width] for k in range(width)], lines[::width]
+    cells = [fields[k::width] for k in range(width)]
+    lines = lines[::width]
     if table.stated:
         check_count(name, len(lines), float(table.stated))
     columns = _only(quantity, name, _with_roles(quantity, table.columns, cells, roles), options.column)

@@ -136,6 +136,7 @@ class Unread(NamedTuple):
     reason: str
 
     def __str__(self) -> str:
+        """Return the file with the reason why it is not used."""
         return f"{self.file}: {self.reason}"
 
 
@@ -158,9 +159,11 @@ class Suite:
     unread: tuple[Unread, ...] = ()
 
     def __len__(self) -> int:
+        """Return the number of horizontal components."""
         return len(self.entries)
 
     def __iter__(self) -> Iterator[Entry]:
+        """Return an iterator over the horizontal components."""
         return iter(self.entries)
 
     @property
@@ -285,8 +288,8 @@ def read_suite(
 
 def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> tuple[list[Entry], list[Unread]]:
     """Return the records of files, the first of which remain in memory, and the unused files and columns."""
-    entries = list[Entry]()
-    unread = list[Unread]()
+    entries = []
+    unread = []
     remaining = _KEPT
     for file in track(files, "records read"):
         try:
@@ -367,5 +370,6 @@ def _entry(
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     reading = reading or {}
     gravity = float(reading.get("gravity", 9.81))
-    measures, drift = intensities(series, gravity), drift_warning(series, gravity)
+    measures = intensities(series, gravity)
+    drift = drift_warning(series, gravity)
     return Entry(name, file, place, series.time.size, step, unit, measures, digest, is_vertical, drift, series, reading)

@@ -52,8 +52,7 @@ def table_of(quantity: Quantity, name: str, text: str) -> Table:
 
 def _step(said: dict[str, tuple[str, str]]) -> float:
     """Return the time between samples stated in a header, s, or 0."""
-    step = seconds_of(*said["step"])
-    return step or period_of(*said["rate"])
+    return seconds_of(*said["step"]) or period_of(*said["rate"])
 
 
 def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:

@@ -160,8 +160,7 @@ class Critical(Pictured):
         if not isinstance(self.section, LayeredSection):
             fields["friction"] = self.slope.friction
         named = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
-        every_effect = self._own_effects() | dict(named)
-        return SlopeScene(self.section, effects=every_effect, **fields)
+        return SlopeScene(self.section, effects=self._own_effects() | dict(named), **fields)
 
     def _own_effects(self) -> ValueDict:
         """Return the pore pressure of the slope as an effect, and the cohesion of a single soil."""
@@ -206,6 +205,7 @@ class SlopeScene(Scene[Numbers]):
     set_by_start: Any = AS_ENTERED
 
     def __post_init__(self) -> None:
+        """Check the fields, and set the strength factor by the starting method."""
         if self.starts_by_method:
             self._start_with(AS_ENTERED)  # until all fields are known to be valid
         super().__post_init__()
@@ -278,7 +278,8 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
         without_k_h = _by_method(circle_factors(unshaken, *circle))
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
-    first, second = _point(left), _point(right)
+    first = _point(left)
+    second = _point(right)
     entry, exit = (first, second) if facing >= 0 else (second, first)
     warning = ""
     if slope.has_friction and negative > _PULLED:

@@ -127,8 +127,7 @@ def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, righ
     lies_below_centre = (first < 0.0) & (last > 0.0)
     x, y = centre.T
     buried = lies_below_centre & (slope.ground_height(x) >= y)
-    valid = (first < last) & ~overhangs & ~buried
-    return Arcs(centre, radius, first, last, valid)
+    return Arcs(centre, radius, first, last, (first < last) & ~overhangs & ~buried)
 
 
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
@@ -150,8 +149,7 @@ def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
     """Return the moment of water in a crack at the upper end of the arc, gamma_w h^2/2 at a third of its height."""
     height = slope.crack_water / radius
     unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
-    force = unit_weight * height**2 / 2
-    return force * (np.cos(bottom) - height / 3)
+    return unit_weight * height**2 / 2 * (np.cos(bottom) - height / 3)
 
 
 # --- what resists ----------------------------------------------------------------------------------------------------
@@ -164,15 +162,13 @@ def _paper(driven: Driven) -> Floats:
     if np.any(slices.k_h):
         normal = normal + slices.k_h * slices.radial_tilt()
     friction = slices.integral(slices.friction * normal)
-    cohesion = slices.integral(slices.cohesion())
-    return (cohesion + np.maximum(friction, 0.0)) / driven.driving
+    return (slices.integral(slices.cohesion()) + np.maximum(friction, 0.0)) / driven.driving
 
 
 def _ordinary(driven: Driven) -> Floats:
     """Return factors from the stress normal to the base of each slice, without forces between slices."""
     slices = driven.slices
-    strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
-    return slices.integral(strength) / driven.driving
+    return slices.integral(slices.cohesion() + slices.friction * slices.ordinary_normal()) / driven.driving
 
 
 def _yield_coefficient(driven: Driven) -> Floats:
@@ -189,8 +185,7 @@ def _yield_coefficient(driven: Driven) -> Floats:
     with_friction = (missing + friction) / (shaking - tilt)
     lifted = friction + with_friction * tilt < 0.0
     grows = shaking > np.where(lifted, 0.0, tilt)
-    balanced = np.where(lifted, missing / shaking, with_friction)
-    return np.where(grows, balanced, np.nan)
+    return np.where(grows, np.where(lifted, missing / shaking, with_friction), np.nan)
 
 
 def _bishop(driven: Driven) -> Floats:
@@ -202,7 +197,8 @@ def _bishop(driven: Driven) -> Floats:
     between them).
     """
     slices = driven.slices
-    friction, cosine = slices.friction, slices.cosine
+    friction = slices.friction
+    cosine = slices.cosine
     lowest, highest = lever_range(slices)
     effective = slices.vertical()
     strength = slopes.bishop_strength(cosine, effective, 0.0, slices.cohesion(), friction)
@@ -228,7 +224,8 @@ def _bishop(driven: Driven) -> Floats:
 
 def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """Return the effective normal stress of Bishop's simplified method."""
-    sine, cosine = slices.sine, slices.cosine
+    sine = slices.sine
+    cosine = slices.cosine
     effective = slices.vertical()
     of_arc = slices.of_arcs(factor)
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)

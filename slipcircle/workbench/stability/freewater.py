@@ -31,8 +31,7 @@ def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
     moment = height**2 / 2 * (cosine - height / 3)
     inside = np.where(after_first & before_last, moment, 0.0)
     at_first, at_last = inside.sum(axis=1)
-    unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
-    return unit_weight * (at_last - at_first)
+    return slope.water_unit_weight / slope.soils.unit_weight[0] * (at_last - at_first)
 
 
 def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
@@ -41,8 +40,7 @@ def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
     x, y = arcs.centre.T
     exit_x = x + arcs.radius * np.sin(place)
     exit_y = y - arcs.radius * np.cos(place)
-    from_centre = ponds.covering(exit_x, exit_y) - y
-    return np.where(facing == 0.0, -np.inf, from_centre / arcs.radius)
+    return np.where(facing == 0.0, -np.inf, (ponds.covering(exit_x, exit_y) - y) / arcs.radius)
 
 
 def submerged(slices: Slices, level: Floats) -> Slices:

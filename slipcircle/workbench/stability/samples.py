@@ -10,7 +10,8 @@ from slipcircle.workbench.stability.family import COARSE_NODES, Search, valleys_
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
 _NEAR = 0.5  # over the least value, as a share of it, circles of the coarse family are kept
-_BEST, _OTHERS = 100, 300  # of these, the best ones, and so many spread evenly over the others
+_BEST = 100  # of these, the best ones, and so many spread evenly over the others
+_OTHERS = 300
 _VALLEYS = 4  # that are followed in each slope
 _NEIGHBOURS = 3  # slopes whose circles are tried
 
@@ -72,5 +73,4 @@ def _promising(values: Floats) -> Any:
     limit = least + _NEAR * max(abs(least), 0.1)
     near = order[values[order] <= limit]
     others = near[_BEST:]
-    spread = others[:: max(len(others) // _OTHERS, 1)]
-    return np.concatenate([near[:_BEST], spread])
+    return np.concatenate([near[:_BEST], others[:: max(len(others) // _OTHERS, 1)]])

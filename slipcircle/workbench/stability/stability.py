@@ -129,6 +129,7 @@ class Slope:
     datum: float | None = None
 
     def __post_init__(self) -> None:
+        """Check the fields, convert their units and freeze them."""
         take_units(self, vars(self))
         mistakes = self._field_mistakes()
         if not mistakes:
@@ -141,7 +142,8 @@ class Slope:
 
     def _field_mistakes(self) -> list[str]:
         """Return a message for each field that is missing, out of range, or excluded by another field."""
-        fields, mistakes = {name: value for name, value in vars(self).items() if name not in _LAYERED}, list[str]()
+        fields = {name: value for name, value in vars(self).items() if name not in _LAYERED}
+        mistakes = []
         if self.layers:
             fields = {name: value for name, value in fields.items() if name not in _OF_ONE_SOIL}
             excluded = [name for name in _OF_ONE_SOIL if getattr(self, name) not in (0.0, None)]
@@ -304,9 +306,7 @@ def _of_scenes(shape: Shape, numbers: Any) -> _ByLane:
         array = np.asarray(value, float)
         if array.ndim == axes:
             return array[None]
-        inner = array.shape[array.ndim - axes :]
-        of_every_lane = np.broadcast_to(array, (*lanes, *inner))
-        return of_every_lane[some]
+        return np.broadcast_to(array, (*lanes, *array.shape[array.ndim - axes :]))[some]
 
     return by_lane
 

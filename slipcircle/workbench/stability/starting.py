@@ -116,7 +116,8 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     right = turned[-1:]
     rest = np.full_like(slope.soils.friction, friction)
     soils = slope.soils
-    cohesion, growth = soils.cohesion * kept, soils.cohesion_gradient * kept
+    cohesion = soils.cohesion * kept
+    growth = soils.cohesion_gradient * kept
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
     ground = turned[None]
     moved = replace(slope, ground=ground, soils=soils)
@@ -146,17 +147,14 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
         of_closure = factor_by(OF_CLOSURE, driven)
     factor = wanted / of_closure
     slices = driven.slices
-    friction = slices.integral(slices.friction)
-    changes = (friction > 0.0) & (driven.facing != 0.0)
-    return np.where(changes, factor, 1.0)
+    return np.where((slices.integral(slices.friction) > 0.0) & (driven.facing != 0.0), factor, 1.0)
 
 
 def _under(k_h: Floats, driven: Driven) -> Driven:
     """Return arcs under a horizontal acceleration of k_h g, which acts on surcharges as well."""
     slices = driven.slices
     shaken = slices._replace(k_h=slices.of_arcs(k_h), shaken_load=1.0)
-    driving = driven.gravity + k_h * shaken.shaking_moment()
-    return driven._replace(slices=shaken, driving=driving)
+    return driven._replace(slices=shaken, driving=driven.gravity + k_h * shaken.shaking_moment())
 
 
 def yield_coefficient(driven: Driven, method: str) -> Floats:
@@ -169,9 +167,7 @@ def yield_coefficient(driven: Driven, method: str) -> Floats:
     moved = _under(unit, driven)
     at_rest = _resistance(still, method)
     shaken = _resistance(moved, method)
-    excess = at_rest - driven.gravity
-    growth = moved.driving - driven.gravity
-    return excess / (growth - shaken + at_rest)
+    return (at_rest - driven.gravity) / (moved.driving - driven.gravity - shaken + at_rest)
 
 
 def _resistance(driven: Driven, method: str) -> Floats:
@@ -182,7 +178,4 @@ def _resistance(driven: Driven, method: str) -> Floats:
     lowest, highest = lever_range(slices)
     one = np.ones_like(lowest)
     friction = slices.friction * bishop_normal(slices, one)
-    strength = slices.cohesion() + friction
-    resistance = slices.integral(strength)
-    is_known = (lowest < one) & (one < highest)
-    return np.where(is_known, resistance, np.nan)
+    return np.where((lowest < one) & (one < highest), slices.integral(slices.cohesion() + friction), np.nan)

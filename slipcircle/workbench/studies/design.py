@@ -201,7 +201,8 @@ class Design:
 
     def run_block(self, index: int) -> Result:
         """Compute a block and return its results by the names of `outputs`."""
-        si, scene = self._si(index), self.scene
+        si = self._si(index)
+        scene = self.scene
         shape: Shape = (-1,)
         if self.records is not None:
             scene, si, shape = self.records.lanes(scene, si, self.piece(index)[2])
@@ -239,8 +240,7 @@ def _drawn(design: Design, points: Any) -> list[Floats]:
     """Return the values of each input, in the unit of its key, at points of the unit cube, (inputs, ...)."""
     is_correlated = np.any(design.correlation != np.eye(len(points)))
     if is_correlated:  # a Gaussian copula: normal scores are mixed
-        mixing = np.linalg.cholesky(design.correlation)
-        scores = np.tensordot(mixing, special().ndtri(points), 1)
+        scores = np.tensordot(np.linalg.cholesky(design.correlation), special().ndtri(points), 1)
         points = np.clip(special().ndtr(scores), 2.0**-54, 1.0 - 2.0**-53)
     by_input = zip(design.drawn.values(), points, strict=True)
     return [np.asarray(uncertain.drawn(of_input.reshape(-1))) for uncertain, of_input in by_input]

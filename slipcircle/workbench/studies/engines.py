@@ -131,7 +131,8 @@ class Store:
 
 def _opened(path: Path, description: ValueDict) -> bytes:
     """Create or open the folder of a study and return its digest; ValueError if it holds another study."""
-    held, text = stored(path), json.dumps(description, indent=2).encode()
+    held = stored(path)
+    text = json.dumps(description, indent=2).encode()
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:

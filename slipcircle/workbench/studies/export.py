@@ -136,7 +136,8 @@ def _output(study: Any, name: str) -> ValueDict:
 
 def _under_records(study: Any) -> ValueDict:
     """Return records, axes, results (record, polarity, scale, sample) and statistics for JSON, in SI units."""
-    records, displacement = study.records, study.displacement
+    records = study.records
+    displacement = study.displacement
     described = {
         **study.suite.to_dict(),
         "polarities": records.polarities,

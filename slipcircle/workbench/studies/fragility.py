@@ -62,8 +62,7 @@ class FragilityCurve(NamedTuple):
         middle = intercept + slope * log_pga
         variance = of_intercept + 2.0 * joint * log_pga + of_slope * log_pga**2
         half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
-        bounds = np.stack([middle, middle - half, middle + half])
-        return np.asarray(special().ndtr(bounds))
+        return np.asarray(special().ndtr(np.stack([middle, middle - half, middle + half])))
 
     def to_dict(self) -> ValueDict:
         """Return the curve as a mapping for JSON."""
@@ -107,7 +106,8 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
     """
     counts = np.isfinite(share) & (pga > 0.0)
     record, _ = np.nonzero(counts)
-    shares, log_pga = share[counts], np.log(pga[counts])
+    shares = share[counts]
+    log_pga = np.log(pga[counts])
     if reason := _not_identified(shares, log_pga, record):
         return FragilityCurve(threshold, reason)
     centre = log_pga.mean()
@@ -160,7 +160,8 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
     This happens if a peak acceleration separates motions that exceed the threshold from the other motions (Albert and
     Anderson 1984).
     """
-    exceeds, stays = share > 0.0, share < 1.0
+    exceeds = share > 0.0
+    stays = share < 1.0
     if not np.any(exceeds):
         return "no motion exceeds it; give larger scales"
     if not np.any(stays):
@@ -190,9 +191,7 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
         likelihood, score, _ = _likelihood(terms @ coefficients, share)
         return -float(likelihood.sum()), -score @ terms
 
-    start = np.array([0.0, 1.0])
-    found = minimize(negative, start, jac=True, method="BFGS", options={"gtol": 1e-9})
-    return found.x
+    return minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9}).x
 
 
 def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Floats:
@@ -210,9 +209,7 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
     above = np.exp(log_density - log_above)
     below = np.exp(log_density - log_below)
     rest = 1.0 - share
-    likelihood = share * log_above + rest * log_below
-    score = share * above - rest * below
-    return likelihood, score, above * below
+    return share * log_above + rest * log_below, share * above - rest * below, above * below
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:

@@ -28,13 +28,11 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
     search = SampleSearch(stability.slope, stability.method, stability.limits)
     values = np.stack([*si.values()], axis=1)
     spread = values.std(axis=0)
-    scale = np.where(spread > 0.0, spread, 1.0)
-    places = values / scale
+    places = values / np.where(spread > 0.0, spread, 1.0)
     factors = {method: np.full(len(values), np.nan) for method in METHODS}
     for k in np.flatnonzero(valid):
         numbers = dict(zip(si, values[k].tolist(), strict=True))
-        sample = with_parameters(scene, numbers)
-        slope = slope_of(sample, stability.slope)
+        slope = slope_of(with_parameters(scene, numbers), stability.slope)
         for method, factor in search.factors(slope, places[k]).items():
             factors[method][k] = factor
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}

@@ -50,7 +50,8 @@ def _are_pairs(value: Any) -> bool:
     return isinstance(value, Mapping) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value)
 
 
-_FLAG, _POSITIVE = "must be True or False", "must be one or more positive numbers"
+_FLAG = "must be True or False"
+_POSITIVE = "must be one or more positive numbers"
 SETTINGS: Mapping[str, Setting] = {
     "n": Setting(lambda x: whole(x) and 1 <= x <= _MOST, f"must be a whole number of samples, from 1 to {_MOST:.0e}"),
     "method": Setting(lambda x: x in METHODS, f"must be one of {', '.join(METHODS)}"),
@@ -95,7 +96,8 @@ def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
     """Return a message for each distribution with too much probability outside the bounds of its parameter."""
     found = []
     for uncertain in drawn.values():
-        number, distribution = uncertain.number, uncertain.distribution
+        number = uncertain.number
+        distribution = uncertain.distribution
         outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
         if outside > _OUTSIDE:
             found.append(

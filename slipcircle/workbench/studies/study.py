@@ -83,7 +83,7 @@ class Study(Shaken, Pictured):
     @cached_property
     def samples(self) -> dict[str, NDArray[Any]]:
         """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
-        found: dict[str, NDArray[Any]] = {**self.inputs}
+        found = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
             if values.dtype == np.float64:
                 magnitude = np.abs(values) if name in OUTCOMES else values
@@ -120,7 +120,8 @@ class Study(Shaken, Pictured):
         """Estimates from increasing numbers of samples: after 1, 2, 4, ... blocks of every replicate."""
         found = []
         design = self._sampling
-        blocks, turn = design.sample_blocks, design.replicates
+        blocks = design.sample_blocks
+        turn = design.replicates
         while turn < 2 * blocks and design.method != "grid":
             (lanes,) = design.place(min(turn, blocks) - 1)
             first = Study(replace(design, n=lanes.stop, base=0), self.confidence, self.values)
@@ -132,6 +133,7 @@ class Study(Shaken, Pictured):
     # -- tables -------------------------------------------------------------------------------------------------------
 
     def __repr__(self) -> str:
+        """Return the design and a summary of the results in one line."""
         sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.axes(self).items())
         parts = [" ".join(words) for words in self._summary()]
         return f"<Study {self.scene.name}: {'; '.join([sizes, *parts])}>"
@@ -147,9 +149,11 @@ class Study(Shaken, Pictured):
         return rows
 
     def __len__(self) -> int:
+        """Return the number of samples."""
         return self.design.n
 
     def __bool__(self) -> bool:
+        """Return True, also for studies without samples."""
         return True
 
     def __getitem__(self, index: int) -> Motion:
@@ -195,8 +199,7 @@ class Study(Shaken, Pictured):
         """Index of the replicate of each sample."""
         design = self._sampling
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
-        replicates = np.arange(design.sample_blocks) % design.replicates
-        return np.repeat(replicates.astype(np.int8), lengths)
+        return np.repeat((np.arange(design.sample_blocks) % design.replicates).astype(np.int8), lengths)
 
     def _by_replicate(self, selected: Flags) -> NDArray[np.int64]:
         """Return the number of selected samples in each replicate."""
@@ -259,7 +262,8 @@ class Study(Shaken, Pictured):
         found = {}
         valid = self.values["status"] < Status.INVALID
         for method, factor in self._factors.items():
-            failing, unknown = valid & (factor < 1.0), valid & np.isnan(factor)
+            failing = valid & (factor < 1.0)
+            unknown = valid & np.isnan(factor)
             estimate = self._single_probability(failing)
             if unknown.any():
                 at_most = self._single_probability(failing | unknown)
@@ -343,7 +347,8 @@ class Study(Shaken, Pictured):
     @property
     def warnings(self) -> list[str]:
         """Warnings about the results."""
-        is_shaken, is_grid = self.design.records is not None, self.design.method == "grid"
+        is_shaken = self.design.records is not None
+        is_grid = self.design.method == "grid"
         found = self._record_warnings() if is_shaken else self._circle_warnings()
         if self.damaged:
             found.append(f"{self.damaged} blocks of the folder were damaged and computed again")
