@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fa9a1b753fa6ac507bce4bf57f7101dedcb2d8173e59d9a1b2559c1425093bab
+# sha256 of the text below: 27dc34aaeb5039f17a8f5ad1276bb1a99de5d5d85896c3c6fd0977c62dcdb40a
 """Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
@@ -9,6 +9,11 @@ from typing import Any
 from numpy import sqrt
 
 INFINITY = float("inf")
+
+
+def _unscaled(value: float, scales: Mapping[str, float]) -> float:
+    """Return the value of a parameter that has no place in the balance."""
+    return value
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +32,7 @@ class Parameter:
     key: str = ""
     per_unit: float = 1.0
     symbol: str = ""
-    dimensionless: Callable[[float, Mapping[str, float]], float] = lambda value, scales: value
+    dimensionless: Callable[[float, Mapping[str, float]], float] = _unscaled
     optional: bool = False
     kind: str = "number"
     allowed: str = ""

@@ -14,7 +14,7 @@ import numpy as np
 
 from generated.effects import Parameter
 from slipcircle.base.checks import array_of, plain, real_number
-from slipcircle.base.kinds import Flags, Floats, ValueDict, Values
+from slipcircle.base.kinds import Flags, Floats, Values
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.scene.tree import Leaf, leaves, mapped, put, replace_unchecked
 
@@ -55,11 +55,12 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     """
     if checked(scene, "parameters").shape:
         raise ValueError("parameters: takes a single scene; give one case of the ensemble")
-    left_out = _left_out(scene)
     numbers = scene.numbers
+    left_out = {"width", *scene.arc.numbers_without_effect()}
+    if "shaking.peak" in numbers:
+        left_out.add("shaking.scale")
     names = dict.fromkeys(("friction", *numbers) if "friction" in numbers else numbers)
-    has_effect = [name for name in names if np.all(numbers[name]) or not _rests_at_zero(name)]
-    chosen = [name for name in has_effect if name not in left_out]
+    chosen = [name for name in names if name not in left_out and (np.any(numbers[name]) or not _rests_at_zero(name))]
     return free_parameters(scene, chosen)
 
 
@@ -78,16 +79,6 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
 def _rests_at_zero(name: str) -> bool:
     """Return whether zero means that the feature is absent."""
     return name == "initial_velocity" or name.endswith(".pore_ratio") or name.startswith("shaking.")
-
-
-def _left_out(scene: Scene) -> set[str]:
-    """Return numbers without influence on the motion, and numbers determined by others."""
-    left_out = {"width"}
-    if "shaking.peak" in scene.numbers:
-        left_out.add("shaking.scale")
-    of_mass = scene.arc.numbers_without_effect()
-    left_out.update(of_mass)
-    return left_out
 
 
 def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
@@ -163,21 +154,20 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
     has the values of the first valid lane.
     """
     known = possible_parameters(scene)
-    allowed_by_name = [known[name].number.allows(value) for name, value in values.items()]
-    allowed = np.broadcast_arrays(*allowed_by_name)
+    allowed = np.broadcast_arrays(*(known[name].number.allows(value) for name, value in values.items()))
     invalid = ~np.logical_and.reduce(allowed)
-    before: ValueDict = {name: parameter_value(scene, name) for name in values}
     while True:
         none_valid = bool(np.all(invalid))
         first_valid = 0 if none_valid else np.argmin(invalid)
         valid_values = {}
         for name, value in values.items():
-            stand_in = before[name] if none_valid else value[first_valid]
+            stand_in = known[name].value if none_valid else value[first_valid]
             valid_values[name] = np.where(invalid, stand_in, value)
-        lanes = replace_unchecked(put(scene, scene.arc.together(valid_values)), {"uncertain": {}})
-        faults = () if none_valid or lanes.arc is scene.arc else lanes.arc.geometry_errors()
+        changed = put(scene, scene.arc.together(valid_values))
+        faults = () if none_valid or changed.arc is scene.arc else changed.arc.geometry_errors()
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
         if impossible is None:
+            lanes: Scene = replace_unchecked(changed, {"uncertain": {}})
             lanes.start_anew()
             return lanes, invalid
         if impossible.size > 1:

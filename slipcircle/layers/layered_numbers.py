@@ -4,7 +4,6 @@ Paths are ``soils.NAME.cohesion``, ``soils.NAME.friction.peak``, ..., ``layers.2
 first point), ``surcharge.1.pressure`` (the greater pressure of both ends), ``crack`` and ``rate.peak``, ...
 """
 
-import operator
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import Parameter
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Values
 from slipcircle.core.scene.effects import Law
 from slipcircle.core.scene.tree import STORED, Parts, numbers
 from slipcircle.layers.cracks import CrackedSection
@@ -63,10 +62,9 @@ class LayeredNumbers(CrackedSection):
         found = super().parts()
         rate = found.pop("rate")
         crack, depth = found.pop("crack")
-        found["soils"] = self.soils_by_name, None
-        found["tops"] = self.tops, _LINES
-        for name, top in self._tops_by_name.items():
-            found[name] = (np.asarray(top)[..., 0, 1], _TOP_OF_LINE) if np.ndim(top) > 1 else (top, TOP)
+        found |= {"soils": (self.soils_by_name, None), "tops": (self.tops, _LINES)}
+        for k, top in enumerate(self.tops, 2):
+            found[f"layers.{k}.top"] = (np.asarray(top)[..., 0, 1], _TOP_OF_LINE) if np.ndim(top) > 1 else (top, TOP)
         found |= {"rate": rate, "surcharge": (self.surcharge, STORED)}
         for k, (_, _, left, right) in enumerate(self.surcharge, 1):
             found[f"surcharge.{k}.pressure"] = np.maximum(left, right), PRESSURE
@@ -76,41 +74,30 @@ class LayeredNumbers(CrackedSection):
         """Return the section with other parts. Nothing is checked."""
         fields = {name: changed[name] for name in changed if "." not in name}
         soils = fields.pop("soils", self.soils_by_name)
-        tops = [None, *fields.pop("tops", self.tops)]
-        for k, name in enumerate(self._tops_by_name, 1):
-            tops[k] = _moved(tops[k], changed[name]) if name in changed else tops[k]
-        if soils is not self.soils_by_name or any(map(operator.is_not, tops[1:], self.tops)):
-            pairs = zip(self.layers, tops, strict=True)
-            fields["layers"] = tuple((soils[soil.name], top) for (soil, _), top in pairs)
-            fields["foreland"] = self.foreland and soils[self.foreland.name]
-        loads = fields.pop("surcharge", self.surcharge)
-        scaled = {k: f"surcharge.{k}.pressure" for k in range(1, len(loads) + 1)}
-        greatest = {k: changed[name] for k, name in scaled.items() if name in changed}
-        fields["surcharge"] = tuple(
-            _scaled(load, greatest[k]) if k in greatest else load for k, load in enumerate(loads, 1)
-        )
-        return super().with_parts(fields)
+        names = [soil.name for soil, _ in self.layers]
+        tops = (None, *fields.pop("tops", self.tops))
+        tops = [_moved(top, changed.get(f"layers.{k}.top")) for k, top in enumerate(tops, 1)]
+        loads = enumerate(fields.pop("surcharge", self.surcharge), 1)
+        fields["surcharge"] = tuple(_scaled(load, changed.get(f"surcharge.{k}.pressure")) for k, load in loads)
+        fields["layers"] = tuple((soils[name], top) for name, top in zip(names, tops, strict=True))
+        return super().with_parts(fields | {"foreland": self.foreland and soils[self.foreland.name]})
 
     @property
-    def _tops_by_name(self) -> ValueDict:
-        """Tops of the layers below the first by the names of their heights."""
-        return {f"layers.{k}.top": top for k, top in enumerate(self.tops, 2)}
+    def _shared_lengths(self) -> list[list[str]]:
+        """Names of the slip lengths that soils share, of friction and of cohesion."""
+        shared = [strength for strength in ("friction", "cohesion") if share_one_law(self.soils, strength)]
+        return [[name for name in numbers(self) if name.endswith(f".{strength}.length")] for strength in shared]
 
     def together(self, values: Values) -> Values:
-        """Return other values of numbers with the slip length that soils share."""
-        for strength in ("friction", "cohesion"):
-            lengths = [name for name in numbers(self) if name.endswith(f".{strength}.length")]
+        """Return other values of numbers with the slip lengths that soils share."""
+        for lengths in self._shared_lengths:
             given = [values[name] for name in lengths if name in values]
-            if given and share_one_law(self.soils, strength):
-                values = dict.fromkeys(lengths, given[0]) | dict(values)
+            values = dict.fromkeys(lengths if given else (), *given[:1]) | dict(values)
         return values
 
     def numbers_without_effect(self) -> list[str]:
         """Return lengths determined by the first soil's length, and growths of cohesion that are 0."""
-        left_out: list[str] = []
-        for strength in ("friction", "cohesion"):
-            if share_one_law(self.soils, strength):
-                left_out += [name for name in numbers(self) if name.endswith(f".{strength}.length")][1:]
+        left_out = [name for lengths in self._shared_lengths for name in lengths[1:]]
         for soil in self.soils:
             if soil.datum is None and not np.any(soil.cohesion_gradient):
                 left_out.append(f"soils.{soil.name}.cohesion_gradient")
@@ -124,8 +111,8 @@ class LayeredNumbers(CrackedSection):
 
 def _moved(top: Any, height: Any) -> Any:
     """Return the top of a layer at another height. A line moves as a whole, so that its first point has this height."""
-    if np.ndim(top) < 2:
-        return height
+    if height is None or np.ndim(top) < 2:
+        return top if height is None else height
     line = np.asarray(top)
     rise = np.asarray(height - line[..., 0, 1])[..., None]
     shift = np.broadcast_arrays(0.0, rise)
@@ -134,6 +121,8 @@ def _moved(top: Any, height: Any) -> Any:
 
 def _scaled(load: Load, greatest: Any) -> Load:
     """Return a surcharge with another pressure at its greater end, and proportional pressure at the other end."""
+    if greatest is None:
+        return load
     first, last, left, right = load
     known = np.maximum(left, right)
     is_none = known == 0.0

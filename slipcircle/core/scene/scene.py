@@ -280,14 +280,11 @@ class Scene(Generic[Numbers]):
 
     def with_parts(self, changed: Values) -> Any:
         """Return the scene with other parts. Nothing is checked."""
-        of_mass = {name: value for name, value in changed.items() if name in self.arc.parts()}
-        effects = {name: value for name, value in changed.items() if name in EFFECTS}
+        of_mass = {name: changed[name] for name in self.arc.parts() if name in changed}
+        effects = {name: changed[name] for name in EFFECTS if name in changed}
         fields = {name: value for name, value in changed.items() if name not in of_mass | effects}
-        if of_mass:
-            fields["arc"] = self.arc.with_parts(of_mass)
-        if effects:
-            fields["effects"] = {**self.checked_effects, **effects}
-        return replace_unchecked(self, fields)
+        mass = self.arc.with_parts(of_mass) if of_mass else self.arc
+        return replace_unchecked(self, fields | {"arc": mass, "effects": {**self.checked_effects, **effects}})
 
     @cached_property
     def _has_plain_numbers(self) -> bool:

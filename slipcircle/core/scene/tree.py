@@ -85,13 +85,11 @@ def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
     """Return the parts of a law, or of a constant, which has no name of its own."""
     if law is None or callable(law):
         return {}
-    (constant,) = laws["constant"].parameters
     if not isinstance(law, MAPPING):
-        return {"": (law, constant)}
+        return {"": (law, *laws["constant"].parameters)}
     found: Parts = {p.name: (law[p.name], p) for p in laws[law["law"]].parameters}
     if law["law"] == "constant":
-        value = law[constant.name]
-        found = {"": (value, replace(constant, kind="lens")), constant.name: (value, STORED)}
+        found = dict(zip([""], found.values(), strict=True))
     return found | ({"rate": (law["rate"], LAWS)} if "rate" in law else {})
 
 
@@ -152,7 +150,7 @@ def _with_changes(node: Any, known: Parts, changed: ValueDict) -> Any:
     new = {name: value for name, value in changed.items() if value is not known[name][0]}
     if not new:
         return node
-    if hasattr(type(node), "with_parts"):
+    if hasattr(type(node), "parts"):
         return node.with_parts(new)
     if not isinstance(node, MAPPING):  # a constant in place of a law
         return new[""]
@@ -160,9 +158,7 @@ def _with_changes(node: Any, known: Parts, changed: ValueDict) -> Any:
         both = " and ".join(f"{{shaking.{name}}}" for name in new if name in _DETERMINED)
         raise InputError("", [f"{both} exclude each other: one is the other times the record's peak; vary one"])
     kept = {name: value for name, value in node.items() if _DETERMINED.get(name) not in new}
-    if "" in new:
-        return kept | {name: new[""] for name, (_, what) in known.items() if what is STORED}
-    return kept | new
+    return kept | {name or known[""][1].name: value for name, value in new.items()}
 
 
 def replace_unchecked(instance: Any, values: Values) -> Any:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import COHESION_LAWS, EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
+from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.base.kinds import Names, ValueDict
 from slipcircle.core import RATE_LAWS, Arc, Scene, declared, may_have_rate
@@ -21,7 +21,8 @@ from slipcircle.tabulated import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 from slipcircle.workbench.common.units import SYSTEMS, published
 
-_MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
+_SMALL, _LARGE = 0.01, 100.0  # bounds of keys beyond these only detect a wrong unit
+_BELOW_0 = -5e-324  # lower bound that allows 0, since bounds are open
 _NUMBERS = ("a number", "a list of numbers")
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
 
@@ -43,7 +44,7 @@ class Key(Parameter):
     @property
     def _is_closed(self) -> bool:
         """Whether 0, the lower bound, is allowed."""
-        return self.lower == -5e-324
+        return self.lower == _BELOW_0
 
     @property
     def low(self) -> float:
@@ -250,19 +251,14 @@ def _number(key: Key, written: str = "", tangent: bool = False) -> Key:
 
 
 def _bounds_in_words(key: Key) -> str:
-    """Return the bounds of a key in words; only the sign if they just detect a wrong unit."""
-    of_arc = declared(Arc).get(key.name)
-    least, most = (of_arc.lower, of_arc.upper) if of_arc else LIMITS.get(key.unit, (0.0, INFINITY))
-    most = min(most, _MOST.get(key.unit, INFINITY))
-    bounds = dict(key.limits)
-    if key.lower in (least, -most):
-        bounds = {"gt": 0.0} if key.lower >= 0.0 else {}
-    bounds.pop("lt", None)
-    if key.upper < most or key.tangent:
-        bounds["lt"] = key.high
-    is_allowed = key.high > float(f"{key.high:g}")  # the bound in words: open ones lie a bit above it
-    comparisons = {"gt": "above", "ge": "at least", "lt": "at most" if is_allowed else "below"}
-    return " and ".join(f"{comparisons[k]} {v:g}" for k, v in bounds.items())
+    """Return the bounds of a key in words, without those that only values in a wrong unit exceed."""
+    low, high = key.low, key.high
+    is_allowed = high > float(f"{high:g}")  # the bound in words: open ones lie a bit above it
+    comparisons = {
+        f"{'at least' if key.lower == _BELOW_0 else 'above'} {0.0 if 0.0 <= low < _SMALL else low:g}": low > -_LARGE,
+        f"{'at most' if is_allowed else 'below'} {high:g}": high <= _LARGE,
+    }
+    return " and ".join(words for words, is_shown in comparisons.items() if is_shown)
 
 
 @lru_cache(maxsize=512)
@@ -271,8 +267,8 @@ def keys_of(p: Parameter) -> dict[str, Key]:
     name = p.key.rpartition(".")[2]
     if not name:
         return {}
-    key = Key(**{field.name: getattr(p, field.name) for field in fields(p)})
-    key = replace(key, key=name)
+    given = {field.name: getattr(p, field.name) for field in fields(p) if field.name != "dimensionless"}
+    key = Key(**given | {"key": name})
     plain = {"flag": "true or false", "text": "text", "name": "text or a number"}
     if p.kind in plain or "|" in p.kind:
         return {name: replace(key, allowed=plain.get(p.kind, f"one of {p.kind.replace('|', ', ')}"))}
@@ -336,7 +332,7 @@ ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={
 _SEEN = []
 for _q in OBSERVABLE.values():
     _most = LIMITS[_q.unit][1]
-    _least = -5e-324 if _q.unit in ("s", "") else -_most
+    _least = _BELOW_0 if _q.unit in ("s", "") else -_most
     _SEEN.append(
         Parameter(_q.name, _q.unit, _least, _most, f"observed {_q.label}", _q.head, optional=True, kind="seen")
     )
