@@ -75,8 +75,8 @@ class LayeredNumbers(CrackedSection):
         fields = {name: changed[name] for name in changed if "." not in name}
         soils = fields.pop("soils", self.soils_by_name)
         names = [soil.name for soil, _ in self.layers]
-        tops = (None, *fields.pop("tops", self.tops))
-        tops = [_moved(top, changed.get(f"layers.{k}.top")) for k, top in enumerate(tops, 1)]
+        lines = (None, *fields.pop("tops", self.tops))
+        tops = [_moved(top, changed.get(f"layers.{k}.top")) for k, top in enumerate(lines, 1)]
         loads = enumerate(fields.pop("surcharge", self.surcharge), 1)
         fields["surcharge"] = tuple(_scaled(load, changed.get(f"surcharge.{k}.pressure")) for k, load in loads)
         fields["layers"] = tuple((soils[name], top) for name, top in zip(names, tops, strict=True))

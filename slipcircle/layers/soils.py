@@ -11,11 +11,10 @@ from numpy.typing import ArrayLike
 
 from generated.effects import COHESION_LAWS, LAWS, Parameter
 from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
-from slipcircle.base.kinds import Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
-from slipcircle.core.scene.tree import Parts, bounds, declared, number, parts_of_fields, replace_unchecked
+from slipcircle.core.scene.tree import Parts, bounds, declared, number, parts_of_fields
 from slipcircle.ground.ground import FAR, WEIGHT, points_errors
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 
@@ -121,11 +120,6 @@ class Soil:
         found = parts_of_fields(self)
         friction = found.pop("friction")
         return {**found, "friction": friction}
-
-    def with_parts(self, changed: Values) -> Soil:
-        """Return the soil with other values of some parts. Nothing is checked."""
-        soil: Soil = replace_unchecked(self, changed)
-        return soil
 
     @property
     def weight_below_water(self) -> ArrayLike:

@@ -151,7 +151,7 @@ def _with_changes(node: Any, known: Parts, changed: ValueDict) -> Any:
     if not new:
         return node
     if hasattr(type(node), "parts"):
-        return node.with_parts(new)
+        return node.with_parts(new) if hasattr(node, "with_parts") else replace_unchecked(node, new)
     if not isinstance(node, MAPPING):  # a constant in place of a law
         return new[""]
     if new.keys() >= _DETERMINED.keys():
