@@ -7,8 +7,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import Parameter
-from slipcircle.base.checks import INFINITY, Bounds, Fault, array_of, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Floats, Shape, ValueDict, Values
+from slipcircle.base.checks import (
+    INFINITY,
+    Bounds,
+    Fault,
+    array_of,
+    complaint,
+    mistakes,
+    quiet,
+    raise_all,
+    shape_mistakes,
+)
+from slipcircle.base.kinds import Floats, Shape, Texts, ValueDict, Values
 from slipcircle.ground.plane import Vectors
 
 FAR = 1e9  # bound of coordinates, m
@@ -26,7 +36,7 @@ def leading_shape(value: Any, axes: int) -> Shape:
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Yield the errors of lines (n, V, 2) that do not run from left to right."""
-    with np.errstate(invalid="ignore"):
+    with quiet():
         before_first = lines[:, :1] - 1.0
         step = np.diff(lines, axis=1, prepend=before_first)
 
@@ -50,7 +60,7 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
-def points_errors(name: str, given: Any, many: bool) -> list[str]:
+def points_errors(name: str, given: Any, many: bool) -> Texts:
     """Return messages about points that should form a line from left to right, or about the first invalid line."""
     points = array_of(given)
     most_axes = 15 if many else 2
@@ -62,7 +72,7 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     *lanes, count, _ = shape
     one_axis = points.reshape(-1, count, 2)
-    lines = one_axis.astype(np.float64)
+    lines = one_axis.astype(float)
     faults = line_errors(name, lines)
     return complaint(faults, tuple(lanes))
 
@@ -78,7 +88,7 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
     return longer
 
 
-def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
+def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the fields of one slope, which are numbers except for its lines."""
     own = {name: bounds[name] for name in bounds if name in given and bounds[name][2] and not _is_absent(name, given)}
     return mistakes(given, own, one=own) + _lines_errors(given, many=False)
@@ -89,7 +99,7 @@ def _is_absent(name: str, given: Values) -> bool:
     return name in ("base", "between", "datum") and given[name] is None
 
 
-def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> list[str]:
+def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the fields of sections, which may have axes of lanes before those of one section."""
     own = {name: bounds[name] for name, p in quantities.items() if p.allowed and not _is_absent(name, given)}
     errors = mistakes(given, own, one=("base", "water_unit_weight"))
@@ -109,7 +119,7 @@ def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: M
     return shape_mistakes(of_lanes) or errors
 
 
-def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
+def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair."""
     wrong = []
     *_, coordinates = np.atleast_1d(given["centre"]).shape
@@ -123,7 +133,7 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
     return [f"{{{name}}} = {given[name]!r}: must be {bounds[name][-1]}" for name in wrong]
 
 
-def _lines_errors(given: Values, many: bool) -> list[str]:
+def _lines_errors(given: Values, many: bool) -> Texts:
     """Return messages about the ground, the water level and ponds."""
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
@@ -138,7 +148,7 @@ def _lines_errors(given: Values, many: bool) -> list[str]:
     return errors
 
 
-def _pond_errors(k: int, pond: Any) -> list[str]:
+def _pond_errors(k: int, pond: Any) -> Texts:
     """Return a message if a pond, counted from 1, does not consist of three numbers."""
     numbers = np.asarray(pond)
     if numbers.shape == (3,) and numbers.dtype.kind in "iuf" and np.all(np.abs(numbers) < FAR):
@@ -223,7 +233,7 @@ def circle_through(
     return centre.points, size[()]
 
 
-def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> list[str]:
+def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> Texts:
     errors = []
     if (radius is None) == (depth is None):
         errors.append("{radius} or {depth}: give one of them")

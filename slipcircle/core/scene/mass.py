@@ -168,6 +168,10 @@ class Mass:
         """
         return {}, None
 
+    def limit_rest(self, shape: Shape, lanes: Any) -> Any:
+        """Return the exact limit friction minus its rounded value, 0 where unknown, for some lanes of a shape."""
+        return 0.0
+
     @property
     def quantities(self) -> dict[str, Parameter]:
         """Declarations of the fields that are numbers, by name."""

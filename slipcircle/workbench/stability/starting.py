@@ -13,14 +13,16 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
+from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+_RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -52,7 +54,7 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
         return None
     blocks = []
     for driven, lanes in driven_blocks(scene, slipped):
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with quiet():
             results = result(driven)
         blocks.append(np.broadcast_to(results, lanes))
     values = np.concatenate(blocks).reshape(scene.shape)
@@ -66,7 +68,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
         is_shared = _is_shared(slope, circles)
         if not is_shared:
             circles = each_lane(circles, lanes)
-        driven = driven_slices(slope, *circles, _PIECES)
+        driven = driven_slices(slope, *circles, _RULE)
         yield driven, lanes
 
 
@@ -119,10 +121,9 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     cohesion = soils.cohesion * kept
     growth = soils.cohesion_gradient * kept
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
-    ground = turned[None]
-    moved = replace(slope, ground=ground, soils=soils)
-    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    moved = replace(slope, ground=turned[None], soils=soils)
+    driven = driven_slices(moved, centre, radius, left, right, _RULE)
+    with quiet():
         return float(factor_by(method, driven)[0])
 
 
