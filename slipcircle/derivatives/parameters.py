@@ -59,8 +59,12 @@ def parameters(scene: Scene[float]) -> dict[str, Free]:
     left_out = {"width", *scene.arc.numbers_without_effect()}
     if "shaking.peak" in numbers:
         left_out.add("shaking.scale")
-    names = dict.fromkeys(("friction", *numbers) if "friction" in numbers else numbers)
-    chosen = [name for name in names if name not in left_out and (np.any(numbers[name]) or not _rests_at_zero(name))]
+    first = ["friction"] if "friction" in numbers else []
+    chosen = []
+    for name in dict.fromkeys([*first, *numbers]):
+        is_present = np.any(numbers[name]) or not _rests_at_zero(name)
+        if is_present and name not in left_out:
+            chosen.append(name)
     return free_parameters(scene, chosen)
 
 
@@ -69,10 +73,12 @@ def free_parameters(scene: Scene[float], names: Iterable[str]) -> dict[str, Free
     possible = possible_parameters(scene)
     free = dict[str, Free]()
     for name in names:
-        _, _, number, at = possible[name]
-        value = float(np.asarray(at))
+        leaf = possible[name]
+        number = leaf.number
+        value = float(np.asarray(leaf.value))
         scale = _scale(scene.arc, name, number, value)
-        free[name] = Free(name, number.unit, number.lower, number.upper, value, scale)
+        bounds = number.lower, number.upper
+        free[name] = Free(name, number.unit, *bounds, value, scale)
     return free
 
 
@@ -102,13 +108,17 @@ def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
     else:
         size = abs(value) or usual.get(parameter.unit, 1.0)
     exponent = round(math.log2(size))
-    return float(2.0**exponent)
+    scale = 2.0**exponent
+    return float(scale)
 
 
 def parameter_value(scene: Scene, name: str) -> float | None:
     """Return the value of a number of a scene in SI units, or None if it has no value."""
-    values = (leaf.value for leaf in leaves(scene) if leaf.path == name and leaf.value is not None)
-    return next((float(np.asarray(value)) for value in values), None)
+    leaf = possible_parameters(scene).get(name)
+    if leaf is None or leaf.value is None:
+        return None
+    value = np.asarray(leaf.value)
+    return float(value)
 
 
 def with_parameters(scene: Scene, values: Values) -> Scene:
@@ -138,7 +148,8 @@ def lanes_of(scene: Scene, index: Any, flat: bool = False) -> Scene:
         if len(shape) <= axes:
             return value
         own_axes = shape[len(shape) - axes :]
-        every_lane = np.broadcast_to(value, scene.shape + own_axes)
+        whole_shape = scene.shape + own_axes
+        every_lane = np.broadcast_to(value, whole_shape)
         if flat:
             every_lane = every_lane.reshape(-1, *own_axes)
         return plain(every_lane[index])
@@ -154,7 +165,11 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
     has the values of the first valid lane.
     """
     known = possible_parameters(scene)
-    allowed = np.broadcast_arrays(*(known[name].number.allows(value) for name, value in values.items()))
+    by_name = []
+    for name, value in values.items():
+        of_name = known[name].number
+        by_name.append(of_name.allows(value))
+    allowed = np.broadcast_arrays(*by_name)
     invalid = ~np.logical_and.reduce(allowed)
     while True:
         none_valid = bool(np.all(invalid))
@@ -164,7 +179,9 @@ def with_parameter_arrays(scene: Scene, values: Mapping[str, Floats]) -> tuple[S
             stand_in = known[name].value if none_valid else value[first_valid]
             valid_values[name] = np.where(invalid, stand_in, value)
         changed = put(scene, scene.arc.together(valid_values))
-        faults = () if none_valid or changed.arc is scene.arc else changed.arc.geometry_errors()
+        arc = changed.arc
+        is_checked = none_valid or arc is scene.arc
+        faults = () if is_checked else arc.geometry_errors()
         impossible = next((lanes for lanes, _ in faults if np.any(lanes)), None)
         if impossible is None:
             lanes: Scene = replace_unchecked(changed, {"uncertain": {}})

@@ -28,7 +28,12 @@ class SectionGeometry(TurningMass):
     def shape(self) -> Shape:
         """Shape of the results."""
         names = ("radius", "centre", "ground", "level")
-        return np.broadcast_shapes(*(leading_shape(getattr(self, name), self.quantities[name].axes) for name in names))
+        shapes = []
+        for name in names:
+            axes = self.quantities[name].axes
+            value = getattr(self, name)
+            shapes.append(leading_shape(value, axes))
+        return np.broadcast_shapes(*shapes)
 
     @cached_property
     def _circle(self) -> ArrayTriple:

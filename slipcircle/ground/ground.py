@@ -90,8 +90,13 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
 
 def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the fields of one slope, which are numbers except for its lines."""
-    own = {name: bounds[name] for name in bounds if name in given and bounds[name][2] and not _is_absent(name, given)}
-    return mistakes(given, own, one=own) + _lines_errors(given, many=False)
+    own = {}
+    for name, limits in bounds.items():
+        _, _, allowed = limits
+        if allowed and name in given and not _is_absent(name, given):
+            own[name] = limits
+    numbers = mistakes(given, own, one=own)
+    return numbers + _lines_errors(given, many=False)
 
 
 def _is_absent(name: str, given: Values) -> bool:
@@ -101,7 +106,10 @@ def _is_absent(name: str, given: Values) -> bool:
 
 def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the fields of sections, which may have axes of lanes before those of one section."""
-    own = {name: bounds[name] for name, p in quantities.items() if p.allowed and not _is_absent(name, given)}
+    own = {}
+    for name, p in quantities.items():
+        if p.allowed and not _is_absent(name, given):
+            own[name] = bounds[name]
     errors = mistakes(given, own, one=("base", "water_unit_weight"))
     if not errors:  # all of them are numbers
         errors = _pair_errors(given, bounds)
@@ -130,7 +138,11 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
         are_two = np.shape(pair) == (2,)
         if not are_two or pair[0] >= pair[1]:
             wrong.append("between")
-    return [f"{{{name}}} = {given[name]!r}: must be {bounds[name][-1]}" for name in wrong]
+    messages = []
+    for name in wrong:
+        *_, allowed = bounds[name]
+        messages.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
+    return messages
 
 
 def _lines_errors(given: Values, many: bool) -> Texts:

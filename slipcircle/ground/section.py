@@ -127,14 +127,17 @@ class Section(SectionGeometry, Mass):
         if not isinstance(other, Section):
             return False
         names = [field.name for field in fields(self)]
-        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+        pairs = [(getattr(self, name), getattr(other, name)) for name in names]
+        return all(np.array_equal(*pair) for pair in pairs)
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Yield the errors of invalid sections and of sections that cannot move."""
         levels = () if self.level is None else line_errors("level", self._level)
-        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
+        ground, *_ = self._circle
+        lines = chain(line_errors("ground", ground), levels)
+        return chain(lines, geometry_errors(self), motion_errors(self))
 
     def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""
@@ -337,7 +340,8 @@ class Section(SectionGeometry, Mass):
         """Rotations at which the mean pressure is not smooth, rad, sorted, along the last axis."""
         kinks = [np.empty((len(self._facing), 0))]
         if self.level is not None:
-            until_kink = [self._water.kinks - end[:, None] for end in self._angles]
+            water_kinks = self._water.kinks
+            until_kink = [water_kinks - end[:, None] for end in self._angles]
             turns = np.concatenate(until_kink, axis=1)
             kinks.append(turns * self._facing[:, None])
         if self.in_standing_water:

@@ -275,16 +275,22 @@ class Scene(Generic[Numbers]):
         if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
             found["strength_factor"] = None, declared(Scene)["strength_factor"]
         given = self.checked_effects
-        effects = {name: given.get(name, EMPTY) for name in (*given, *EFFECTS) if name not in self.arc.own_effects}
-        return found | {name: (one, declared_parameters(name, one)) for name, one in effects.items()}
+        for name in (*given, *EFFECTS):
+            if name not in self.arc.own_effects:
+                one = given.get(name, EMPTY)
+                found[name] = one, declared_parameters(name, one)
+        return found
 
     def with_parts(self, changed: Values) -> Any:
         """Return the scene with other parts. Nothing is checked."""
         of_mass = {name: changed[name] for name in self.arc.parts() if name in changed}
         effects = {name: changed[name] for name in EFFECTS if name in changed}
         fields = {name: value for name, value in changed.items() if name not in of_mass | effects}
-        mass = self.arc.with_parts(of_mass) if of_mass else self.arc
-        return replace_unchecked(self, fields | {"arc": mass, "effects": {**self.checked_effects, **effects}})
+        if of_mass:
+            fields["arc"] = self.arc.with_parts(of_mass)
+        if effects:
+            fields["effects"] = {**self.checked_effects, **effects}
+        return replace_unchecked(self, fields)
 
     @cached_property
     def _has_plain_numbers(self) -> bool:

@@ -45,8 +45,13 @@ def number(
 @lru_cache
 def declared(kind: Any) -> dict[str, Parameter]:
     """Return the numbers that the fields of a dataclass declare, by name. The name is also the key of one without."""
-    every = {field.name: field.metadata.get("number") for field in fields(kind)}
-    return {name: replace(one, name=name, key=one.key or name) for name, one in every.items() if one}
+    found = {}
+    for field in fields(kind):
+        p = field.metadata.get("number")
+        if p:
+            key = p.key or field.name
+            found[field.name] = replace(p, name=field.name, key=key)
+    return found
 
 
 @lru_cache
@@ -58,8 +63,13 @@ def bounds(kind: Any) -> dict[str, Bounds]:
 def parts_of_fields(node: Any) -> Parts:
     """Return the parts of a dataclass that its fields declare, laws in place of the number that they replace."""
     kind: Any = type(node)
-    every = {field.name: field.metadata.get("laws", declared(kind).get(field.name)) for field in fields(node)}
-    return {name: (getattr(node, name), what) for name, what in every.items() if what}
+    numbers = declared(kind)
+    found: Parts = {}
+    for field in fields(node):
+        what = field.metadata.get("laws", numbers.get(field.name))
+        if what:
+            found[field.name] = getattr(node, field.name), what
+    return found
 
 
 def parts(node: Any, kind: Any = None) -> Parts:
@@ -76,8 +86,11 @@ def _of_effect(given: Values, parameters: tuple[Parameter, ...]) -> Parts:
     """Return the parts of an effect, with scale and peak of shaking by a record, of which one determines the other."""
     found: Parts = {p.name: (given.get(p.name), p) for p in parameters}
     if callable(given.get("horizontal")):
-        for name, value in lazy_import("forcing").record_numbers(given).items():
-            found[name] = value, found[name][1] if name in given else replace(found[name][1], kind="lens")
+        of_record = lazy_import("forcing").record_numbers(given)
+        for name, value in of_record.items():
+            _, p = found[name]
+            kind = p.kind if name in given else "lens"
+            found[name] = value, replace(p, kind=kind)
     return found
 
 
@@ -87,33 +100,45 @@ def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
         return {}
     if not isinstance(law, MAPPING):
         return {"": (law, *laws["constant"].parameters)}
-    found: Parts = {p.name: (law[p.name], p) for p in laws[law["law"]].parameters}
-    if law["law"] == "constant":
-        found = dict(zip([""], found.values(), strict=True))
-    return found | ({"rate": (law["rate"], LAWS)} if "rate" in law else {})
+    name = law["law"]
+    found: Parts = {}
+    for p in laws[name].parameters:
+        of_constant = name == "constant"
+        found["" if of_constant else p.name] = law[p.name], p
+    if "rate" in law:
+        found["rate"] = law["rate"], LAWS
+    return found
 
 
 def leaves(node: Any, kind: Any = None, path: str = "", key: str = "") -> Iterator[Leaf]:
     """Yield the numbers below a node, including those without a value."""
     for name, (value, what) in parts(node, kind).items():
-        at = _joined(path, name) if name or kind is None else path
+        at = path
+        if name or kind is None:
+            at = _joined(path, name)
         if not isinstance(what, Parameter):
             yield from leaves(value, what, at, _joined(key, name))
         elif what.kind not in _POSSIBLE:
             continue
         elif not what.axes:
             inside = [one for one in (key, *name.split(".")[:-1]) if one]
-            yield Leaf(at, ".".join([*inside, what.key]), what, None if callable(value) else value)
+            full = ".".join([*inside, what.key])
+            known = None if callable(value) else value
+            yield Leaf(at, full, what, known)
         elif value is not None:
             lanes: Any = np.asarray(value)
-            for place, index in _places(lanes.shape[lanes.ndim - what.axes :]).items():
+            own = lanes.shape[lanes.ndim - what.axes :]
+            for place, index in _places(own).items():
                 yield Leaf(f"{at}.{place}", f"{what.key}.{place}", what, lanes[(..., *index)])
 
 
 def numbers(node: Any) -> ValueDict:
     """Return the values of the numbers below a node by path, without unlisted ones."""
-    found = leaves(node)
-    return {leaf.path: leaf.value for leaf in found if leaf.value is not None and leaf.number.kind in _LISTED}
+    found: ValueDict = {}
+    for path, _, p, value in leaves(node):
+        if value is not None and p.kind in _LISTED:
+            found[path] = value
+    return found
 
 
 def put(node: Any, values: Values, kind: Any = None) -> Any:
@@ -128,8 +153,10 @@ def put(node: Any, values: Values, kind: Any = None) -> Any:
         value, what = known[name]
         if not isinstance(what, Parameter):
             changed[name] = put(value, new, what)
+        elif what.axes:
+            changed[name] = _with_coordinates(value, what.axes, new)
         else:
-            changed[name] = _with_coordinates(value, what.axes, new) if what.axes else new[""]
+            changed[name] = new[""]
     return _with_changes(node, known, changed)
 
 
@@ -140,8 +167,10 @@ def mapped(node: Any, change: Callable[[Any, int], Any], kind: Any = None) -> An
             return tuple(mapped(one, change, kind) for one in node)
         return change(node, kind.axes) if kind.kind in _STORED else node
     known = parts(node, kind)
-    given = {name: part for name, part in known.items() if part[0] is not None and not callable(part[0])}
-    changed = {name: mapped(value, change, what) for name, (value, what) in given.items()}
+    changed: ValueDict = {}
+    for name, (value, what) in known.items():
+        if value is not None and not callable(value):
+            changed[name] = mapped(value, change, what)
     return _with_changes(node, known, changed)
 
 
@@ -150,8 +179,10 @@ def _with_changes(node: Any, known: Parts, changed: ValueDict) -> Any:
     new = {name: value for name, value in changed.items() if value is not known[name][0]}
     if not new:
         return node
+    if hasattr(node, "with_parts"):
+        return node.with_parts(new)
     if hasattr(type(node), "parts"):
-        return node.with_parts(new) if hasattr(node, "with_parts") else replace_unchecked(node, new)
+        return replace_unchecked(node, new)
     if not isinstance(node, MAPPING):  # a constant in place of a law
         return new[""]
     if new.keys() >= _DETERMINED.keys():
@@ -191,7 +222,11 @@ def _with_coordinates(points: Any, axes: int, new: Values) -> Any:
 @lru_cache(maxsize=256)
 def _places(shape: Shape) -> dict[str, Shape]:
     """Return the index of each coordinate in points of this shape by its place, such as ``3.y``."""
-    return {".".join([*map(str, point), "xy"[axis]]): (*point, axis) for *point, axis in np.ndindex(shape)}
+    places = {}
+    for *point, axis in np.ndindex(shape):
+        place = [*map(str, point), "xy"[axis]]
+        places[".".join(place)] = (*point, axis)
+    return places
 
 
 def _joined(path: str, name: str) -> str:

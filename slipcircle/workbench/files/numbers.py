@@ -25,7 +25,8 @@ from slipcircle.workbench.common.distributions import (
     distribution_of,
 )
 from slipcircle.workbench.common.units import published
-from slipcircle.workbench.files.keys import Key, joined, keys_of
+from slipcircle.workbench.files.keys import Key as Key
+from slipcircle.workbench.files.keys import joined, keys_of
 
 _POINTS = ("circle.centre_m", "ground.points_m", "water.level_m")
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"

@@ -21,8 +21,7 @@ from slipcircle.history import OUTPUTS, energy_unit, of_means, stress_unit, with
 from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.files.keys import Key
-from slipcircle.workbench.files.numbers import by_name
+from slipcircle.workbench.files.numbers import Key, by_name
 from slipcircle.workbench.outputs.page.start import NoFit, Start, start_of
 from slipcircle.workbench.outputs.pictures.plotstyle import FIRST, quantity_words
 
@@ -32,7 +31,7 @@ TRIALS = 64  # number of random places for the comparison of interpolants with e
 ACCURACY = 1e-12  # of an ensemble, so that its functions of the rotation are as close as for a scene
 SHARE = 0.5  # default range of a slider to both sides of the value, relative to it
 CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
-# Numbers with sliders by default; those that shape a section are cheap to lay out for an arc alone.
+# Numbers with sliders by default, of the shape for an arc alone, which is cheap to lay out.
 _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
