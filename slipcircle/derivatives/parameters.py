@@ -100,7 +100,7 @@ def _scale(arc: Any, name: str, parameter: Parameter, value: float) -> float:
         "N/m^3": USUAL_WEIGHT,
         "m/s^2": gravity,
     }
-    _, _, quantity = name.rpartition(".")
+    *_, quantity = name.split(".")
     if quantity in ("x", "y", "top"):
         size = radius / 16
     elif parameter.unit == "rad":
@@ -135,7 +135,8 @@ def with_parameters(scene: Scene, values: Values) -> Scene:
     for name, value in values.items():
         is_array = array_of(value).ndim > 0
         numbers[name] = value if is_array else real_number(value)
-    changed = put(scene, scene.arc.together(numbers))
+    values = scene.arc.together(numbers)
+    changed = put(scene, values)
     arc = scene.arc if changed.arc is scene.arc else replace(changed.arc)
     return replace(changed, arc=arc, uncertain={})
 

@@ -16,6 +16,7 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
+from slipcircle.base.text import printed
 from slipcircle.core import Scene, leaves
 from slipcircle.workbench.common.distributions import (
     Gaussian,
@@ -24,7 +25,7 @@ from slipcircle.workbench.common.distributions import (
     distribution_mistakes,
     distribution_of,
 )
-from slipcircle.workbench.common.units import published
+from slipcircle.workbench.common.units import published, suffix
 from slipcircle.workbench.files.keys import Key as Key
 from slipcircle.workbench.files.keys import joined, keys_of
 
@@ -52,6 +53,15 @@ def by_key(scene: Any) -> dict[str, Key]:
             beside_law = spelt.replace(".cohesion.cohesion_kPa", ".cohesion_kPa")  # of a soil, which may have a law
             found |= {one: replace(key, key=one, name=path) for one in (beside_law, spelt)}
     return found
+
+
+def in_output_unit(number: Key) -> Key:
+    """Return a number with its key in the unit of output, such as ``cohesion.cohesion_psf``."""
+    factor, unit = printed(number.unit)
+    if factor == 1.0:
+        return number
+    key = number.key.removesuffix(suffix(number.written)) + suffix(unit)
+    return number.in_unit(key, unit, 1.0 / (factor * number.per_unit))
 
 
 def by_name(scene: Any) -> dict[str, Key]:
