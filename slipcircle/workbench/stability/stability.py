@@ -10,21 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Bounds, InputError, complaint, freeze, raise_all
+from slipcircle.base.checks import InputError, complaint, freeze, raise_all
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
-from slipcircle.core import bounds, cohesion_mistakes, law_mistakes
-from slipcircle.ground import FAR, Ponds, Section, free_water, slope_errors, water_fault
-from slipcircle.layers import (
-    STRESS,
-    LayeredSection,
-    Soil,
-    cohesion_at_rest,
-    friction_at_rest,
-    growth_at_rest,
-    layer_mistakes,
-)
-from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
+from slipcircle.core import cohesion_mistakes, law_mistakes
+from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
+from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
+from slipcircle.workbench.stability.columns import BOUNDS, SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -155,7 +147,7 @@ class Slope:
             of_laws = self._law_mistakes()
             mistakes += of_laws
             fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
-        mistakes += slope_errors(fields, _BOUNDS)
+        mistakes += slope_errors(fields, BOUNDS)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
                 f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"
@@ -221,14 +213,6 @@ class Slope:
         return any(np.any(soil.peak) for soil, _ in self.soils)
 
 
-_BOUNDS: dict[str, Bounds] = {
-    **bounds(Section),
-    **bounds(Soil),
-    "datum": (-FAR, FAR, "one finite number in m"),
-    "pressure": STRESS,
-    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
-    "k_h": (-1.0, 1.0, "between -1 and 1"),
-}
 _LAYERED = ("layers", "surcharge", "crack", "crack_water", "k_h_on_surcharge")
 _OF_ONE_SOIL = ("cohesion", "friction", "unit_weight", "pore_ratio", "cohesion_gradient", "datum")
 
