@@ -179,17 +179,22 @@ class History:
         states = self._states(time)
         outputs = self._mean_forces.outputs(states)
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
-        total = self._by_state(time, outputs["pressing"]) * unit
-        total = total + self._water_load(self._by_state(time, states.rotation))
-        return Stresses(total, self._by_state(time, outputs["normal"]) * unit)
+        of_weight = self._by_state(time, outputs["pressing"]) * unit
+        effective = self._by_state(time, outputs["normal"]) * unit
+        of_lanes = states.rotation.reshape(time.size, *self.shape)
+        load = self._water_load(of_lanes)
+        return Stresses(of_weight + self._by_state(time, load), effective)
 
     def _water_load(self, rotation: Any) -> Any:
         """Return the mean normal stress at rotations (rad) from the weight of free water above the mass, Pa."""
-        section = self.plan.scene.arc
+        section: Any = self.plan.scene.arc
         if not section.in_standing_water:
-            return 0.0
-        turned = rotation if "rotation" in self.plan.effects else 0.0 * rotation
-        return section.mean_pressure(turned) - section.mean_lift(turned)
+            return np.zeros_like(rotation)
+        if "rotation" not in self.plan.effects:
+            rotation = np.zeros_like(rotation)
+        pressure = section.mean_pressure(rotation)
+        lift = section.mean_lift(rotation)
+        return pressure - lift
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """Return the mean normal stress of each lane in a state at its end, Pa."""
