@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.ground.ground import continued, points_errors, slope_errors
+from slipcircle.ground.ground import FAR, continued, points_errors, slope_errors
 
 if TYPE_CHECKING:
     from slipcircle.ground.construction import circle_through, circle_touching, simple_slope
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from slipcircle.ground.section import Section
 
 __all__ = [
+    "FAR",
     "Ponds",
     "Section",
     "circle_through",
