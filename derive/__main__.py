@@ -27,9 +27,20 @@ from derive.stages import Stages
 
 
 def declare(stages: Stages) -> None:
-    """Look for faults of the declarations; one that Python finds is a `ProofError` with its place."""
+    """Check the declarations, together and each alone; a fault that Python finds is a `ProofError` with its place."""
+
+    def check() -> int:
+        from derive.declare import effects, quantities
+
+        alone = (*effects.LAWS, *effects.ALL_EFFECTS)
+        every = (*alone, *quantities.MOMENTS)
+        stages.run("all declarations", "declare", "derive.guards:check", every, shown="")
+        for e in alone:
+            stages.run(e.name, "declare", "derive.guards:check_alone", e, shown="")
+        return len(every)
+
     try:
-        stages.run("declarations", "declare", "derive.guards:check", shown="{} laws, effects and moments")
+        stages.line("declarations", "declare", check, "{} laws, effects and moments")
     except (ProofError, KeyboardInterrupt):
         raise
     except Exception as error:
