@@ -2,12 +2,14 @@
 
 import sys
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from importlib import import_module
 from importlib.util import find_spec
 from typing import TypeVar
 
 T = TypeVar("T")
+S = TypeVar("S")
 FIRST = 5.0  # seconds until the first line; intervals then double
 
 
@@ -33,3 +35,12 @@ def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
             left = elapsed / done * (total - done)
             estimate = f", about {left:.0f} s left" if 4 * done > total else ""  # the first ones may take longest
             say(f"{task}: {done} of {total}{estimate}")
+
+
+def parallel(function: Callable[[S], T], items: Sequence[S], task: str) -> Iterator[T]:
+    """Yield the results of a function in order: of several items from two processes, of a single item from this one."""
+    if len(items) < 2:
+        yield from map(function, items)
+        return
+    with ProcessPoolExecutor(2) as pool:
+        yield from track(pool.map(function, items), task, len(items))

@@ -33,6 +33,8 @@ from derive.declare.effects import (
     OMEGA_2,
     SECTION_EFFECTS,
     SLIP,
+    SLIP_MU,
+    SOIL_MU,
     SPEED,
     THETA,
     Effect,
@@ -195,13 +197,14 @@ def soil_of(law: Law) -> str:
 
 
 def effect_of(law: Law) -> Effect:
-    """Return the effect of cohesion that follows the law of a soil, with the symbols of this soil."""
-    (shared,) = (effect for effect in SECTION_EFFECTS if COHESION_LAW in effect.resistance.free_symbols)
+    """Return the effect of the law of a soil, on friction or on cohesion, with the symbols of this soil."""
     number = soil_of(law)
-    names = {x: numbered(x, number) for x in (*shared.symbols, COHESION_LAW)}
+    symbol = COHESION_LAW if number.startswith(OF_COHESION) else SOIL_MU
+    (shared,) = (effect for effect in SECTION_EFFECTS if any(e.has(symbol) for e in effect.terms.values()))
+    names = {x: numbered(x, number) for x in (*shared.symbols, symbol)}
+    terms = {x: getattr(shared, x).xreplace(names) for x in ("normal_load", "pressure", "resistance", "friction")}
     parameters = tuple(replace(p, symbol=names[x]) for x, p in shared.symbols.items())
-    resistance = shared.resistance.xreplace(names)
-    return replace(shared, name=shared.name + number, parameters=parameters, resistance=resistance)
+    return replace(shared, name=shared.name + number, parameters=parameters, **terms)
 
 
 def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol, Expr]:
@@ -227,16 +230,26 @@ def symbols_at(
     if turns:
         phi = known["ROTATION"] + known["DIRECTION"] * now("x")
     values = parameters(effects, moving)
-    at_start = {q: positive(str(q)) for q in BY_PSI}
     for q, slope in BY_PSI.items():
-        turned = q * cos(phi) - slope * sin(phi)
-        here = turned.xreplace(at_start)
-        values[q] = expand_trig(here)
+        for number in ("", *map(soil_of, laws)):
+            names = {x: numbered(x, number) for x in BY_PSI}
+            turned = q * cos(phi) - slope * sin(phi)
+            at_start = turned.xreplace({x: positive(str(named)) for x, named in names.items()})
+            values[names[q]] = expand_trig(at_start)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
     slip = known["SLIP"] + now("x")
-    values |= {numbered(COHESION_LAW, soil_of(law)): friction(law, slip) for law in laws}
-    values[MU] = Mul(*(friction(law, slip) for law in laws if not soil_of(law)))
+    shared = []
+    for law in laws:
+        if soil_of(law):
+            symbol = COHESION_LAW if OF_COHESION in law.name else SOIL_MU
+            values[numbered(symbol, soil_of(law))] = friction(law, slip)
+        else:
+            shared.append(friction(law, slip))
+    of_soils = Add(*(effect.friction for effect in effects)).xreplace(values)
+    *of_slip, of_speed = shared if len(shared) > (of_soils == 0) else (*shared, ONE)
+    values[SLIP_MU] = Add(of_soils, *of_slip)
+    values[MU] = values[SLIP_MU] * of_speed
     return values | {OMEGA: omega, SPEED: omega, OMEGA_2: omega**2, SLIP: slip}
 
 
@@ -253,7 +266,7 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         terms = (effect.terms[quantity] for effect in others)
         return Add(*terms).xreplace(values)
 
-    mu = values[MU] + total("mu")
+    mu = values[MU]
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
     mobilised = mu * (1 - known["LIFTED"])
     terms = {
@@ -278,9 +291,10 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
 
 
 def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequence[Effect], tuple[Law, ...]]]:
-    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws, cohesion.
+    """Yield effects with laws: each effect and all of them, each law on a mass that turns, products of laws, soils.
 
-    The cohesion of a mass that turns follows each law of slip.
+    Each effect on the normal force occurs with the strength of layers and with the laws of two soils, one of them in
+    pieces. The cohesion of a mass that turns follows each law of slip.
     """
     constant, *_ = laws
     yield from ((some, (constant,)) for some in (*((effect,) for effect in effects), effects))
@@ -288,6 +302,13 @@ def cases(effects: Sequence[Effect], laws: Sequence[Law]) -> Iterator[tuple[Sequ
     yield from ((turning, (law,)) for law in laws)
     of_slip, of_speed = ([law for law in laws if law.depends_on == (x,)] for x in ("slip", "speed"))
     yield from (((), both) for both in zip(of_slip, cycle(of_speed), strict=False))
+    layered, *_ = SECTION_EFFECTS
+    in_pieces = next(law for law in of_slip if law.kinks)
+    soils = tuple(replace(law, name=f"{law.name}{OF_SOIL}{k}") for k, law in enumerate((constant, in_pieces)))
+    for effect in effects:
+        if effect in turning or effect.normal_load != 0:
+            yield (effect, layered), (constant,)
+            yield (effect,), soils
     yield from ((turning, (constant, replace(law, name=law.name + OF_COHESION))) for law in of_slip)
 
 
