@@ -135,7 +135,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
-    parser.add_argument("--again", action="store_true", help="prove everything again, whatever the records say")
+    parser.add_argument("--again", action="store_true", help="prove everything again, in spite of the records")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, (words, forms) in COMMANDS.items():
         command = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")

@@ -185,7 +185,7 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> dict[sp.Symbol
     return {sp.Symbol(p.name, real=True): p for p in e.parameters}
 
 
-def _fault_of_key(p: Parameter, taken: Collection[str]) -> str:
+def _fault_of_key(p: Parameter, taken: set[str]) -> str:
     """Return the keys allowed in scene files if the key of a parameter is wrong, otherwise an empty text."""
     if not p.key:
         return "" if p.optional else "a key for scene files, as it is not optional"
@@ -237,8 +237,8 @@ def _check_law(law: Law) -> list[str]:
     if fault:
         refuse(law, "coefficient", fault, "numbers that are not negative")
     if undecided:
-        place = _place(law, "coefficient")
-        say(f"{place}: not shown to be finite and not negative next to {undecided}; narrow the bounds of its parameters")
+        fault = f"not shown to be finite and not negative next to {undecided}"
+        say(f"{_place(law, 'coefficient')}: {fault}; narrow the bounds of its parameters")
     fragments.of_law(law)
     if law.kinks:
         fragments.pieces(law)

@@ -89,7 +89,7 @@ WRONG = [
     (law("_C", '(_friction("lambda", "help"),)'), "parameter 'lambda': found 'lambda', a keyword of Python"),
     (law(FALLS, "(*_SOFTENING, _SOFTENING[0])"), "parameter 'peak': found 'peak', a name in use"),
     (effect("pressure=" + C, '"radius", "m", "help", "radius_m"'), "parameter 'radius': found 'radius', a name"),
-    (effect("pressure=" + C, '"c", "kPa", "help", "c_kPa"'), "parameter 'c', unit: found 'kPa', wanted a unit of '', 'm'"),
+    (effect("pressure=" + C, '"c", "kPa", "help", "c_kPa"'), "parameter 'c', unit: found 'kPa', wanted a unit of"),
     (effect("pressure=" + C, '"c", "Pa", "help", "c_psi"'), "parameter 'c', key: found 'c_psi', wanted letters"),
     (effect("pressure=" + C, '"c", "Pa", "help", "the c_Pa"'), "parameter 'c', key: found 'the c_Pa', wanted letters"),
     (effect("pressure=" + C, OF_PRESSURE + ", lower=1.0, upper=0.0"), "parameter 'c', bounds: found 1.0 and 0.0"),

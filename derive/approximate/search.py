@@ -32,9 +32,9 @@ NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirti
 ENOUGH = 2.0**-49  # the same of a tier that is rounded to float32
 HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
-DIVISION = 8  # what a division costs, in multiply-adds
-OPERATION = 0.02  # what a multiply-add is worth, in ulp
-STEPS = (-1, 1)  # of whatever is moved to a neighbouring shape
+DIVISION = 8  # cost of a division, in multiply-adds
+OPERATION = 0.02  # price of a multiply-add, in ulp
+STEPS = (-1, 1)  # to neighbouring shapes
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # most shapes evaluated for one quantity
 
@@ -219,7 +219,7 @@ def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
 def best(kernel: Kernel) -> Best:
     """Return the pieces with the least bound and the fewest operations, or raise `ProofError` if none meets its goals.
 
-    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
+    It tries the baseline that an estimate prefers at each seam, and then better neighbours of the best shapes.
     """
     judged: dict[Best, float] = {}
 

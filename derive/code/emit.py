@@ -230,7 +230,7 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: s
     documented = []
     for p, source in programs:
         lines = [
-            f'"""{source}: float64 arrays, no domain check.',
+            f'"""Return {source}; float64 arrays, no domain check.',
             f"Operations: {operations(p.operations())}.",
             "\n    ".join(example(p, place, [_GIVEN[x] for x in p.inputs])) + '\n    """\n',
         ]

@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import chain, cycle, product
 from typing import Any
 
-from sympy import Add, Expr, Integer, Lt, Mul, Rational, Symbol, cos, expand, expand_trig, log, sin
+from sympy import Add, Expr, Integer, Lt, Rational, Symbol, cos, expand, expand_trig, log, sin
 
 from derive.algebra import dynamics
 from derive.algebra.prove import prove_rational

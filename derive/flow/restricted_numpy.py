@@ -113,16 +113,19 @@ class NumPy(Writer):
         self.ifs = 0
 
     def let(self, name: str, kind: str, value: Value, new: bool) -> str:
+        """Return the statement that assigns a value to a name."""
         declared = f": {TYPES[kind]}" if new and value.kind in ("K", "N") and kind != "N" else ""
         held = value.text.startswith(("c[", f"{self.state}.registers[")) and value.kind == "V"
         held = held or value.text.partition("[")[0] in (x for x, k in self.kinds.items() if k == "A")
         return f"{name}{declared} = {value.text}{'.copy()' if held else ''}"
 
     def of_mask(self, mask: str, body: Sequence[ast.stmt]) -> Iterator[str]:
+        """Yield the lines of a block for each lane where a mask is true."""
         yield f"i = np.flatnonzero({mask})"
         yield from self.block("if i.size", body)
 
     def of_lane(self, test: Value, s: ast.If, leaves: bool) -> Iterator[str]:
+        """Yield the lines of an ``if`` on a truth value of one lane, which may leave the function."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)
@@ -143,6 +146,7 @@ class NumPy(Writer):
             yield f"{known} = {kept}"
 
     def while_of_lane(self, test: Value, s: ast.While) -> Iterator[str]:
+        """Yield the lines of a loop on a truth value of one lane."""
         self.ifs += 1
         mark = self.ifs
         names = self._known_after(s)

@@ -22,7 +22,6 @@ def selected(names: Sequence[str]) -> list[Claim]:
     ValueError
         If a name selects no claim; the message lists the places.
     """
-
     chosen = []
     for name in names:
         sought = _plain(name)

@@ -253,7 +253,7 @@ def _clipped(text: Text, alpha: Array) -> Array:
 
 # --- arrays of other libraries ---------------------------------------------------------------------------------------
 
-# Libraries whose arrays stay what they are; of several arguments, the first library here decides.
+# Libraries whose arrays keep their type; of several arguments, the first library here decides.
 LIBRARIES = ("xarray", "pandas", "pint", "dask", "jax", "jaxlib")
 
 
