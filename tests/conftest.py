@@ -1,4 +1,4 @@
-"""What every test starts from, and how the command line is asked in this process."""
+"""Fixtures of all tests, the order of the tests, and the option ``--of FILE``."""
 
 import gc
 import json
@@ -11,8 +11,9 @@ import pytest
 from flint import ctx
 
 from slipcircle.__main__ import main
+from tests.support.reach import tests_of
 
-# What takes longest goes first, so that no worker is left alone with it.
+# The longest tests run first, so that no worker is left alone with one.
 LONGEST = (
     "test_what_is_added",
     "test_mypy",
@@ -28,8 +29,24 @@ LONGEST = (
 )
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Then the files that derive, in one process as far as it gets: they share what `derive` computes once."""
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add ``--of FILE``, which may be repeated."""
+    parser.addoption("--of", action="append", metavar="FILE", help="run the tests that reach this file, and new tests")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Select the tests of ``--of``; run the longest first, then the files that import `derive`.
+
+    Tests of `derive` run in one process where possible, as they share what `derive` computes once.
+    """
+    if files := config.getoption("of"):
+        try:
+            chosen, known = tests_of(files)
+        except ValueError as error:
+            raise pytest.UsageError(str(error)) from None
+        names = {item: item.nodeid.partition("[")[0] for item in items}
+        config.hook.pytest_deselected(items=[x for x in items if names[x] in known - chosen])
+        items[:] = [x for x in items if names[x] not in known - chosen]
     derive = {path for path in {item.path for item in items} if "\nfrom derive" in path.read_text("utf-8")}
 
     def place(item: pytest.Item) -> int:
@@ -37,17 +54,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), last)
 
     items.sort(key=place)
-    if {item.path for item in items} >= {*Path(__file__).parent.glob("test_*.py")}:  # all tests: each name is one's
+    if not files and {item.path for item in items} >= {*Path(__file__).parent.glob("test_*.py")}:  # all tests
         assert {place(item) for item in items} >= {*range(len(LONGEST))}, LONGEST
 
 
 def pytest_configure() -> None:
-    """Imports and collected tests are hardly ever garbage, but looking for it takes a fourth of their time."""
+    """Disable garbage collection during collection, of which it would take a fourth of the time."""
     gc.disable()
 
 
 def pytest_collection_finish() -> None:
-    """Modules stay until the end, so no later collection examines them; and collections are rare."""
+    """Exempt imported modules from garbage collection, and make collections rare."""
     gc.freeze()
     gc.set_threshold(100_000, 20, 20)
     gc.enable()
@@ -55,7 +72,7 @@ def pytest_collection_finish() -> None:
 
 @pytest.fixture(autouse=True)
 def precision() -> Iterator[None]:
-    """Ball arithmetic's working precision, one number for the whole process, is after each test what it was before."""
+    """Restore the working precision of ball arithmetic, which is shared by the process, after each test."""
     before = ctx.prec
     yield
     ctx.prec = before
@@ -63,7 +80,7 @@ def precision() -> Iterator[None]:
 
 @pytest.fixture
 def asked(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, str]]:
-    """A command's exit status, output and messages; its line in one text or several, paths as they are."""
+    """Return a function that runs a command line, in one text or several, and returns status, output and messages."""
 
     def ask(*parts: object) -> tuple[int, str, str]:
         capsys.readouterr()
@@ -78,7 +95,7 @@ def asked(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, s
 
 @pytest.fixture
 def said(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
-    """What a command prints, which must end well."""
+    """Return a function that runs a command, which must succeed, and returns its output."""
 
     def ask(*parts: object) -> str:
         status, out, err = asked(*parts)
@@ -90,7 +107,7 @@ def said(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 
 @pytest.fixture
 def records(said: Callable[..., str]) -> Callable[..., list[Any]]:
-    """What a command prints with ``--json``: a list of JSON as its standard has it, without NaN and Infinity."""
+    """Return a function that runs a command with ``--json`` and returns its list, without NaN and Infinity."""
 
     def refuse(text: str) -> None:
         pytest.fail(f"{text} is no JSON")
@@ -105,7 +122,7 @@ def records(said: Callable[..., str]) -> Callable[..., list[Any]]:
 
 @pytest.fixture
 def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
-    """The message of a command that refuses what it is given, a line for each mistake; it prints nothing else."""
+    """Return a function that runs a command, which must fail with one line for each mistake, and returns the lines."""
 
     def ask(*parts: object) -> str:
         status, out, err = asked(*parts)
@@ -118,7 +135,7 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 
 @pytest.fixture
 def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Pictures cost most of the time; where they are not what is tested, they are empty."""
+    """Replace pictures by empty ones, as drawing takes most of the time of some tests of other outputs."""
     monkeypatch.setattr(
-        "slipcircle.workbench.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
+        "slipcircle.workbench.outputs.pictures.files.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     )

@@ -16,7 +16,6 @@ import mpmath
 import numpy as np
 import pytest
 from flint import arb_series
-from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Scene, solve
@@ -24,6 +23,7 @@ from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run
 from tests.support import golden, taylor
+from tests.support.along_the_arc import first_slide
 from tests.support.outputs import blocks
 from tests.support.pieces import Pieces
 
@@ -132,7 +132,7 @@ class Extended(taylor.Problem):
 
 
 def scene_file(law: str, centripetal: bool) -> str:
-    """A scene with this law and suction."""
+    """Return a scene with this law and suction."""
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
     lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}", ""]
@@ -140,7 +140,7 @@ def scene_file(law: str, centripetal: bool) -> str:
 
 
 def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool) -> None:
-    """It uses the new law and the new effect."""
+    """Check that the scene uses the new law and the new effect."""
     (planned,) = json.loads(plan)
     assert planned["law"] == law
     assert {law, "suction"} <= {term["effect"] for term in planned["equation"]["terms"]}
@@ -156,7 +156,7 @@ def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool)
 
 
 def check_schema(schema: str, guide: str) -> None:
-    """What is new is checked and described."""
+    """Check that schema and guide contain the additions."""
     whole = json.loads(schema)
     assert {"required": ["suction_kPa"]} in whole["properties"]["suction"]["allOf"][0]["anyOf"]
     assert "friction_inverse_square" in whole["$defs"]
@@ -166,7 +166,7 @@ def check_schema(schema: str, guide: str) -> None:
 
 
 def check_moment(root: Path) -> None:
-    """The area of a circle's segment, of thin masses and of the half disc, within 5 ulp; certified and priced."""
+    """Check the area of a circle's segment, of thin masses and of the half disc, within 5 ulp, and its certificate."""
     alpha = [0.0, 1e-300, 1e-100, 1e-5, 0.1, 0.5385, 1.0, np.pi / 2]
     code = f"from generated import area; print(*(float(x).hex() for x in area({alpha})))"
     found = [float.fromhex(x) for x in run(root, "-W", "error", "-c", code).split()]
@@ -206,14 +206,14 @@ MOTIONS: dict[str, tuple[str, Friction, Callable[[float], float], float]] = {
 
 
 def motion_file(name: str, keys: str) -> str:
-    """A mass that turns, with this law or this effect."""
+    """Return a mass that turns, with this law or this effect."""
     arc = "\n".join(["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items())])
     effect = f"[friction]\ncoefficient = 0.25\n[{name}]" if f'Effect("{name}"' in MORE["EFFECTS"] else ""
     return "\n".join([arc, "[rotation]", effect or f'[friction]\nlaw = "{name}"', keys])
 
 
 def integrated(friction: Friction, held: Callable[[float], float], gain: float) -> tuple[float, float]:
-    """Peak velocity and run-out by Runge and Kutta's method, of weights that are sums over small pieces."""
+    """Return peak velocity and run-out by plain integration, with weights that are sums over small pieces."""
     radius, first, last, _ = RIGHT
     of_arc = (last - first) * radius**2
     level, upright = (np.array(turned(x, HOUSE | {"load": 0.0})) for x in (0.0, np.pi / 2))
@@ -226,17 +226,8 @@ def integrated(friction: Friction, held: Callable[[float], float], gain: float) 
         resisting = mu * (press - pressure * of_arc) + held(radius * rotation) * of_arc
         return [omega, (drive - resisting) / inertia, gain * mu * omega]
 
-    def rests(t: float, y: Any) -> float:
-        return float(y[1])
-
-    def fastest(t: float, y: Any) -> float:
-        return rate(t, y)[1]
-
-    rests.terminal, rests.direction = True, -1  # type: ignore[attr-defined]
-    found = solve_ivp(rate, (0.0, 100.0), [0.0] * 3, "DOP853", None, False, (rests, fastest), rtol=1e-12, atol=1e-14,
-                      max_step=0.05)  # fmt: skip
-    (end,), tops = found.y_events
-    return radius * max(y[1] for y in tops), radius * end[0]
+    rotation, _, omega = first_slide(rate, [0.0] * 3)
+    return radius * omega, radius * rotation
 
 
 def check_height_moment(root: Path) -> None:
@@ -256,7 +247,7 @@ def check_height_moment(root: Path) -> None:
 
 
 def check_page(root: Path, scene: str, printed: str) -> None:
-    """Its scene is the one that is solved, its commands print what it shows."""
+    """Check that the page's scene and commands are the ones that are run here."""
     _, _, examples = PAGE.partition("## A result")
     _, shown = blocks(examples, "text")
     assert shown == scene
@@ -283,7 +274,7 @@ print(json.dumps([*said, "area" in KERNELS]))
 
 
 def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
-    """In one test, as the copy takes its time."""
+    """Additions appear everywhere; in one test, as making the copy takes long."""
     *_, why = extended(tmp_path)
     assert why == "the result is denormal"
     (tmp_path / "new.toml").write_text(scene_file("inverse_square", True), "utf-8")

@@ -14,12 +14,10 @@ import pytest
 from slipcircle import LayeredSection, Scene, Section, Slope, Soil, Status, critical, solve
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
-from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
-from slipcircle.workbench.outputs import livesection
+from slipcircle.workbench.outputs.page import section as livesection
 from slipcircle.workbench.stability.critical import at_circle
-from slipcircle.workbench.stability.stability import factors_of_safety
-from tests.campaigns import standing_water
+from tests.campaigns import combined
 
 WATER = 9810.0
 TURNING = ["rotation", "centripetal"]
@@ -44,7 +42,7 @@ class Truth(NamedTuple):
     unit_weight: float = 2e4
 
     def factors(self, count: int = 12_000) -> dict[str, float]:
-        """By the definitions of the methods, with pressures of free water on the ground integrated edge by edge."""
+        """Return factors by the definitions of the methods; pressures of free water are integrated edge by edge."""
         (x_c, y_c), r = self.centre, self.radius
         first, last = (math.asin((x - x_c) / r) for x in self.ends)
         step = (last - first) / count
@@ -91,7 +89,7 @@ class Truth(NamedTuple):
         return np.hypot(x - x_c, low - y_c) - np.hypot(x - x_c, high - y_c)
 
     def moment_of_ponds(self) -> float:
-        """Of the pressure on the ground, positive counterclockwise: minus the integral of p d(rho^2/2)."""
+        """Return the moment of the pressure on the ground, positive counterclockwise: -int p d(rho^2/2)."""
         (x_c, y_c), moment = self.centre, 0.0
         left, right = self.ends
         for a, b, z in self.ponds:
@@ -112,7 +110,7 @@ class Truth(NamedTuple):
 
 
 def through(x: tuple[float, float], ground: Any, radius: float) -> tuple[tuple[float, float], float]:
-    """The circle above two points of the ground."""
+    """Return the circle above two points of the ground."""
     p, q = (np.array([v, np.interp(v, *np.transpose(ground))]) for v in x)
     chord = q - p
     normal = np.array([-chord[1], chord[0]]) / np.hypot(*chord)
@@ -170,7 +168,7 @@ def shifted(value: Any, by: float) -> Any:
 
 @pytest.mark.parametrize("name", CASES)
 def test_factors_are_those_of_plain_slices(name: str) -> None:
-    """On both sides of a dam, each with its level; seen from behind; and in map coordinates."""
+    """Factors on both sides of a dam, each with its level, also seen from behind and in map coordinates."""
     truth, water = CASES[name]
     expected = truth.factors()
     geometry = truth.section()
@@ -185,16 +183,6 @@ def test_factors_are_those_of_plain_slices(name: str) -> None:
             shifted(truth.ground, by), 8e3, 0.5, 2e4, **{key: shifted(value, by) for key, value in water.items()}
         )
         assert at_circle(slope, far).factors_of_safety == pytest.approx(expected, rel=5e-6)
-
-
-def test_lanes_of_levels_have_their_own_ponds() -> None:
-    """Two, one and two; a missing one has no width."""
-    lines = np.array([[(-40.0, low + 9.0), (30.0, low + 9.0), (82.5, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
-    of_lanes = free_water(np.array([DAM]), lines, False, ())
-    assert np.count_nonzero(of_lanes.last > of_lanes.first, axis=0).tolist() == [2, 1, 2]
-    for lane, line in enumerate(lines):
-        alone = free_water(np.array([DAM]), line[None], False, ()).of_one
-        assert Ponds(*(row[:, [lane]] for row in of_lanes)).of_one == alone
 
 
 # --- files -----------------------------------------------------------------------------------------------------------
@@ -244,7 +232,7 @@ top_m = 60.0456
 
 
 def found(text: str, tmp_path: Path) -> Any:
-    """The circle of a file and its warnings."""
+    """Return the circle of a file and its warnings."""
     path = tmp_path / "slope.toml"
     path.write_text(text, "utf-8")
     return critical_of_file(path, None, lambda line: None)[2]
@@ -343,33 +331,10 @@ def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
 
 # --- motions in standing water ----------------------------------------------------------------------------------------
 
-POOLS = [standing_water.drawn(np.random.default_rng([7, k])) for k in range(12)]
-
-
-@pytest.mark.parametrize("layered", [False, True])
-def test_motions_in_standing_water_are_those_of_a_plain_integration(layered: bool) -> None:
-    """``python -m tests.campaigns.standing_water 200`` compares more."""
-    pool = next(pool for pool in POOLS if layered == (pool.joint is not None))
-    assert standing_water.difference(pool) < 1e-8
-
-
-@pytest.mark.parametrize("number", range(len(POOLS)))
-def test_motion_and_statics_agree_at_the_start(number: int) -> None:
-    """Also from the other side and in map coordinates, where all is the same."""
-    pool = POOLS[number]
-    motion = solve(pool.scene())
-    factors = factors_of_safety(pool.scene())
-    assert motion.factor_of_safety == pytest.approx(float(factors["paper"]), rel=1e-12)
-    assert motion.yield_coefficient == pytest.approx(float(factors["k_y"]), rel=1e-11)
-    mirrored = solve(pool.scene(facing=-1.0))
-    assert mirrored.factor_of_safety == pytest.approx(motion.factor_of_safety, rel=1e-12)
-    assert mirrored.run_out == pytest.approx(motion.run_out, rel=1e-10)
-    assert solve(pool.scene(shift=5e6)).run_out == pytest.approx(motion.run_out, rel=1e-6)
-
 
 @pytest.mark.parametrize("layers", [{}, {"layers": [(Soil(2e4, 2e3, 0.2, name="soil"), None)]}])
 def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> None:
-    """With weight g' = g - g_w and inertia g, E = omega^2 is g'/g times as great everywhere: the same run-out."""
+    """Weight g' = g - g_w and inertia g scale E = omega^2 by g'/g everywhere, so that the run-out is the same."""
     peaks = []
     for weight, level in ((2e4, [(-40, 60), (130, 60)]), (2e4 - WATER, None)):
         if layers:
@@ -385,18 +350,6 @@ def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> 
     (run_out, velocity), (buoyant, of_buoyant) = peaks
     assert run_out == pytest.approx(buoyant, rel=1e-12)
     assert velocity == pytest.approx(of_buoyant, rel=1e-12)
-
-
-def test_lanes_in_standing_water_are_their_scenes() -> None:
-    """Radii and levels, one of which leaves the toe dry."""
-    levels = np.array([[(-40.0, low), (0.0, low), (90 - 2.5 * low, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
-    every = Section(DAM, (82, 44), np.array([44.0, 43.0, 44.0]), 2e4, level=levels)
-    motion = solve(Scene(every, 0.2, TURNING))
-    factors = factors_of_safety(Scene(every, 0.2, TURNING))
-    for lane, radius in enumerate((44.0, 43.0, 44.0)):
-        alone = Scene(Section(DAM, (82, 44), radius, 2e4, level=levels[lane]), 0.2, TURNING)
-        assert motion.run_out[lane] == pytest.approx(solve(alone).run_out, rel=1e-9)
-        assert factors["bishop"][lane] == pytest.approx(factors_of_safety(alone)["bishop"], rel=1e-12)
 
 
 def test_water_that_comes_to_cover_the_whole_mass_is_refused_or_a_status() -> None:
@@ -436,17 +389,17 @@ def test_standing_water_is_told_of(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "x = 38 to 80 m, level 1 m" in capsys.readouterr().out
 
 
-def test_pages_and_pictures_are_the_same_in_map_coordinates() -> None:
+def test_pages_and_pictures_are_the_same_in_map_coordinates(tmp_path: Path) -> None:
     """Lines of the page's section, and the frame of the picture."""
-    pool = next(pool for pool in POOLS if pool.joint is None)
+    pool = next(x for x, _ in combined.motions(5, tmp_path) if x.count == 1 and x.level and x.level[-1][1] > 0.0)
     drawings, frames = [], []
-    for shift in (0.0, 5e6):
-        motion = solve(pool.scene(shift=shift))
+    for pool.shift in (0.0, 5e6):
+        motion = solve(combined.read(pool, tmp_path))
         section = livesection.section(motion, livesection.frame_around(motion, 1.0), 1.0, "pool")
         paths = re.findall(r'<path class="(?:soil|body|slip|water|circle)" d="([^"]*)"', str(section))
         drawings.append([float(number) for number in re.findall(r"-?\d+\.\d+", " ".join(paths))])
         axes = motion.plot("section")
-        frames.append([*(np.array(axes.get_xlim()) - shift), *axes.get_ylim()])
+        frames.append([*(np.array(axes.get_xlim()) - pool.shift), *axes.get_ylim()])
     near, far = drawings
     assert len(near) > 20
     assert far == pytest.approx(near, abs=0.02)

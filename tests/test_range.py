@@ -1,4 +1,4 @@
-"""Where the method no longer applies: a rotation of 30 degrees, or a toe high above the original ground."""
+"""Limits of the method: a rotation of 30 degrees, or a toe high above the original ground."""
 
 import math
 from dataclasses import replace
@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import quad, solve_ivp
 
 from slipcircle import Arc, Scene, Section, Series, ensemble, load, solve
-from slipcircle.workbench.outputs import plots
+from slipcircle.workbench.outputs.pictures import plots
 from slipcircle.workbench.studies.ensemble import grid
+from tests.support.along_the_arc import of_scene, under_chord
 from tests.support.outputs import columns
 
 VAIONT: Scene[Any] = load("vaiont")
@@ -86,38 +86,12 @@ def test_beyond_a_scarp_the_ground_is_lower() -> None:
     assert lanes.rotation_range[1] == pytest.approx(alone, rel=1e-12)
 
 
-def leaves(degrees: float) -> float:
-    """Return when Vaiont's slide has turned by 30 degrees, s, by DOP853 and moments by quadrature."""
-    alpha, psi = (math.radians(x) for x in (61.7 / 2, 270.0 - (215.2 + 276.9) / 2))
-
-    def moment(power: int, weight: Any) -> float:
-        def ring(u: float) -> float:
-            inner = math.cos(alpha) / math.cos(u)
-            return float((1.0 - inner**power) / power * weight(u))
-
-        return float(quad(ring, -alpha, alpha, epsabs=0.0, epsrel=1e-13)[0])
-
-    inertia, polar = moment(4, lambda u: 1.0), moment(3, lambda u: 1.0)
-    drive, press = moment(3, math.cos), moment(2, math.cos)
-    mu = math.tan(math.radians(degrees))
-
-    def rates(_: float, state: Any) -> list[float]:
-        phi, omega = state
-        normal = press * math.cos(psi - phi) + polar * omega**2
-        return [omega, (drive * math.sin(psi - phi) - mu * normal) / inertia]
-
-    def turned(_: float, state: Any) -> float:
-        return float(state[0] - math.pi / 6)
-
-    found = solve_ivp(rates, (0.0, 9.0), [0.0, 0.0], "DOP853", events=turned, rtol=1e-12, atol=1e-14)
-    return float(found.t_events[0][0]) * math.sqrt(1492.6 / 9.81)
-
-
 @pytest.mark.parametrize("degrees", [5.0, 8.0])
 def test_an_arc_leaves_the_range_at_30_degrees(degrees: float) -> None:
     motion = solve(replace(VAIONT, friction=math.tan(math.radians(degrees))))
     end: Any = motion.range_end
-    assert (motion.outside_range, end.time) == (True, pytest.approx(leaves(degrees), rel=1e-9))
+    leaves = of_scene(replace(motion.plan.scene, arc=under_chord(VAIONT.arc))).motion(end=math.pi / 6).time
+    assert (motion.outside_range, end.time) == (True, pytest.approx(leaves, rel=1e-9))
     assert end.displacement == pytest.approx(1492.6 * math.pi / 6, rel=1e-12)
     assert motion.warnings == (f"outside the range of the method after {end.time:.3g} s, 782 m",)
     inside = solve(VAIONT)

@@ -13,15 +13,7 @@ from slipcircle import Record, Scene, load, solve
 from slipcircle.tables import Pulse, Series
 from slipcircle.workbench.records import recordfiles
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
-
-AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
-Nowhere 1/1/1999, Station Zero, 090
-ACCELERATION TIME SERIES IN UNITS OF G
-{line}
-  -.1000000E-01   .2000000E-01   .3000000E+00  -.4000000E+00   .5000000E-02
-   .6000000E-01   .7000000E-01
-"""
-OUT = np.array([-0.01, 0.02, 0.3, -0.4, 0.005, 0.06, 0.07])
+from tests.support.recordfiles import NORTH, TIME, at2, cosmos, csmip, esm, knet, smc
 
 
 def write(folder: Path, text: str, name: str = "record.txt") -> Path:
@@ -30,30 +22,18 @@ def write(folder: Path, text: str, name: str = "record.txt") -> Path:
     return path
 
 
-def esm(values: str, count: int, units: str = "cm/s^2", kind: str = "ACCELERATION") -> str:
-    """A header of 64 lines as ESM and ITACA write it, its other keys empty."""
-    known = {
-        1: "EVENT_NAME: NOWHERE", 29: "SAMPLING_INTERVAL_S: 0.010000", 30: f"NDATA: {count}", 33: f"UNITS: {units}",
-        39: "PGA_CM/S^2: -2.5", 47: "HEADER_FORMAT: DYNA 1.2", 48: f"DATA_TYPE: {kind}",
-    }  # fmt: skip
-    return "\n".join(known.get(k, f"USER{k}:") for k in range(1, 65)) + "\n" + values
-
-
 # --- files that are good -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("line", ["NPTS=      7, DT=   .0050 SEC", "    7    0.0050    NPTS, DT", "NPTS=7, DT= 5.0E-3"])
+SIZES = "NPTS=  60, DT=   .0200 SEC,"
+
+
+@pytest.mark.parametrize("line", [SIZES, "    60    0.0200    NPTS, DT", "NPTS=60, DT= 2.0E-2"])
 def test_at2(tmp_path: Path, line: str) -> None:
-    series = read_record(write(tmp_path, AT2.format(line=line), "x.AT2"), holds="driving")
-    assert series.values.tolist() == OUT.tolist()
-    assert series.time == pytest.approx(0.005 * np.arange(7), rel=1e-15)
+    series = read_record(write(tmp_path, at2().replace(SIZES, line), "x.AT2"), holds="driving")
+    assert series.values == pytest.approx(NORTH, rel=1e-7)
+    assert series.time == pytest.approx(TIME, rel=1e-15)
     assert not series.held
-
-
-def test_esm_header_of_64_lines(tmp_path: Path) -> None:
-    series = read_record(write(tmp_path, esm("1.0\n-2.5\n0.5\n", 3)), holds="ground", gravity=10.0)
-    assert series.values == pytest.approx([-0.001, 0.0025, -0.0005], rel=1e-15)
-    assert series.time == pytest.approx([0.0, 0.01, 0.02], rel=1e-15)
 
 
 TABLES = {
@@ -125,14 +105,19 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "gap": (HEAD + "".join(f"{t / 10},1\n" for t in range(30) if t not in (20, 21)), {},
             "line 22: time = 2.2 s comes 0.3 s after the sample before, where the step is 0.1 s: samples are missing"),
     "binary": ("a\0b", {}, "is not text"),
-    "AT2 cut short": (AT2.format(line="NPTS= 9, DT= .0050 SEC"), {}, "holds 7 values, but its header says 9"),
-    "AT2 without DT": (AT2.format(line="NPTS= x, DT= y"), {}, "an AT2 file must have NPTS and DT, as in 'NPTS"),
-    "AT2 of velocity": (AT2.replace("ACCELERATION", "VELOCITY").format(line="NPTS= 7, DT= 1"), {}, "no acceleration"),
-    "AT2 with a nan": (AT2.format(line="NPTS= 7, DT= 1").replace(" .7000000E-01", "NaN"), {}, "line 6: value = nan"),
-    "AT2 with step": (AT2.format(line="NPTS= 7, DT= 1"), {"step": 2.0}, "step = 2.0, but the file has steps of 1 s"),
-    "ESM of velocity": (esm("1\n2\n", 2, kind="VELOCITY"), {}, "'DATA_TYPE: VELOCITY': holds no acceleration: take"),
-    "ESM units": (esm("1\n2\n", 2, units="count"), {}, "says the unit 'count': must be one of"),
-    "ESM count": (esm("1\n2\n", 3), {}, "holds 2 values, but its header says 3"),
+    "AT2 cut short": (at2().replace("=  60", "=  62"), {}, "holds 60 values, but its header says 62"),
+    "AT2 without DT": (at2().replace(SIZES, "NPTS= x, DT= y"), {}, "an AT2 file must have NPTS and DT, as in 'NPTS"),
+    "AT2 that stands still": (at2().replace(".0200", ".0000"), {}, "an AT2 file must have NPTS and DT"),
+    "AT2 with a nan": (re.sub(r" \S+$", " NaN", at2().rstrip()), {}, "line 16: value = nan"),
+    "AT2 with step": (at2(), {"step": 2.0}, "step = 2.0, but the file has steps of 0.02 s"),
+    "ESM of velocity": (esm(kind="VELOCITY"), {}, "'DATA_TYPE: VELOCITY': holds no acceleration: take"),
+    "ESM units": (esm().replace("cm/s^2", "count"), {}, "says the unit 'count': must be one of"),
+    "ESM count": (esm().replace("NDATA: 60", "NDATA: 61"), {}, "holds 60 values, but its header says 61"),
+    "K-NET without scale": (knet().replace("2000(gal)/", ""), {}, "Scale Factor as in 3920"),
+    "K-NET count": (knet() + "1\n", {}, "its header says 60"),
+    "CSMIP cut short": (csmip()[:1100], {}, "values, but its header says 60"),
+    "SMC without a rate": (smc().replace("5.0000000E+01", "0.0000000E+00"), {}, "an SMC file must have the numbers of"),
+    "COSMOS without a step": (cosmos().replace("20.000000", "99.000000"), {}, "their step as the 62nd real, in ms"),
 }  # fmt: skip
 
 
@@ -170,7 +155,7 @@ NO_WATER: dict[str, tuple[str, dict[str, Any], str]] = {
     "choice": ("t,P1 (kPa),P2 (kPa)\n0,1,2\n1,2,3\n", {}, "several columns of pore pressure; give column, one of 2 (P"),
     "words": (WET, {}, "a record has a line of time and pore pressure for each sample"),
     "gap": (WET + "".join(f"{t},1\n" for t in range(30) if t != 20), {}, "line 22: time = 21.0 s comes 2 s after"),
-    "an earthquake": (AT2.format(line="NPTS= 7, DT= .0050 SEC"), {"units": "kPa"}, "line 6: has 2 fields, where"),
+    "an earthquake": (at2(), {"units": "kPa"}, "holds 12 values, but its header says 60"),
     "binary": ("a\0b", {}, "is not text; save the record as CSV"),
 }  # fmt: skip
 
@@ -272,31 +257,6 @@ def test_a_file_says_what_its_record_is(tmp_path: Path, arc: str, shaking: str, 
     text = f"{SLOPE.format(arc)}angle_deg = 30\n[shaking]\nunits = 'm/s2'\n{shaking}\n"
     with pytest.raises(ValueError, match=re.escape(words)):
         load(write(tmp_path, text, "s.toml"))
-
-
-KNET = """Origin Time       2011/03/11 14:46:00
-Lat.              38.103
-Sampling Freq(Hz) 100Hz
-Duration Time(s)  0.06
-Dir.              N-S
-Scale Factor      3920(gal)/6182761
-Max. Acc. (gal)   570.6
-Memo.
-   100000  1000000  -800000
-   100000   100000   100000
-"""
-
-
-def test_k_net_counts_are_scaled_and_freed_of_their_offset(tmp_path: Path) -> None:
-    series = read_record(write(tmp_path, KNET, "MYG.EW"), holds="driving")
-    assert series.time == pytest.approx(0.01 * np.arange(6), rel=1e-15)
-    assert series.values == pytest.approx(np.array([0, 9, -9, 0, 0, 0]) * 1e5 * 3920 / 6182761 / 981, abs=1e-15)
-    for text, said in (
-        (KNET.replace("3920(gal)/", ""), "Scale Factor as in 3920"),
-        (KNET + "1\n", "its header says 6"),
-    ):
-        with pytest.raises(ValueError, match=re.escape(said)):
-            read_record(write(tmp_path, text, "MYG.EW"), holds="driving")
 
 
 T, A = np.arange(0.0, 2.0, 0.5), np.array([0.0, 0.1, -0.2, 0.0])

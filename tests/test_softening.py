@@ -1,17 +1,18 @@
 """Cohesion that changes with slip, of one soil and of layers, beside definitions and plain integrations."""
 
-from types import SimpleNamespace
+from dataclasses import replace
+from itertools import islice
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from slipcircle import Arc, LayeredSection, Scene, Section, Soil, backanalyse, plan, solve
 from slipcircle.derivatives import with_parameter_arrays
 from slipcircle.workbench.stability.stability import factors_of_safety
-from tests.campaigns import softening
-from tests.support.along_the_arc import AlongTheArc, at_slip
+from tests.campaigns import combined
+from tests.support.along_the_arc import of_scene, under_chord
 
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 CIRCLE: Any = {"ground": [(-40, 0), (0, 0), (20, 10), (60, 10)], "centre": (2.0, 18.0), "radius": 20.0}
@@ -19,45 +20,12 @@ LAW = {"law": "exponential", "peak": 14e3, "residual": 4e3, "length": 0.4}
 TABLE = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "cohesion": [14e3, 9e3, 6e3, 5e3, 4e3]}
 
 
-def of_rays(alpha: float) -> tuple[float, float, float, float]:
-    """Theta*, the amplitudes of J_theta and J_r, and I_p* of an arc, from their definitions along rays."""
-    nodes, weights = np.polynomial.legendre.leggauss(60)
-    u = alpha * nodes
-    inner = np.cos(alpha) / np.cos(u)
-    powers = [(1.0 - inner ** (k + 1)) / (k + 1) for k in range(4)]
-    integrands = (powers[3], powers[2] * np.cos(u), powers[1] * np.cos(u), powers[2])
-    theta, fall, press, polar = (float(alpha * weights @ integrand) for integrand in integrands)
-    return theta, fall, press, polar
-
-
-def run_out(arc: Arc[float], mu: float, law: Any) -> float:
-    """Greatest displacement of an arc with rotation and centripetal stress, by DOP853."""
-    alpha, middle = (arc.theta_2 - arc.theta_1) / 2, (arc.theta_2 + arc.theta_1) / 2
-    theta, fall, press, polar = of_rays(alpha)
-    dip = 1.5 * np.pi - middle
-    side = np.sign(dip)
-
-    def rate(_: float, state: Any) -> tuple[float, float]:
-        rotation, omega = state
-        psi = abs(dip) - rotation
-        cohesion = 2 * alpha * at_slip(law, rotation * arc.radius) / (arc.unit_weight * arc.radius)
-        friction = mu * max(press * np.cos(psi) + polar * omega**2, 0.0)
-        return omega, (fall * np.sin(psi) - cohesion - friction) / theta
-
-    def stands(time: float, state: Any) -> float:
-        return float(state[1]) if time > 1e-3 else 1.0
-
-    stands.terminal, stands.direction = True, -1  # type: ignore[attr-defined]
-    done = solve_ivp(rate, (0.0, 1e3), (0.0, 0.0), "DOP853", rtol=1e-12, atol=1e-14, events=stands)
-    return float(side * done.y[0, -1] * arc.radius) * float(side)
-
-
 @pytest.mark.parametrize("name", ["exponential", "linear", "hyperbolic", "function"])
 def test_an_arc_runs_as_far_as_a_plain_integration_says(name: str) -> None:
-    """Also without friction, and with cohesion that rises."""
+    """Motions without friction and with rising cohesion are included."""
     rng = np.random.default_rng(58)
     moved = 0
-    while moved < 4:
+    while moved < 2:
         radius = rng.uniform(10.0, 60.0)
         middle, alpha = rng.uniform(4.2, 4.5), rng.uniform(0.3, 0.8)
         arc = Arc(radius, middle - alpha, middle + alpha, rng.uniform(15e3, 22e3))
@@ -70,37 +38,23 @@ def test_an_arc_runs_as_far_as_a_plain_integration_says(name: str) -> None:
         motion = solve(Scene(arc, mu, TURNING | {"cohesion": effect}))
         if motion.run_out > 0.0:
             moved += 1
-            assert motion.run_out == pytest.approx(run_out(arc, mu, law), rel=1e-8)
+            section = replace(motion.plan.scene, arc=under_chord(arc))
+            assert motion.run_out == pytest.approx(of_scene(section).motion().distance, rel=1e-8)
             assert abs(motion.energy_error_estimate) < 1e-13
 
 
-@pytest.mark.parametrize("seed", [3, 7])
-def test_layers_accelerate_as_their_strength_at_this_slip_says(seed: int) -> None:
+@pytest.mark.parametrize("strength", ["base", "mass"])
+def test_layers_accelerate_as_their_strength_at_this_slip_says(strength: str, tmp_path: Path) -> None:
     """Laws of friction and of cohesion and growth with depth, with the base and with the mass, along the way."""
-    stream = softening.scenes(np.random.default_rng(seed))
-    kinds = set[str]()
-    while len(kinds) < 2:
-        section, motion = next(stream)
-        if section.strength in kinds:
-            continue
-        kinds.add(section.strength)
-        slope = AlongTheArc(section, section)
-        for share in (0.0, 0.2, 0.5, 0.9):
+    layers = (
+        motion for drawn, motion in combined.motions(3, tmp_path) if drawn.count > 1 if drawn.strength == strength
+    )
+    for motion in islice(layers, 2):
+        scene: Any = motion.plan.scene
+        for share in (0.05, 0.2, 0.5, 0.9):
             state = motion.at(share * motion.farthest.time)
-            moment = SimpleNamespace(rotation=state.rotation, angular_velocity=state.angular_velocity, velocity=1.0)
-            assert state.acceleration == pytest.approx(slope.acceleration(moment), rel=1e-9, abs=1e-10)
-
-
-@pytest.mark.parametrize("law", [LAW, TABLE])
-@pytest.mark.parametrize("mu", [0.0, 0.05])
-def test_one_soil_in_layers_is_that_soil(law: Any, mu: float) -> None:
-    alone = solve(Scene(Section(unit_weight=19e3, **CIRCLE), mu, TURNING | {"cohesion": law}))
-    for strength in ("base", "mass") if law is LAW else ("mass",):
-        soils = [Soil(19e3, law, mu, name=name) for name in "ab"]
-        layers = [(soils[0], None), (soils[1], 2.0)]
-        motion = solve(Scene(LayeredSection(layers=layers, strength=strength, **CIRCLE), None, TURNING))
-        assert motion.run_out == pytest.approx(alone.run_out, rel=1e-11)
-        assert motion.factor_of_safety == pytest.approx(alone.factor_of_safety, rel=1e-13)
+            expected = of_scene(scene).acceleration(state, scene.strength_factor)
+            assert state.acceleration == pytest.approx(expected, rel=1e-9, abs=1e-10)
 
 
 @pytest.mark.parametrize("end", [3.0, 3.0 + 1e-6])
@@ -116,7 +70,7 @@ def test_laws_that_break_at_the_same_slip_all_pass_their_breaks(end: float) -> N
     soil = Soil(19e3, linear | {"peak": 12e3, "residual": 4e3}, linear | {"peak": 0.08, "residual": 0.05}, name="a")
     section = LayeredSection(layers=[(soil, None)], **CIRCLE)
     assert solve(Scene(section, None, TURNING)).run_out == pytest.approx(
-        AlongTheArc(section, section).motion()[0], rel=1e-8
+        of_scene(Scene(section)).motion().distance, rel=1e-8
     )
 
 
@@ -188,7 +142,7 @@ GROWING: list[dict[str, Any]] = [
 
 @pytest.mark.parametrize("effects", GROWING)
 def test_cohesion_of_one_soil_grows_as_that_of_one_layer(effects: dict[str, Any]) -> None:
-    """Below the ground or a height, by a law or without; motion, statics, lanes and derivatives."""
+    """Cohesion grows below the ground or a height, with or without a law, in motion, statics, lanes and derivatives."""
     section = Section(unit_weight=19e3, **CIRCLE)
     law = dict(effects["cohesion"])
     growth = {"cohesion_gradient": law.pop("gradient"), "datum": law.pop("datum", None)}

@@ -3,7 +3,6 @@
 import csv
 import json
 import math
-import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -25,6 +24,7 @@ from slipcircle.workbench.suites.regressions import Shaking, comparisons
 from slipcircle.workbench.suites.synthetic import write_records
 from tests.support.blocks import quake
 from tests.support.outputs import tree
+from tests.support.recordfiles import COUNT, GAL, NORTH, STEP, TIME, at2, cosmos, csmip, rows, smc
 
 ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
 FROZEN = Scene(ARC, math.tan(math.radians(20.0)), name="frozen")
@@ -37,78 +37,21 @@ SOFTENING = Scene(
 )
 
 
-def packed(values: Any, field: str, per_line: int) -> str:
-    """Lines of so many fields, without blanks between them."""
-    fields = [format(value, field) for value in values]
-    return "\n".join("".join(fields[k : k + per_line]) for k in range(0, len(fields), per_line))
-
-
-# A record of 500 samples at 100 a second, in every format times another factor: no two are the same
-RECORD = quake(1)
-VALUES = RECORD.values
-CM = 981.0 * VALUES
+# One record in every format, each times another factor, so that no two are the same.
 FACTORS = {"RSN6_ELC180.AT2": 1.0, "RSN6_ELC270.AT2": 0.95, "RSN6_ELC-UP.AT2": 1.0, "0111a.smc": 0.9, "slammer": 0.8,
-           "CE.1.HNE.V2c": 0.85, "CE89146.V2 360": 1.1, "CE89146.V2 UP": 2.2, "CE89146.V2 90": 3.3, "site.txt": 0.7,
+           "CE.1.HNE.V2c": 0.85, "CE89146.V2 90": 1.1, "CE89146.V2 UP": 0.275, "CE89146.V2 360": 0.55, "site.txt": 0.7,
            "table.csv NS": 0.75, "table.csv EW": -0.75}  # fmt: skip
-
-
-def at2(factor: float) -> str:
-    """PEER's format."""
-    lines = packed(factor * VALUES, "20.12E", 5)
-    return f"PEER\nSomewhere\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 500, DT= .0100 SEC\n{lines}\n"
-
-
-AT2 = at2(1.0)
-COSMOS = f"""Corrected acceleration   (Format v01.20 with 13 text lines)
-  10 Integer-header values follow on   1 lines, Format=(10I8)
-{packed([-999] * 10, "8d", 10)}
- 100 Real-header values follow on  17 lines, Format= (6F13.6)
-{packed([-999.0] * 61 + [10.0] + [-999.0] * 38, "13.6f", 6)}
-   1 Comment line(s) follow, each starting with a "|":
-| 1 2 3
-500 acceleration pts, approx 5 secs, units=cm/s^2 (4),Format=(8F12.6)
-{packed(0.85 * CM, "12.6f", 8)}
-End-of-data for Chan  1 acceleration
-"""
-CSMIP = "".join(
-    f"""Corrected accelerogram   89146-L2500       Chan  {channel}: {orientation}     from
-{packed([2.5] * 100, "10.7f", 8)}
-   500 points of accel data equally spaced at  .010 sec, in cm/sec2. (8f12.6)
-{packed(1.1 * channel * CM, "12.6f", 8)}
-   500 points of veloc data equally spaced at  .010 sec, in cm/sec. (8f12.6)
-{packed(CM, "12.6f", 8)}
-/&  ---------- End of data for channel  {channel} ----------
-"""
-    for channel, orientation in enumerate(("360 Deg", " Up", " 90 Deg"), 1)
-)
-SHORT_EXPONENTS = re.sub(r"E([+-])0", r"E\1", packed(0.9 * CM, "11.4E", 8))
-TEXTS = 10 * "*\n"
-SMC = f"""2 CORRECTED ACCELEROGRAM
-{TEXTS}{packed([-32768] * 15 + [2, 500] + [-32768] * 31, "10d", 8)}
-{packed([1.7e38, 100.0] + [1.7e38] * 48, "15.7E", 5)}
-| 1 2 3
-|
-{SHORT_EXPONENTS}
-"""
-TABLE = np.stack([RECORD.time, VALUES, -VALUES, VALUES], axis=1)
-
-
-def rows(factor: float) -> str:
-    """Lines of time, the record times a factor, its opposite, and other numbers."""
-    scaled = TABLE * np.array([1.0, factor, factor, 1.0])
-    return "".join(f"{time:.17g},{north:.17g},{east:.17g},{other:.3g}\n" for time, north, east, other in scaled)
-
-
+RECORD = Series(TIME, NORTH, held=False)
 FILES = {
-    "RSN6_ELC180.AT2": AT2,
-    "RSN6_ELC270.AT2": at2(0.95),
-    "RSN6_ELC-UP.AT2": AT2,
-    "more/0111a.smc": SMC,
-    "more/CE.1.HNE.V2c": COSMOS,
-    "more/CE89146.V2": CSMIP,
-    "more/slammer": packed(0.8 * VALUES, ".17g", 1),
-    "more/table.csv": "time (s),NS (g),EW (g),disp (cm)\n" + rows(0.75),
-    "site.txt": "time (s),acceleration (g),velocity (cm/s),disp (cm)\n" + rows(0.7),
+    "RSN6_ELC180.AT2": at2(""),
+    "RSN6_ELC270.AT2": at2("", factor=0.95),
+    "RSN6_ELC-UP.AT2": at2(""),
+    "more/0111a.smc": smc(factor=0.9),
+    "more/CE.1.HNE.V2c": cosmos(factor=0.85 * GAL),
+    "more/CE89146.V2": csmip(factor=1.1),
+    "more/slammer": rows(0.8 * NORTH, form="%.17g"),
+    "more/table.csv": "time (s),NS (g),EW (g),disp (cm)\n" + rows(TIME, 0.75 * NORTH, -0.75 * NORTH, NORTH),
+    "site.txt": "time (s),acceleration (g),velocity (cm/s),disp (cm)\n" + rows(TIME, *3 * [0.7 * NORTH]),
     ".hidden": "no record",
 }
 
@@ -125,9 +68,9 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
-    """Each channel or column of acceleration is a record; horizontal ones of a station are pairs."""
-    suite = read_suite([folder], holds="driving", step=0.01, units="g")
-    components = {"RSN6_ELC180.AT2": "180", "RSN6_ELC270.AT2": "270", "0111a.smc": "", "CE.1.HNE.V2c": "E",
+    """Channels and columns of acceleration are records; horizontal records of a station are pairs."""
+    suite = read_suite([folder], holds="driving", step=STEP, units="g")
+    components = {"RSN6_ELC180.AT2": "180", "RSN6_ELC270.AT2": "270", "0111a.smc": "225", "CE.1.HNE.V2c": "90",
                   "CE89146.V2 360": "360", "CE89146.V2 90": "90", "slammer": "", "table.csv NS": "NS",
                   "table.csv EW": "EW", "site.txt": ""}  # fmt: skip
     assert {entry.name: entry.component for entry in suite} == components
@@ -135,16 +78,16 @@ def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
     assert {Path(unread.file).name for unread in suite.unread} == {"table.csv", "site.txt"}
     assert [unread.reason.split(":")[0] for unread in suite.unread] == [
         "column 4 (disp)", "column 3 (velocity)", "column 4 (disp)"]  # fmt: skip
-    assert [[e.component for e in pair] for pair in suite.pairs] == [["180", "270"], ["360", "90"], ["NS", "EW"]]
+    assert [[e.component for e in pair] for pair in suite.pairs] == [["180", "270"], ["90", "360"], ["NS", "EW"]]
     for entry in (*suite, *suite.verticals):
         record = entry.record()
-        assert record.values == pytest.approx(FACTORS[entry.name] * VALUES, abs=2e-5)
+        assert record.values == pytest.approx(FACTORS[entry.name] * NORTH, abs=2e-5)
         assert record.time == pytest.approx(RECORD.time, abs=1e-12)
-        assert (entry.samples, entry.step) == pytest.approx((500, 0.01), rel=1e-9)
+        assert (entry.samples, entry.step) == pytest.approx((COUNT, STEP), rel=1e-9)
         assert entry.peak == record.greatest
     channels = folder / "more" / "CE89146.V2"
-    assert read_record(channels, column="up", holds="driving").greatest == pytest.approx(0.77, abs=2e-5)
-    with pytest.raises(ValueError, match=r"several columns of acceleration; give column, one of 1 \(360\), 2 \(UP\)"):
+    assert read_record(channels, column="up", holds="driving").greatest == pytest.approx(0.0825, abs=2e-5)
+    with pytest.raises(ValueError, match=r"several columns of acceleration; give column, one of 1 \(90\), 2 \(UP\)"):
         read_record(channels, holds="driving")
 
 
@@ -165,17 +108,10 @@ def test_components_by_the_names_of_files(name: str, station: str, component: st
     assert (*place, place.is_vertical) == (station, component, vertical)
 
 
-BAD: dict[str, tuple[str, str]] = {
-    "corrupt.AT2": (AT2[:900], "but its header says 500; is the file cut short"),
+BAD = {
+    "corrupt.AT2": (at2()[:900], "but its header says 60; is the file cut short"),
     "nan.csv": ("t (s),a (g)\n0,0.1\n0.1,nan\n", "line 3: value = nan: must be a finite number"),
-    "still.AT2": ("PEER\nNPTS= 4, DT= .0000 SEC\n1 2 3 4\n", "an AT2 file must have NPTS and DT"),
     "slammer": ("0.1\n0.2\n", "units are missing"),
-    "notes.txt": ("nothing here\n", "has no line of numbers"),
-    "counts.V2c": (COSMOS.replace("cm/s^2", "counts"), "says the unit 'counts': must be one of g"),
-    "short.V2": (CSMIP[:6000], "values, but its header says 500"),
-    "raw.smc": (SMC.replace("2 C", "1 UNC"), "'1 UNCORRECTED ACCEL': holds uncorrected motion (volume 1)"),
-    "rate.smc": (SMC.replace("1.0000000E+02", "0.0000000E+00"), "an SMC file must have the numbers of comments"),
-    "step.V2c": (COSMOS.replace("10.000000", "99.000000"), "and their step as the 62nd real, in ms, or the 34th, in s"),
 }
 
 
@@ -183,15 +119,15 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(tmp_path: Path) -> Non
     for name, (text, _) in BAD.items():
         (tmp_path / name).write_text(text, "utf-8")
     with pytest.raises(ValueError, match=r"holds no horizontal record; .*corrupt.AT2: holds"):
-        read_suite([tmp_path], step=0.01)
-    (tmp_path / "good.AT2").write_text(AT2, "utf-8")
-    suite = read_suite([tmp_path], step=0.01)
+        read_suite([tmp_path], step=STEP)
+    (tmp_path / "good.AT2").write_text(at2(), "utf-8")
+    suite = read_suite([tmp_path], step=STEP)
     unread = {Path(file).name: reason for file, reason in suite.unread}
     assert [entry.name for entry in suite] == ["good.AT2"]
     assert {*unread} == {*BAD}
     assert all(reason in unread[name] for name, (_, reason) in BAD.items())
     refused: list[tuple[dict[str, Any], str]] = [
-        ({"strict": True}, r"(?s)corrupt.AT2.*nan.csv.*still.AT2"),
+        ({"strict": True}, r"(?s)corrupt.AT2.*nan.csv.*slammer"),
         ({"units": "furlong"}, "units = 'furlong': must be one of g, %g, mg, m/s2"),
         ({"step": 0.0}, r"step = 0.0: must be a positive time in s"),
         ({"holds": "both"}, "holds = 'both': must be"),
@@ -203,8 +139,8 @@ def test_what_is_no_record_is_listed_and_the_rest_goes_on(tmp_path: Path) -> Non
 
 
 def test_a_file_of_several_records_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    rows = [f"{0.01 * k:.2f},{k % 3 / 10},{k % 5 / 10},{k % 7 / 10}" for k in range(20)]
-    (tmp_path / "three.csv").write_text("t (s),x (g),y (g),w (g)\n" + "\n".join(rows), "utf-8")
+    samples = [f"{0.01 * k:.2f},{k % 3 / 10},{k % 5 / 10},{k % 7 / 10}" for k in range(20)]
+    (tmp_path / "three.csv").write_text("t (s),x (g),y (g),w (g)\n" + "\n".join(samples), "utf-8")
     calls = {name: Mock(side_effect=getattr(recordfiles, name)) for name in ("text_of", "cells_of")}
     for name, call in calls.items():
         monkeypatch.setattr(recordfiles, name, call)
@@ -219,7 +155,7 @@ def test_a_file_of_several_records_is_read_once(tmp_path: Path, monkeypatch: pyt
 
 
 def test_frozen_slopes_slide_as_single_scenes_do() -> None:
-    """In both polarities and at each scale; none moves that does not reach k_y, and Gamma is that of the moments."""
+    """Both polarities and each scale agree with single motions; records below k_y move nothing."""
     drive, normal = (float(x) for x in ARC.amplitudes_per_inertia)
     psi, mu = abs(float(ARC.dip)), math.tan(math.radians(20.0))
     gamma = drive * math.cos(psi) + mu * normal * math.sin(psi)
@@ -237,7 +173,7 @@ def test_frozen_slopes_slide_as_single_scenes_do() -> None:
 
 
 def test_regressions_are_those_of_the_scaled_records() -> None:
-    """Of the displacement of a rigid block; Bray and Travasarou's (2007) by the spectrum at 1.5 of the period."""
+    """Rigid-block displacements agree; Bray and Travasarou (2007) use the spectrum at 1.5 of the period."""
     records = [quake(1), quake(2)]
     study = ensemble(FROZEN, records=records, scales=[1.0, 2.0])
     scaled = [record.scaled(2.0) for record in records]
@@ -277,9 +213,9 @@ def test_tables_have_the_record_as_a_dimension() -> None:
     for ask in (lambda: study.quantile("run_out", 0.5), lambda: study[0], lambda: study.convergence):
         with pytest.raises(ValueError, match="has records, and not samples alone; use by_record"):
             ask()
-    rows, medians = study.by_record(1), np.median(study.displacement[:, :, 1], axis=-1)
-    assert rows["mean_m"] == pytest.approx(medians.mean(axis=1), rel=1e-15)
-    assert rows["pga_g"] == pytest.approx([0.7, 0.7], rel=1e-12)
+    by_record, medians = study.by_record(1), np.median(study.displacement[:, :, 1], axis=-1)
+    assert by_record["mean_m"] == pytest.approx(medians.mean(axis=1), rel=1e-15)
+    assert by_record["pga_g"] == pytest.approx([0.7, 0.7], rel=1e-12)
 
 
 ZEROS = Series(np.arange(3.0), np.zeros(3), held=False)
@@ -290,7 +226,7 @@ ZEROS = Series(np.arange(3.0), np.zeros(3), held=False)
     [
         (RECORD, {"scales": [1.0], "scale_to_pga": 0.3}, "exclude each other"),
         (RECORD, {"scales": [0.0, 1.0]}, r"scales = \[0.0, 1.0\]: must be one or more positive numbers"),
-        (RECORD, {"scales": 20.0}, "1: would reach 7 g, and no ground has shaken with more than 5 g"),
+        (RECORD, {"scales": 20.0}, "1: would reach 6 g, and no ground has shaken with more than 5 g"),
         (RECORD, {"search_each": True}, "search_each and sensitivity cannot be combined with records"),
         (ZEROS, {"scale_to_pga": 0.3}, "1: is zero at all times"),
     ],
@@ -312,22 +248,22 @@ def test_records_that_move_nothing_have_a_picture() -> None:
 
 
 def test_the_command(folder: Path, asked: Any, said: Any) -> None:
-    """The same numbers in its table, CSV and JSON; a warning for each file that is no record."""
-    (folder / "corrupt.AT2").write_text(AT2[:900], "utf-8")
+    """Table, CSV and JSON have the same numbers, and each invalid file has a warning."""
+    (folder / "corrupt.AT2").write_text(at2()[:900], "utf-8")
     table, curves = folder / "all.csv", folder / "fragility.csv"
-    line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.2,0.4 --units g --step 0.01"
+    line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.3,0.45 --units g --step 0.02"
     line += " --magnitude 7 --period 0.2 --thresholds 0.02,0.5"
     status, out, err = asked(f"{line} --csv {table} --fragility {curves}")
     assert (status, err.count("corrupt.AT2: holds ")) == (0, 1)
     assert "RSN6_ELC-UP.AT2: is a vertical component; not used" in err
-    suite = read_suite([folder], units="g", step=0.01)
-    settings: dict[str, Any] = {"polarities": True, "scale_to_pga": [0.2, 0.4], "thresholds": [0.02, 0.5]}
+    suite = read_suite([folder], units="g", step=STEP)
+    settings: dict[str, Any] = {"polarities": True, "scale_to_pga": [0.3, 0.45], "thresholds": [0.02, 0.5]}
     study = ensemble(load("newmark-pulse"), records=suite, **settings)
     assert json.loads(said(f"{line} --json"))["run_out"] == study.values["run_out"].tolist()
-    rows = np.genfromtxt(table, delimiter=",", names=True, dtype=None, encoding="utf-8")
-    assert rows["run_out"].tolist() == study.columns()["run_out"].tolist()
-    one, other = (f"{value:.4g}" for value in study.displacement[0, :, 1, 0])
-    assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.4", one, other] for row in out.splitlines())
+    written = np.genfromtxt(table, delimiter=",", names=True, dtype=None, encoding="utf-8")
+    assert written["run_out"].tolist() == study.columns()["run_out"].tolist()
+    one, other = (f"{value:.4g}" for value in study.displacement[0, :, 0, 0])
+    assert any(row.split()[:4] == ["RSN6_ELC180.AT2", "0.3", one, other] for row in out.splitlines())
     *_, point, _, none = csv.DictReader(curves.read_text().splitlines())
     assert float(point["share"]) == np.mean(study.displacement[:, :, 1] > 0.02)
     assert none["reason"] == study.fragility()[1].to_dict()["reason"] == "no motion exceeds it; give larger scales"
@@ -336,7 +272,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
 
 
 def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, said: Any) -> None:
-    """As those made within the sweep; nothing else comes into the folder."""
+    """Written records give the results of records made within the sweep, and nothing else is in the folder."""
     made, suite, table = "--synthetic 3:1.5:4 --seed 2", tmp_path / "suite", tmp_path / "records.csv"
     said(f"records {made} --out {suite} --csv {table}")
     assert [row[:11] for row in table.read_text().splitlines()[1:]] == ["synthetic 1", "synthetic 2", "synthetic 3"]
@@ -382,7 +318,7 @@ checker = "C. Checker"
 def test_a_report_of_a_suite_shows_its_slope_and_numbers(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any
 ) -> None:
-    """Of each record as it is solved alone, of all by NumPy, of the circle by its search; the same bytes again."""
+    """The report has each record's solution, NumPy's statistics and the search's circle, with the same bytes again."""
     scene, page = tmp_path / "slope.toml", tmp_path / "page.html"
     scene.write_text(find("shaken-slope").read_text("utf-8") + HEADED, "utf-8")
     records = {f"q{seed}": quake(seed).scaled(2.0) for seed in (1, 2, 3)}

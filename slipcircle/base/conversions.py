@@ -5,9 +5,9 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import PathName, ValueDict, Values
+from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
 
-_modules: list[str] = []
+_modules: Texts = []
 
 
 def use_conversions(module: str) -> None:
@@ -59,7 +59,7 @@ class Conversions(Pictured):
     @property
     def factors_of_safety(self) -> Values:
         """Factors of safety at the start by method; an `Arc` has only the factor of the paper's method."""
-        factors: Values = self._convert("factors_of_safety")
+        factors = self._convert("factors_of_safety")
         return factors
 
     def animate(self, path: str = "", seconds: float = 5.0) -> Any:

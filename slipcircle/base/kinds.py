@@ -26,6 +26,7 @@ else:
         """Cached property without the lock that Python 3.11 takes, which costs a microsecond."""
 
         def __get__(self, instance, owner=None):
+            """Return the stored value, computed at the first access."""
             if instance is None:
                 return self
             value = instance.__dict__[self.attrname] = self.func(instance)
@@ -37,6 +38,7 @@ Array = Floats
 Integers = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 ArrayPair = tuple[Floats, Floats]
+ArrayTriple = tuple[Floats, Floats, Floats]
 ArrayDict = dict[str, Floats]
 Pair = tuple[float, float]
 Shape = tuple[int, ...]
@@ -46,6 +48,11 @@ Function = Callable[[Any], Any]
 Values = Mapping[str, Any]  # by name
 ValueDict = dict[str, Any]
 TextDict = dict[str, str]
+Texts = list[str]
+Columns = dict[str, NDArray[Any]]  # arrays of any type by name
+NumberMap = Mapping[str, float]
+Rename = Callable[[str], str]  # from the name of an argument to the key of a file
+Tell = Callable[[str], None]  # prints a line of progress
 Parameters = Values  # of an effect or of a friction law
 Effects = Mapping[str, Parameters]
 MAPPING = (dict, Mapping)  # for isinstance, which is six times as fast if dict is first

@@ -47,11 +47,13 @@ class Progress:
         self.bar: Any = None
 
     def __enter__(self) -> Self:
+        """Start the display, unless another one is running."""
         Progress.running += 1
         self.is_silent = Progress.running > 1 or self.stream is None
         return self
 
     def __exit__(self, *_: object) -> None:
+        """Remove the display."""
         Progress.running -= 1
         Progress.is_shown &= Progress.running > 0
         if self.bar is not None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.kinds import Floats, Names, NumberMap, Texts
 from slipcircle.core.scene.scene import Scene
 
 
@@ -44,7 +44,7 @@ class Sensitivity:
 
     outputs: Mapping[str, str]
     parameters: Mapping[str, str]
-    at: Mapping[str, float]
+    at: NumberMap
     kinds: Any
     values: Floats
     errors: Floats
@@ -59,9 +59,7 @@ class Sensitivity:
         """Relative changes of outputs over relative changes of parameters."""
         outputs = [self.at[name] or np.nan for name in self.outputs]
         parameters = [self.at[name] for name in self.parameters]
-        changes = self.values * parameters
-        elasticities = changes.T / outputs
-        return np.asarray(elasticities.T)
+        return np.asarray(((self.values * parameters).T / outputs).T)
 
     def derivative(self, output: str, parameter: str) -> float:
         """Return the derivative of an output with respect to a parameter."""
@@ -76,11 +74,10 @@ class Sensitivity:
         return str(self.kinds[self._place(output, parameter)])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
-        outputs = list(self.outputs)
-        parameters = list(self.parameters)
-        return outputs.index(output), parameters.index(parameter)
+        return list(self.outputs).index(output), list(self.parameters).index(parameter)
 
     def __str__(self) -> str:
+        """Return the table of derivatives and elasticities as text."""
         heads = [f"d {name} [{unit}] (elasticity)" for name, unit in self.outputs.items()]
         rows = [["by", "value", *heads]]
         for name, unit in self.parameters.items():
@@ -94,10 +91,9 @@ class Sensitivity:
             lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _row(self, parameter: str) -> list[str]:
+    def _row(self, parameter: str) -> Texts:
         """Return the derivatives of the outputs with respect to a parameter, with elasticities, as text."""
-        column = list(self.parameters).index(parameter)
-        elasticities = self.elasticities[:, column]
+        elasticities = self.elasticities[:, list(self.parameters).index(parameter)]
         cells = []
         for output, elasticity in zip(self.outputs, elasticities, strict=True):
             value = self.derivative(output, parameter)

@@ -27,11 +27,14 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
     for power in range(first_power, last_power + 1, first_power):
         following = _combined(column, power, -1.0)
         noise = _combined(noise, power, 1.0)
-        change = _last_change(following, column)
-        error = CAUTION * change + noise
+        # The greatest difference of each entry from its neighbours in the preceding column and in its own.
+        longer = column[..., :-1]
+        shorter = column[..., 1:]
+        next_one = np.concatenate([following[..., 1:], following[..., -2:-1]], axis=-1)
+        changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
+        error = CAUTION * np.max(changes, axis=0) + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
-        is_unknown = np.isnan(error)
-        error = np.where(is_unknown, np.inf, error)
+        error = np.where(np.isnan(error), np.inf, error)
         place = np.argmin(error, axis=-1, keepdims=True)
         value = np.take_along_axis(following, place, -1)[..., 0]
         surest = np.take_along_axis(error, place, -1)[..., 0]
@@ -46,31 +49,13 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
     """Return the next column of a tableau without a power of h, or its noise if ``sign`` is positive."""
     factor = 2.0**power
     longer = column[..., :-1]
-    shorter = column[..., 1:]
-    combined = factor * shorter + sign * longer
-    weight = factor - 1
-    return np.asarray(combined / weight)
-
-
-def _last_change(following: Floats, column: Floats) -> Floats:
-    """Return the greatest difference of each entry from its neighbours in the preceding column and in its own."""
-    longer = column[..., :-1]
-    shorter = column[..., 1:]
-    after = following[..., 1:]
-    before_last = following[..., -2:-1]
-    next_one = np.concatenate([after, before_last], axis=-1)
-    changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
-    return np.max(changes, axis=0)
+    return np.asarray((factor * column[..., 1:] + sign * longer) / (factor - 1))
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     """Return by how much values at shorter steps differ beyond their noise."""
-    one = following[..., :, None]
-    other = following[..., None, :]
-    differences = np.abs(one - other)
-    allowed = NOISY * noise
-    unlike = differences - allowed[..., None, :]
-    return np.triu(unlike).max(axis=-1)
+    differences = np.abs(following[..., :, None] - following[..., None, :])
+    return np.triu(differences - (NOISY * noise)[..., None, :]).max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
@@ -78,6 +63,4 @@ def noise_of(values: Floats) -> Floats:
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)
-    changes = np.abs(np.diff(column))
-    known = np.nan_to_num(changes)
-    return np.asarray(np.max(known, axis=-1, keepdims=True))
+    return np.asarray(np.max(np.nan_to_num(np.abs(np.diff(column))), axis=-1, keepdims=True))

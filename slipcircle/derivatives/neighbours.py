@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.scene.scene import Scene
@@ -28,7 +29,11 @@ ROUNDING = 4e-16  # least relative rounding error of an outcome
 GOAL = 1e-9  # error times scale, over the greatest effect of any number, at which no further ladder is needed
 KNOWN = 1e-3  # error times scale, over the greatest effect of any number, above which a derivative is unknown
 SHAPE = ("ground.", "centre.", "layers.", "level.", "radius", "crack")
-SMOOTH, KINK, JUMP, ONE_SIDE, UNRESOLVED = "smooth", "kink", "jump", "one side", "unresolved"
+SMOOTH = "smooth"
+KINK = "kink"
+JUMP = "jump"
+ONE_SIDE = "one side"
+UNRESOLVED = "unresolved"
 SIDES = np.array([[-1.0], [1.0]])
 Outcomes = Callable[[Any], Sequence[Any] | Floats]
 
@@ -63,9 +68,7 @@ def neighbour_derivatives(
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
         first = RUNGS * ladder
-        rungs = np.arange(first, first + RUNGS)
-        longest = FIRST * scales
-        steps = longest * 2.0**-rungs
+        steps = FIRST * scales * 2.0 ** -np.arange(first, first + RUNGS)
         here, beside = _solved(scene, outcomes, remaining, steps)
         off = CAUTION * max(ACCURACY, error)
         every, goals = _judged(here, beside, steps, scales, off)
@@ -136,7 +139,7 @@ def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free]
         arrays[number.name] = number.value + with_scene
     changed, invalid = with_parameter_arrays(scene, arrays)
     accurate = replace(changed, accuracy=ACCURACY)
-    with np.errstate(all="ignore"):
+    with quiet():
         motion = solve(accurate, invalid=invalid)
     return np.array(outcomes(motion))
 
@@ -169,7 +172,7 @@ def _judged(
     shortest = np.broadcast_to(steps[:, 0, -1], central.shape)
     by_outcome = slopes, errors, jumps, central, of_central, is_end, shortest
     by_number = [column.swapaxes(0, 1) for column in by_outcome]
-    every = list[list[Derivatives]]()
+    every = []
     for of_number in zip(*by_number, strict=True):
         outcomes = zip(*of_number, strict=True)
         every.append([_of_one(*one) for one in outcomes])
@@ -182,7 +185,7 @@ def _goals(size: Floats, largest: Floats, steps: Floats) -> list[list[float]]:
     longest_of_next = longest * 2.0**-RUNGS
     from_rounding = ROUNDING * largest / longest_of_next
     goals = np.maximum(GOAL * size, from_rounding)
-    by_number: list[list[float]] = goals[..., 0].T.tolist()
+    by_number = goals[..., 0].T.tolist()
     return by_number
 
 

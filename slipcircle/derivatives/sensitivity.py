@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Texts
 from slipcircle.core import Motion
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import JUMP, SMOOTH, UNRESOLVED, Derivatives, neighbour_derivatives
@@ -29,7 +30,7 @@ def sensitivity(motion: Motion) -> Sensitivity:
     scene = motion.plan.scene
     outputs = {name: float(value) if motion.moves else 0.0 for name, value in motion.outcomes.items()}
     free = parameters(scene)
-    warnings = list[str]()
+    warnings = []
     if any(outputs.values()):
         found = neighbour_derivatives(scene, _outcomes, free, motion.error_estimate)
         kept = list(_mattering(found, free))
@@ -38,7 +39,11 @@ def sensitivity(motion: Motion) -> Sensitivity:
         free = {names[k]: free[names[k]] for k in kept}
         warnings += _warnings(found, free)
     else:
-        found = _of_a_mass_at_rest(len(free))
+        shape = len(OUTPUTS), len(free)
+        none = np.zeros(shape)
+        both = np.zeros((*shape, 2))
+        kinds = np.full(shape, SMOOTH)
+        found = Derivatives(kinds, none, none, both, both, both)
         warnings.append("does not move, so that small changes have no effect")
     units = {name: number.unit for name, number in free.items()}
     values = {name: number.value for name, number in free.items()}
@@ -62,20 +67,12 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
             yield k
 
 
-def _of_a_mass_at_rest(count: int) -> Derivatives:
-    shape = len(OUTPUTS), count
-    none = np.zeros(shape)
-    both = np.zeros((*shape, 2))
-    kinds = np.full(shape, SMOOTH)
-    return Derivatives(kinds, none, none, both, both, both)
-
-
-def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:
+def _warnings(found: Derivatives, free: Mapping[str, Free]) -> Texts:
     """Return warnings about the largest jump of each output by a number, and about unknown derivatives."""
-    warnings = list[str]()
+    warnings = []
     for k, name in enumerate(free):
-        jumps = list[str]()
-        unresolved = list[str]()
+        jumps = []
+        unresolved = []
         for row, (output, unit) in enumerate(OUTPUTS.items()):
             kind = found.kinds[row, k]
             if kind == JUMP:

@@ -16,6 +16,7 @@ class DoubleDouble:
     low: Any = 0.0
 
     def __add__(self, other: Self) -> Self:
+        """Return the sum."""
         high, low = two_sum(self.high, other.high)
         of_low_parts = self.low + other.low
         lost = low + of_low_parts
@@ -23,10 +24,12 @@ class DoubleDouble:
         return type(self)(high, low)
 
     def __sub__(self, other: Self) -> Self:
+        """Return the difference."""
         negative = type(self)(-other.high, -other.low)
         return self + negative
 
     def __mul__(self, other: Self) -> Self:
+        """Return the product."""
         product = self.high * other.high
         error = _product_error(self.high, other.high, product)
         crossed = self.high * other.low + self.low * other.high

@@ -11,6 +11,7 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
+from slipcircle.base.kinds import Texts
 from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.ponds import ends_above, water_fault
 
@@ -19,7 +20,16 @@ def geometry_errors(section: Any) -> Iterator[Fault]:
     """Yield the errors of lanes whose geometry is not a section."""
     yield water_fault(*section.water)
     yield _not_one_stretch(section)
-    yield _below_ground(section)
+    # The error of centres below the ground, including ground that passes over the centre outside the circle.
+    centre = section._circle[1]
+    first, last = section._angles
+    is_below = circles.below_ground(section._cut, section._mine)
+    yield (
+        (
+            is_below | (last <= first),
+            lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
+        )
+    )
     yield _one_point(section)
     if section.level is not None:
         yield ends_above(section._level, *_x_of_ends(section))
@@ -79,20 +89,9 @@ def outside_between(section: Any) -> Fault:
     )
 
 
-def _pairs(numbers: Iterable[Any]) -> list[str]:
+def _pairs(numbers: Iterable[Any]) -> Texts:
     """Return pairs of numbers as text in brackets."""
     return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
-
-
-def _below_ground(section: Any) -> Fault:
-    """Return the error of centres below the ground, including ground that passes over the centre outside the circle."""
-    centre = section._circle[1]
-    first, last = section._angles
-    is_below = circles.below_ground(section._cut, section._mine)
-    return (
-        is_below | (last <= first),
-        lambda k: f"{{centre}} = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",
-    )
 
 
 def _one_point(section: Any) -> Fault:

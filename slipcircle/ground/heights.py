@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
-from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.kinds import Floats
 from slipcircle.ground.circles import Cut, cut
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
@@ -57,7 +57,13 @@ class HeightIntegrals(NamedTuple):
 
     def integral(self, first: Floats, last: Floats) -> Floats:
         """Return integrals over arcs between two angles, (..., n)."""
-        first_angle, last_angle = _in_first_turn(first, last)
+        # Both ends of arcs, (..., n, 1), shifted by whole turns so that the first is within a turn from -3 pi/2.
+        turn = 2 * np.pi
+        ahead = first + 1.5 * np.pi
+        turns = turn * np.floor(ahead / turn)
+        new_first = first - turns
+        new_last = last - turns
+        first_angle, last_angle = new_first[..., None], new_last[..., None]
         total = np.zeros(np.shape(first))
         arcs = max(1, np.size(first))
         together = max(1, _TOGETHER // arcs)
@@ -94,16 +100,6 @@ def _over_parts(pieces: _Pieces, slope: Floats, first: Floats, last: Floats) -> 
     start_sine = sine + more_sine
     start_cosine = cosine + more_cosine
     return slopes.head(angle, start_sine, start_cosine, start_height, slope)
-
-
-def _in_first_turn(first: Floats, last: Floats) -> ArrayPair:
-    """Return both ends of arcs, (..., n, 1), shifted by whole turns so that the first is within a turn from -3 pi/2."""
-    turn = 2 * np.pi
-    ahead = first + 1.5 * np.pi
-    turns = turn * np.floor(ahead / turn)
-    new_first = first - turns
-    new_last = last - turns
-    return new_first[..., None], new_last[..., None]
 
 
 def integral_inside(parts: Cut) -> Floats:

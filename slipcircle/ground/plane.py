@@ -33,22 +33,28 @@ class Vectors:
         return np.stack([self.x, self.y], axis=-1)
 
     def __iter__(self) -> Iterator[Any]:
+        """Return an iterator over the two components."""
         yield self.x
         yield self.y
 
     def __getitem__(self, index: Any) -> "Vectors":
+        """Return the vectors at an index."""
         return Vectors(self.x[index], self.y[index])
 
     def __neg__(self) -> "Vectors":
+        """Return the opposite vectors."""
         return Vectors(-self.x, -self.y)
 
     def __add__(self, other: "Vectors") -> "Vectors":
+        """Return the sum."""
         return Vectors(self.x + other.x, self.y + other.y)
 
     def __sub__(self, other: "Vectors") -> "Vectors":
+        """Return the difference."""
         return Vectors(self.x - other.x, self.y - other.y)
 
     def __mul__(self, factor: Any) -> "Vectors":
+        """Return the vectors times a factor."""
         return Vectors(self.x * factor, self.y * factor)
 
     def dot(self, other: "Vectors") -> Any:

@@ -78,7 +78,7 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
 
 def _bodies(ground: Floats, level: Floats | None, confined: bool, ponds: Given) -> Bodies:
     """Return shores, mean level and fall of the free water over a ground."""
-    bodies: Bodies = []
+    bodies = []
     if level is not None and not confined:
         bodies += _below(ground, level)
     for pond in ponds:
@@ -112,7 +112,8 @@ def _below(ground: Floats, level: Floats) -> Bodies:
     bodies = []
     for first, last in shores.reshape(-1, 2).tolist():
         heights = np.interp(x[first : last + 1], *level.T)
-        low, high = heights.min(), heights.max()
+        low = heights.min()
+        high = heights.max()
         bodies.append([x[first], x[last], (low + high) / 2, high - low])
     return bodies
 
@@ -127,7 +128,7 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
     divisor = np.where(fall == 0.0, np.inf, 2 * fall)
     place = 0.25 + early / divisor
     share = np.clip(place, 0.0, 1.0)
-    roots: Floats = x[:-1] + share * step
+    roots = x[:-1] + share * step
     return roots
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
-from slipcircle.base.kinds import Effects, Floats, Pair, Shape, ValueDict
+from slipcircle.base.kinds import Effects, Floats, Pair, Shape, Texts, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import rotates, symbols_of
@@ -107,6 +107,7 @@ class Section(SectionGeometry, Mass):
     rounding: ClassVar[float] = 1e-14
 
     def __post_init__(self) -> None:
+        """Check lines, circle and numbers, convert their units and freeze them."""
         take_units(self, (*self.quantities, "between", "base", "water_unit_weight", "ponds"))
         freeze(self, self.quantities)
         freeze(self, ("between", "base"))
@@ -129,6 +130,7 @@ class Section(SectionGeometry, Mass):
         copy_computed(other, self, _OF_GEOMETRY)
 
     def __eq__(self, other: object) -> bool:
+        """Return whether another section has equal fields."""
         if not isinstance(other, Section):
             return False
         names = [field.name for field in fields(self)]
@@ -141,7 +143,7 @@ class Section(SectionGeometry, Mass):
         levels = () if self.level is None else line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""
         found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
         if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
@@ -171,7 +173,9 @@ class Section(SectionGeometry, Mass):
             own["level"] = self.mean_lift
         if self.in_standing_water:
             own["standing"] = self.standing_moment
-        return {**effects, "pore_pressure": own} if own else effects
+        if own:
+            return {**effects, "pore_pressure": own}
+        return effects
 
     # Rotations within the range of the method, rad: the toe must not rise far above the original ground.
     rotation_range = cached_property(lambda self: lazy_import("toe").rotation_range(self))

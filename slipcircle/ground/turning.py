@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.plane import Vectors
 
@@ -52,22 +53,18 @@ class TurningMass:
             x, y = self.placed(self.surface, rotation).T
             dry = np.maximum(y, lowest)
             turned = np.stack([x, dry], axis=1)
-            depths.append(_greatest_depth(turned, level))
+            # The greatest depth of a line below a level, at the vertices of both, m; 0 if the line is above it.
+            points = Vectors.of(turned)
+            surface = Vectors.of(level)
+            start = points.starts
+            edge = points.edges
+            above_points = np.interp(points.x, surface.x, surface.y)
+            below_level = above_points - points.y
+            vertex = surface[:, None]
+            with quiet():
+                share = (vertex.x - start.x) / edge.x  # position of each vertex of the level on each edge
+            on_edge = (share > 0.0) & (share < 1.0)
+            height = start.y + share * edge.y
+            below_vertices = np.where(on_edge, vertex.y - height, 0.0)
+            depths.append(float(max(0.0, below_level.max(), below_vertices.max())))
         return max(depths)
-
-
-def _greatest_depth(line: Floats, level: Floats) -> float:
-    """Return the greatest depth of a line below a level, at the vertices of both, m; 0 if the line is above it."""
-    points = Vectors.of(line)
-    surface = Vectors.of(level)
-    start = points.starts
-    edge = points.edges
-    above_points = np.interp(points.x, surface.x, surface.y)
-    below_level = above_points - points.y
-    vertex = surface[:, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = (vertex.x - start.x) / edge.x  # position of each vertex of the level on each edge
-    on_edge = (share > 0.0) & (share < 1.0)
-    height = start.y + share * edge.y
-    below_vertices = np.where(on_edge, vertex.y - height, 0.0)
-    return float(max(0.0, below_level.max(), below_vertices.max()))

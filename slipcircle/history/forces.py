@@ -8,7 +8,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program, Recipe
-from slipcircle.base.checks import EPS, plain
+from slipcircle.base.checks import EPS, plain, quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import BLOCK
@@ -43,23 +43,12 @@ def stress_unit(mass: Mass) -> Any:
 def energy_unit(mass: Mass) -> Any:
     """Return the energy in J that corresponds to omega*^2/2 = 1."""
     weight_of_area = np.multiply(mass.width, mass.mean_unit_weight)
-    weight_times_radius = weight_of_area * np.power(mass.radius, 3.0)
-    return plain(weight_times_radius * mass.dimensionless.moment_of_inertia)
+    return plain(weight_of_area * np.power(mass.radius, 3.0) * mass.dimensionless.moment_of_inertia)
 
 
 def with_outputs(problem: Problem, outputs: Names) -> Problem:
     """Return the same lanes with a program that also computes the given outputs."""
     return _with_program(problem, build_program(problem.recipe, outputs))
-
-
-def _with_steady_shaking(problem: Problem) -> Problem:
-    """Return the same lanes with a constant horizontal coefficient, initially 0, instead of their shaking."""
-    effects, laws, moving, absent = problem.recipe
-    shaking = symbols_of("shaking").values()
-    effects = in_order((*effects, "shaking"))
-    moving = tuple(symbol for symbol in moving if symbol not in shaking)
-    others = [symbol for symbol in absent if symbol not in shaking]
-    return _with_program(problem, build_program(Recipe(effects, laws, moving, (*others, "k_v"))))
 
 
 def _with_program(problem: Problem, program: Program) -> Problem:
@@ -92,7 +81,9 @@ class Forces:
     def _strength(self, lanes: Any) -> Any:
         """Return the factor by which friction in the program exceeds friction as entered."""
         factor = self.problem.start["strength_factor"]
-        return factor[lanes] if np.ndim(factor) else factor
+        if np.ndim(factor):
+            return factor[lanes]
+        return factor
 
     def factor_of_safety(self, states: States) -> Floats:
         """Return the ratio of resistance to drive for a mass at rest in the given states, infinite without a drive."""
@@ -108,9 +99,7 @@ class Forces:
         cells, _ = begin(self._with_outputs, at_rest, 1.0)
         pull = cells[program.roles["cell_driving"]]
         cells, _ = begin(self._with_outputs, at_rest, np.where(pull < 0.0, -1.0, 1.0))
-        balance = Balance.of(program, cells)
-        friction = cells[program.roles["cell_mu"]]
-        return balance, friction
+        return Balance.of(program, cells), cells[program.roles["cell_mu"]]
 
     def kept_cohesion(self, states: States) -> Floats:
         """Return the share of the cohesion at rest that slip has left; 1 without cohesion."""
@@ -121,8 +110,7 @@ class Forces:
         left = slipped.resisting
         whole = at_first.resisting
         is_some = whole > 0.0
-        divisor = np.where(is_some, whole, 1.0)
-        return np.where(is_some, left / divisor, 1.0)
+        return np.where(is_some, left / np.where(is_some, whole, 1.0), 1.0)
 
     def strengths(self, states: States) -> ArrayPair:
         """Return the mobilised shear strength and that required for equilibrium at rest, over Theta*."""
@@ -130,8 +118,7 @@ class Forces:
         moving = self.outputs(states)
         friction = moving["mu"] * moving["normal"]
         friction = np.maximum(friction, 0.0)
-        mobilised = resisting + friction * self._strength(states.lane)
-        return mobilised, driving
+        return resisting + friction * self._strength(states.lane), driving
 
     def holding_friction(self, states: States) -> Floats:
         """Return the friction coefficient required for equilibrium in the given states, NaN without contact.
@@ -139,9 +126,7 @@ class Forces:
         If the mass may start in both directions, the result is the greater coefficient.
         """
         at_rest = states._replace(omega=np.zeros(states.lane.size))
-        down_slope = self._holding(at_rest, 1.0)
-        up_slope = self._holding(at_rest, -1.0)
-        return np.fmax(down_slope, up_slope)
+        return np.fmax(self._holding(at_rest, 1.0), self._holding(at_rest, -1.0))
 
     def _holding(self, at_rest: States, side: float) -> Floats:
         """Return the friction required in one direction, NaN without contact or where the mass cannot start."""
@@ -149,12 +134,11 @@ class Forces:
         cells, _ = begin(self._with_outputs, at_rest, side)
         forces = Balance.of(program, cells)
         excess = forces.driving - forces.resisting
-        with np.errstate(all="ignore"):
+        with quiet():
             friction = excess / forces.normal
         contact = forces.normal > 0.0
         pull = cells[program.roles["cell_driving_moment"]]
-        goes_down = (pull > 0.0) | ((pull == 0.0) & (side > 0.0))
-        may_start = (cells[ix.ONE_WAY] == 0.0) | goes_down
+        may_start = (cells[ix.ONE_WAY] == 0.0) | ((pull > 0.0) | ((pull == 0.0) & (side > 0.0)))
         entered = np.maximum(friction, 0.0) / self._strength(at_rest.lane)
         return np.where(contact & may_start, entered, np.nan)
 
@@ -170,8 +154,7 @@ class Forces:
         engine().begin_phase(program, tables, cells)
         cells[program.roles["cell_drive"]] = 0.0
         cells[ix.OMEGA] = 1.0
-        registers = engine().registers(program, tables, cells)
-        return -2.0 * registers[program.roles["net"]]
+        return -2.0 * engine().registers(program, tables, cells)[program.roles["net"]]
 
     @cached_property
     def statics(self) -> ArrayDict:
@@ -179,7 +162,13 @@ class Forces:
 
         The program supplies all forces. The excess of drive over resistance is linear in k_h and vanishes at k_y.
         """
-        problem = _with_steady_shaking(self.problem)
+        # The same lanes with a constant horizontal coefficient, initially 0, instead of their shaking.
+        effects, laws, moving, absent = self.problem.recipe
+        shaking = symbols_of("shaking").values()
+        effects = in_order((*effects, "shaking"))
+        moving = tuple(symbol for symbol in moving if symbol not in shaking)
+        others = [symbol for symbol in absent if symbol not in shaking]
+        problem = _with_program(self.problem, build_program(Recipe(effects, laws, moving, (*others, "k_v"))))
         parts = [self._statics(problem, slice(k, k + BLOCK)) for k in range(0, max(problem.lanes, 1), BLOCK)]
         return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
@@ -199,7 +188,7 @@ class Forces:
             engine().begin_phase(program, tables, each)
         mu = cells[program.roles["cell_mu"]].copy()  # a view would keep all cells alive
         limit = cells[program.roles["cell_limit"]]
-        with np.errstate(all="ignore"):
+        with quiet():
             found = equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
         factor = self._strength(which)
         return found | {name: found[name] / factor for name in ("friction", "limit_friction")}
@@ -214,19 +203,14 @@ def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) ->
     near_limit = normal * (limit - mu)  # without cancellation
     exact_excess = np.where(pressed, near_limit, excess)
     frictionless_shaken = shaken.driving - shaken.resisting
-    excess_shaken = frictionless_shaken - mu * shaken.normal
-    yielding = -exact_excess / (excess_shaken - excess)
+    yielding = -exact_excess / (frictionless_shaken - mu * shaken.normal - excess)
     normal_then = normal + yielding * (shaken.normal - normal)
     yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
     yield_coefficient = np.where(normal_then < 0.0, yielding_lifted, yielding)
-    friction_moment = np.where(pressed, mu * normal, 0.0)
-    strength = resisting + friction_moment
-    rounding = 8 * EPS * abs(normal)
-    driven = driving > rounding
-    without_contact = np.where(frictionless > 0.0, np.inf, -np.inf)
+    strength = resisting + np.where(pressed, mu * normal, 0.0)
     return {
-        "limit_friction": np.where(pressed, limit, without_contact),
+        "limit_friction": np.where(pressed, limit, np.where(frictionless > 0.0, np.inf, -np.inf)),
         "friction": mu,
-        "factor_of_safety": np.where(driven, strength / driving, np.inf),
+        "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), strength / driving, np.inf),
         "yield_coefficient": yield_coefficient + 0.0,
     }

@@ -179,8 +179,7 @@ class History:
         outputs = self._mean_forces.outputs(self._states(time))
         unit = before(stress_unit(self.plan.scene.arc), time.ndim)
         total = self._by_state(time, outputs["pressing"])
-        effective = self._by_state(time, outputs["normal"])
-        return Stresses(total * unit, effective * unit)
+        return Stresses(total * unit, self._by_state(time, outputs["normal"]) * unit)
 
     def final_stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """Return the mean normal stress of each lane in a state at its end, Pa."""
@@ -208,7 +207,8 @@ class History:
             (share,) = self.forces.kept_cohesion(end)
             kept = float(share)
         of_closure = {"residual": residual, "at_rest": at_rest}
-        values, methods = list[Any](), list[str]()
+        values = []
+        methods = []
         for quantity, value in of_closure.items():
             by_start = self.plan.scene.by_start(quantity, self.motion, kept)
             found, method = by_start or (self.motion._shaped(value), "")
@@ -223,15 +223,13 @@ class History:
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
         """Return the mean effective normal stress at times, Pa. See `Motion.effective_stress_at`."""
-        stresses = self._stresses(self._checked(times))
-        return np.maximum(stresses.effective, 0.0)
+        return np.maximum(self._stresses(self._checked(times)).effective, 0.0)
 
     def friction_at(self, times: ArrayLike) -> Any:
         """Return the mobilised friction coefficient at times. See `Motion.friction_at`."""
         time = self._checked(times)
         outputs = self.forces.outputs(self._states(time))
-        mobilised = np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0)
-        return self._by_state(time, mobilised)
+        return self._by_state(time, np.where(outputs["normal"] > 0.0, outputs["mu"], 0.0))
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """Return the friction coefficient required for equilibrium at times. See `Motion.holding_friction_at`."""
@@ -268,9 +266,8 @@ class History:
         kinetic = np.where(rests, 0.0, omega**2 / 2)
         of_times = partial(self._over_time, time)
         over_time = before(unit, time.ndim)
-        first_omega = problem.cells()[ix.OMEGA]
         return Energy(
-            kinetic_start=self.motion._shaped(first_omega**2 / 2) * unit,
+            kinetic_start=self.motion._shaped(problem.cells()[ix.OMEGA] ** 2 / 2) * unit,
             kinetic_end=over_time * of_times(kinetic),
             work=over_time * of_times(rows["work"]),
             dissipation=over_time * of_times(np.maximum(rows["dissipation"], 0.0)),
@@ -287,7 +284,7 @@ class History:
     def lift_off(self) -> tuple[float, ...]:
         """Return the times of lift-off, s. See `Motion.lift_off`."""
         scale = self._time_scale
-        times = list[float]()
+        times = []
         lifted = False
         resumed = -1.0
         for event, time, _, _ in self._events:
@@ -303,7 +300,7 @@ class History:
         """Return the phases of the motion. See `Motion.phases`."""
         scale = self._time_scale
         last = self.motion.settling_time
-        phases = list[Phase]()
+        phases = []
         for event, time, rotation, direction in self._events:
             if event == ix.NOTE_BEGINS:
                 phase = Phase(time * scale, last, rotation, int(direction))
@@ -319,6 +316,4 @@ class History:
         energy = self.energy_at(times)
         exchanged = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
         greatest = np.maximum.accumulate(exchanged)
-        size = np.maximum(greatest, 1e-300)
-        errors = np.abs(energy.residual) / size
-        return float(2 * np.max(errors))
+        return float(2 * np.max(np.abs(energy.residual) / np.maximum(greatest, 1e-300)))

@@ -53,8 +53,6 @@ def journey(mass: Any, rotation: Any) -> Journey:
     from_centre = np.subtract(half_way, mass.centre)
     moves_back = np.less(rotation, 0.0)
     sign = np.where(moves_back, 1.0, -1.0)
-    fall = sign * mass.facing * from_centre[..., 0]
-    run = sign * from_centre[..., 1]
     return Journey(
         toe=toe,
         crest_drop=mass.entry[..., 1] - placed(mass, mass.entry, rotation)[..., 1],
@@ -62,7 +60,7 @@ def journey(mass: Any, rotation: Any) -> Journey:
         rise=toe_moved[..., 1][()],
         travel=moved[..., 0] * mass.facing,
         fall=-moved[..., 1],
-        travel_angle=np.arctan2(fall, run),
+        travel_angle=np.arctan2(sign * mass.facing * from_centre[..., 0], sign * from_centre[..., 1]),
     )
 
 

@@ -7,7 +7,8 @@ import numpy as np
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import State
 
-_ROUNDS, _PARTS = 11, 33  # each round gains five bits
+_ROUNDS = 11  # each round gains five bits
+_PARTS = 33
 
 
 def outside(motion: Motion) -> Any:

@@ -33,9 +33,10 @@ def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
         strength = "residual" if last else "peak"
         return parameters[strength]
     coefficient = parameters["coefficient"]
-    first_parameter = LAWS[name].parameters[0]
-    is_table = first_parameter.kind == "list"
-    return coefficient[-last] if is_table else coefficient
+    is_table = LAWS[name].parameters[0].kind == "list"
+    if is_table:
+        return coefficient[-last]
+    return coefficient
 
 
 def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
@@ -43,7 +44,9 @@ def cohesion_at_rest(cohesion: Any, slipped: bool = False) -> Any:
     law = cohesion_law(cohesion)
     if law is not None:
         return _at_rest(*law, slipped)
-    return cohesion.get("cohesion", 0.0) if isinstance(cohesion, Mapping) else cohesion
+    if isinstance(cohesion, Mapping):
+        return cohesion.get("cohesion", 0.0)
+    return cohesion
 
 
 def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
@@ -53,9 +56,7 @@ def growth_at_rest(cohesion: Any, growth: Any, slipped: bool = False) -> Any:
     peak = cohesion_at_rest(cohesion)
     is_none = np.equal(peak, 0.0)
     residual = cohesion_at_rest(cohesion, slipped)
-    divisor = np.where(is_none, 1.0, peak)
-    share = np.where(is_none, 1.0, residual / divisor)
-    return growth * share
+    return growth * np.where(is_none, 1.0, residual / np.where(is_none, 1.0, peak))
 
 
 def least_friction(friction: Any) -> float:

@@ -27,14 +27,12 @@ class SoilCohesion:
     @cached_property
     def peak(self) -> Floats:
         """Cohesion at the start."""
-        values: Floats = self.section.of_soils("peak_cohesion")
-        return values
+        return self.section.of_soils("peak_cohesion")
 
     @cached_property
     def growth(self) -> Floats:
         """Increase of the cohesion with depth."""
-        values: Floats = self.section.of_soils("cohesion_gradient")
-        return values
+        return self.section.of_soils("cohesion_gradient")
 
     @cached_property
     def _laws(self) -> list[Law | None]:
@@ -53,8 +51,7 @@ class SoilCohesion:
             return self.peak * share, self.growth * share
         residual = self.section.of_soils("residual_cohesion")
         is_none = self.peak == 0.0
-        divisor = np.where(is_none, 1.0, self.peak)
-        share = np.where(is_none, 1.0, residual / divisor)
+        share = np.where(is_none, 1.0, residual / np.where(is_none, 1.0, self.peak))
         return residual, self.growth * share
 
     @cached_property
@@ -67,14 +64,14 @@ class SoilCohesion:
             return self._by_soil()
         name, given = laws[0]
         cohesion, growth = self.lasting
-        over_peak: Law = name, {**given, "peak": 1.0, "residual": 0.0}
+        over_peak = name, {**given, "peak": 1.0, "residual": 0.0}
         return {OF_COHESION: (over_peak, self.peak - cohesion, self.growth - growth)}
 
     def _by_soil(self) -> dict[str, Term]:
         """Return a term for each soil whose cohesion changes, where the law is in Pa."""
         soils = self.section.soils
         divisor = np.where(self.peak == 0.0, 1.0, self.peak)
-        terms = dict[str, Term]()
+        terms = {}
         for k, soil in enumerate(distinct(soils)):
             law = cohesion_law(soil.cohesion)
             if law is None:

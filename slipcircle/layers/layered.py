@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape
+from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data, Tables
 from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
@@ -51,10 +51,7 @@ class RotationTables(NamedTuple):
         else:
             farthest = np.broadcast_to(contact_lost, (lanes,))
         last = np.minimum(farthest, reach)
-        first = first_rotation(last, self.upslope)
-        tables = self._between(first, last)
-        of_lanes: Tables = self.section._for_lanes(tables, self.shape)
-        return of_lanes
+        return self.section._for_lanes(self._between(first_rotation(last, self.upslope), last), self.shape)
 
     def reach_farther(self, data: dict[str, Data], rotation: Floats, lane: Any) -> bool:
         """Extend tables to their full range if a lane exceeds them, and return whether one does."""
@@ -71,11 +68,10 @@ class RotationTables(NamedTuple):
     @property
     def circles(self) -> int:
         """Number of circles of the lanes."""
-        kinks = self.section.arc_strength.rotation_kinks
-        return kinks.shape[1]
+        return self.section.arc_strength.rotation_kinks.shape[1]
 
     @property
-    def names(self) -> list[str]:
+    def names(self) -> Texts:
         """Names of the geometric parts whose sums are the functions."""
         names = dict[str, None]()
         for function in self.functions.values():
@@ -94,8 +90,7 @@ class RotationTables(NamedTuple):
                 return np.concatenate([parts[name] for name in names])
             return np.stack([function.combined(parts) for function in functions.values()])
 
-        kinks = strength.rotation_kinks
-        breaks, coefficients = between_kinks(values, kinks, first, last, self.tolerance)
+        breaks, coefficients = between_kinks(values, strength.rotation_kinks, first, last, self.tolerance)
         rows = [*np.moveaxis(coefficients, 2, 0)]
         if self.share_geometry:
             breaks = breaks[:, 0]
@@ -123,10 +118,7 @@ class RotationTables(NamedTuple):
             net_moment = self._net_moment(rotation, friction)
             energy = np.cumsum(net_moment, axis=0)
             if np.all(energy[-1] < 0.0):
-                stops = np.argmax(energy < 0.0, axis=0)
-                last_stop = shares[stops.max()]
-                share = last_stop * _MARGIN + shares[1]
-                return float(share) * farthest
+                return float(shares[np.argmax(energy < 0.0, axis=0).max()] * _MARGIN + shares[1]) * farthest
         return np.inf
 
     def _net_moment(self, rotation: Floats, friction: Parameters) -> Floats:
@@ -155,9 +147,7 @@ class RotationTables(NamedTuple):
         effective = normal + terms.get("normal", 0.0) - terms.get("lift", 0.0)
         friction_moment = of_sample(least) * effective
         resisting = np.maximum(friction_moment, 0.0)
-        driving = drive * cosine - drive_slope * sine
-        net_moment = driving - resisting - terms.get("strength", 0.0)
-        return net_moment
+        return drive * cosine - drive_slope * sine - resisting - terms.get("strength", 0.0)
 
     def _terms_of_sample(self, rotation: Floats, step: int) -> ArrayDict:
         """Return the terms of every ``step``-th lane at rotations, (M, lanes) or (lanes,)."""

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
-from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Values
+from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -78,6 +78,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
+        """Check layers, surcharges and crack, convert their units and freeze them."""
         own = ("layers", "surcharge", "rate", "crack")
         take_units(self, own)
         freeze(self, own)
@@ -108,6 +109,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         yield self._overhang
 
     def __eq__(self, other: object) -> bool:
+        """Return whether another section has equal soils, layers and fields."""
         if not isinstance(other, LayeredSection) or len(self.layers) != len(other.layers):
             return False
         if self.soils != other.soils:
@@ -165,7 +167,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def depths(self) -> list[Depths | None]:
         """Depths of the arc below the datums of the soils, None where the cohesion does not grow."""
         raise_all("LayeredSection", datum_mistakes(self.foreland, self.layers))  # whose numbers may have been replaced
-        depths: list[Depths | None] = []
+        depths = []
         for soil, datum in zip(self.soils, self.datums, strict=True):
             grows = np.any(soil.cohesion_gradient)
             depths.append(depths_below(self, datum) if grows else None)
@@ -179,7 +181,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     def _by_lane(self, numbers: Sequence[Any]) -> Floats:
         """Return numbers or arrays as rows, (numbers, lanes)."""
         of_lanes = [np.broadcast_to(number, self.lanes_shape) for number in numbers]
-        rows: Floats = np.add(of_lanes, 0.0)
+        rows = np.add(of_lanes, 0.0)
         return rows.reshape(len(numbers), -1)
 
     def _shaped(self, values: Any) -> Any:
@@ -189,8 +191,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         of_geometry = len(values) == circles
         shape = self.shape if of_geometry else self.lanes_shape
         _, *components = values.shape
-        shaped = values.reshape((*shape, *components))
-        return shaped[()]
+        return values.reshape((*shape, *components))[()]
 
     # --- geometry ----------------------------------------------------------------------------------------------------
 
@@ -285,8 +286,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     @cached_property
     def _weighted_moments(self) -> Mapping[str, Floats]:
-        per_mean_weight = self._moments_of_weight / self._weights_per_area
-        return dict(zip(MEASURES, per_mean_weight, strict=True))
+        return dict(zip(MEASURES, self._moments_of_weight / self._weights_per_area, strict=True))
 
     @cached_property
     def mean_unit_weight(self) -> Any:
@@ -305,7 +305,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Friction of the arc as a whole, for a `Scene`."""
         return self.arc_strength.friction
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages, including about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
         found = super().mistakes(friction, effects)

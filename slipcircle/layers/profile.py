@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from slipcircle.base.kinds import ArrayPair, Floats, Integers
+from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
 from slipcircle.layers.strips import Strips
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
@@ -61,7 +61,7 @@ class Part(NamedTuple):
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
-        piece = np.zeros(beta.shape, dtype=np.intp)
+        piece = np.zeros(beta.shape, np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
         number = piece * circles + np.arange(circles)
@@ -115,8 +115,7 @@ class Profile(NamedTuple):
     @property
     def to_ends(self) -> Floats:
         """Integrals of the parts over whole arcs, (integrals, columns, circles)."""
-        ends = np.concatenate([part.before[-1] for part in self.parts])
-        return ends.T
+        return np.concatenate([part.before[-1] for part in self.parts]).T
 
 
 _Piece = tuple[Floats, Floats, Floats]  # ends of a piece, (circles,), and the series of its integrals
@@ -135,10 +134,7 @@ def columns_of(steps: Floats, circles: int) -> ArrayPair:
     ground, *_ = alone
     others = steps / steps[0] - ground
     count = 2 if np.any(others) else 1
-    both = np.broadcast_arrays(ground, others)
-    weights = np.stack(both[:count])
-    by_lane = np.tile(steps[0], (count, 1))
-    return weights, by_lane
+    return np.stack(np.broadcast_arrays(ground, others)[:count]), np.tile(steps[0], (count, 1))
 
 
 def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
@@ -152,39 +148,33 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
     edges = strips.beta.T
     circles = np.arange(edges.shape[1])
     has_many = circles.size > 1
-    parts = list[Part]()
-    whole = list[Floats]()
+    parts = []
+    whole = []
     for first in range(0, max(1, circles.size), _CIRCLES):
         some = slice(first, first + _CIRCLES)
-        part = _part_of(strips, weights, circles[some], edges[:, some])
+        # The integrals of all columns along the arcs of some circles with the given edges of strips.
+        converged = _converged(strips, weights, circles[some], edges[:, some])
+        pieces = sorted(converged, key=_order)
+        firsts, lasts, by_piece = zip(*pieces, strict=True)
+        in_order = np.stack(by_piece)
+        series = np.ascontiguousarray(in_order)
+        each = series @ np.ones(_COUNT + 1)  # at the right end every Chebyshev polynomial is 1
+        nothing = np.zeros_like(each[:1])
+        up_to_ends = np.cumsum(each, axis=0)
+        before = np.concatenate([nothing, up_to_ends])
+        ends = np.stack([*firsts, lasts[-1]])
+        part = Part(ends, before, series)
         whole.append(part.before[-1])
         if has_many:
             part = part.combined(steps[:, some])
         parts.append(part)
-    by_circle = np.concatenate(whole)
-    return Profile(by_circle.T, parts)
-
-
-def _part_of(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> Part:
-    """Return the integrals of all columns along the arcs of some circles with the given edges of strips."""
-    converged = _converged(strips, weights, circle, edges)
-    pieces = sorted(converged, key=_order)
-    firsts, lasts, by_piece = zip(*pieces, strict=True)
-    in_order = np.stack(by_piece)
-    series = np.ascontiguousarray(in_order)
-    each = series @ np.ones(_COUNT + 1)  # at the right end every Chebyshev polynomial is 1
-    nothing = np.zeros_like(each[:1])
-    up_to_ends = np.cumsum(each, axis=0)
-    before = np.concatenate([nothing, up_to_ends])
-    ends = np.stack([*firsts, lasts[-1]])
-    return Part(ends, before, series)
+    return Profile(np.concatenate(whole).T, parts)
 
 
 def _order(piece: _Piece) -> float:
     """Return a sort key of pieces from left to right: twice the directions of their middles, summed over circles."""
     first, last, _ = piece
-    ends = first + last
-    return float(ends.sum())
+    return float((first + last).sum())
 
 
 def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats) -> list[_Piece]:
@@ -213,7 +203,7 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
     return done
 
 
-def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
+def _developed(values: Floats) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
     The head is the greater of the first two coefficients, the tail the greater of the last two.
@@ -226,9 +216,7 @@ def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
     series = by_piece[:, :, :terms]
     sizes = np.abs(by_piece[:, :, terms:])
     of_terms = sizes.max(axis=(0, 1))
-    head = of_terms[:2].max(axis=0)
-    tail = of_terms[2:].max(axis=0)
-    return series.transpose(3, 4, 1, 0, 2), head, tail
+    return series.transpose(3, 4, 1, 0, 2), of_terms[:2].max(axis=0), of_terms[2:].max(axis=0)
 
 
 def _integrands(

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
+from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
@@ -58,6 +59,7 @@ class Soil:
     name: str = ""
 
     def __post_init__(self) -> None:
+        """Check the numbers, convert their units and freeze them."""
         fields = (*SOIL_NUMBERS, "friction", "datum")
         take_units(self, fields)
         freeze(self, fields)
@@ -66,7 +68,9 @@ class Soil:
     @property
     def weight_below_water(self) -> ArrayLike:
         """Unit weight below the water level, N/m^3."""
-        return self.unit_weight if self.saturated_unit_weight is None else self.saturated_unit_weight
+        if self.saturated_unit_weight is None:
+            return self.unit_weight
+        return self.saturated_unit_weight
 
     @property
     def peak(self) -> Any:
@@ -82,7 +86,9 @@ class Soil:
     def residual_cohesion(self) -> Any:
         """Cohesion after much slip, for a table or a function its initial value."""
         law = cohesion_law(self.cohesion)
-        return self.peak_cohesion if law is None else law[1].get("residual", self.peak_cohesion)
+        if law is None:
+            return self.peak_cohesion
+        return law[1].get("residual", self.peak_cohesion)
 
     @property
     def residual(self) -> Any:
@@ -93,7 +99,9 @@ class Soil:
             return self.friction["residual"]
         coefficient = self.friction.get("coefficient", 0.0)
         is_table = not {"slip", "speed", "time"}.isdisjoint(self.friction)
-        return coefficient[-1] if is_table else coefficient
+        if is_table:
+            return coefficient[-1]
+        return coefficient
 
 
 Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
@@ -105,7 +113,7 @@ def distinct(soils: Iterable[Soil]) -> list[Soil]:
     return list(by_identity.values())
 
 
-def soil_mistakes(soil: Soil) -> list[str]:
+def soil_mistakes(soil: Soil) -> Texts:
     """Return a message for each invalid number of a soil."""
     bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
     if soil.saturated_unit_weight is None:
@@ -127,7 +135,7 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
-def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> list[str]:
+def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> Texts:
     """Return a message for each mistake in the layers of a section, its foreland and its surcharges.
 
     Without ``strength`` the section does not move.
@@ -177,7 +185,7 @@ def top_of(foreland: Soil, layers: Layers) -> Any:
     return next(iter(_tops(foreland, layers)), None)
 
 
-def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
+def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
     """Return a message if the cohesion of the foreland grows with depth and its soil has not one top."""
     if foreland is None or foreland.datum is not None or not np.any(foreland.cohesion_gradient):
         return []
@@ -188,7 +196,7 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
     return [f"soils.{foreland.name}.datum: {why}"]
 
 
-def _load_mistakes(k: int, load: Any) -> list[str]:
+def _load_mistakes(k: int, load: Any) -> Texts:
     """Return messages about a surcharge, counted from 0."""
     words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
@@ -200,14 +208,18 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
     first, last, left, right = numbers
     in_order = first.ndim == last.ndim == 0 and first < last
     pulls = np.any(left < 0.0) or np.any(right < 0.0)
-    return [] if in_order and not pulls else [words]
+    if in_order and not pulls:
+        return []
+    return [words]
 
 
-def _top_mistakes(k: int, top: Any) -> list[str]:
+def _top_mistakes(k: int, top: Any) -> Texts:
     """Return messages about the top of a layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
-        return [] if top is None else [words]
+        if top is None:
+            return []
+        return [words]
     if top is None:
         return [f"layers[{k}]: top is missing: a height in m, or points from left to right"]
     if array_of(top).ndim > 1:
@@ -233,7 +245,7 @@ def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
     return len(laws) <= 1
 
 
-def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
+def _together_mistakes(soils: list[Soil], strength: str) -> Texts:
     """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws."""
     names = [soil.name for soil in soils]
     twice = [name for name in sorted({*names}) if names.count(name) > 1]

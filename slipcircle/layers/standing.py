@@ -69,7 +69,7 @@ def _surface(section: Any, circle: int) -> Floats:
     from_centre = line - centre[circle]
     over_radius = from_centre / radius[circle]
     mirror = [way, 1.0]
-    down_slope: Floats = over_radius * mirror
+    down_slope = over_radius * mirror
     return down_slope[::way]
 
 
@@ -83,7 +83,7 @@ class _Level(NamedTuple):
     def at(self, x: Floats) -> Floats:
         """Return its height in the mass at x (..., M)."""
         fall = x * self.sine
-        y: Floats = (self.height - fall) / self.cosine
+        y = (self.height - fall) / self.cosine
         return y
 
 
@@ -149,7 +149,7 @@ class _Integrals:
         limits = directions[:, None]
         before = self.middle < limits
         up_to = np.where(before, in_intervals, 0.0)
-        normal: Floats = -up_to.sum(axis=1)
+        normal = -up_to.sum(axis=1)
         return normal
 
     @property
@@ -160,7 +160,7 @@ class _Integrals:
         moment_x = self.rows[AREA] * level.cosine
         lever = moment_y - self.x * moment_x
         weighted = lever * self.weight
-        moment: Floats = weighted.sum(axis=(0, 1))
+        moment = weighted.sum(axis=(0, 1))
         return moment
 
 
@@ -234,5 +234,5 @@ def relieved(level: Floats, first: Floats, last: Floats) -> Floats:
     known = np.where(is_known, level, 0.0)
     above_level = known * (end - start)
     below_centre = np.sin(end) - np.sin(start)
-    integral: Floats = above_level + below_centre
+    integral = above_level + below_centre
     return integral

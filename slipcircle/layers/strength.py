@@ -40,7 +40,7 @@ class OfRotation(NamedTuple):
 
     def combined(self, parts: Mapping[str, Floats]) -> Floats:
         """Return the values from known parts."""
-        total: Floats = np.zeros(())
+        total = np.zeros(())
         for name, values in self.coefficients.items():
             total = total + over_circles(parts[name], values)
         return total
@@ -114,18 +114,13 @@ class ArcStrength(StretchIntegrals):
     def _at_start(self, name: str, quantity: Floats) -> Floats:
         """Return a quantity of the soils times the load on their stretches, (lanes,)."""
         by_soil = self._by_soil[name] * quantity
-        total: Floats = by_soil.sum(axis=0)
+        total = by_soil.sum(axis=0)
         return total
-
-    @property
-    def _normal_load(self) -> Floats:
-        """Normal load J_r at the start, (lanes,)."""
-        load: Floats = -self.section._weighted_moments["radial_y"]
-        return load
 
     def _mean(self, quantity: Floats) -> Floats:
         """Return the mean of a friction coefficient over the arc, by the normal forces at the start, (lanes,)."""
-        return self._at_start("normal", quantity) / self._normal_load
+        load = -self.section._weighted_moments["radial_y"]
+        return self._at_start("normal", quantity) / load
 
     @cached_property
     def _peak(self) -> Floats:
@@ -255,7 +250,7 @@ class ArcStrength(StretchIntegrals):
         Let n_i be the share of soil i in the normal force at the start. Then mu = sum n_i mu_i, and N_i - n_i N is the
         excess of the normal force on the soil over its share as the mass turns.
         """
-        terms: dict[str, ValueDict] = {}
+        terms = {}
         if self.section.in_standing_water:
             moment = self._standing_moment(needs)
             terms["pore_pressure"] = {"standing": moment}
@@ -277,7 +272,7 @@ class ArcStrength(StretchIntegrals):
 
     @property
     def _theta(self) -> Floats:
-        inertia: Floats = self.section._weighted_moments["inertia"]
+        inertia = self.section._weighted_moments["inertia"]
         return inertia
 
     @property

@@ -75,7 +75,7 @@ class StretchIntegrals:
     @cached_property
     def span(self) -> ArrayPair:
         """Directions of the entry and of the exit, (circles,)."""
-        span: ArrayPair = self.section._span
+        span = self.section._span
         return span
 
     @property
@@ -144,20 +144,17 @@ class StretchIntegrals:
         """Return parts by name. All weights are computed together."""
         every = {name: getattr(self, name)(rotation) for name in _DIRECT if name in names}
         if len(every) < len(names):
-            every |= self._of_weight(rotation)
+            # Parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover.
+            pressing = self._pressing(rotation)
+            by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
+            radial_y, radial_x, polar, overburden = by_joint
+            cosine = np.cos(rotation)
+            sine = np.sin(rotation)
+            slope = radial_x * sine
+            normal = -radial_y * cosine - slope
+            tilt = radial_x * cosine - radial_y * sine
+            every |= {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
         return every
-
-    def _of_weight(self, rotation: Floats) -> ArrayDict:
-        """Return parts of the weight: J(psi - phi) = J cos(phi) - J' sin(phi), its slope, I_p, and cover."""
-        pressing = self._pressing(rotation)
-        by_joint = pressing.reshape(PRESSING, math.prod(pressing.shape[1:3]), *rotation.shape)
-        radial_y, radial_x, polar, overburden = by_joint
-        cosine = np.cos(rotation)
-        sine = np.sin(rotation)
-        slope = radial_x * sine
-        normal = -radial_y * cosine - slope
-        tilt = radial_x * cosine - radial_y * sine
-        return {"normal": normal, "tilt": tilt, "inertia": polar, "overburden": overburden}
 
     def space(self, rotation: Floats) -> Floats:
         """Return directions in space of the joints, the exit and the entry after rotations, (J + 2, M, circles)."""
@@ -187,7 +184,7 @@ class StretchIntegrals:
         there = self.space(rotation)
         *_, entry = there
         pressure = relieved(self.section.standing_level, entry, there)
-        taken: Floats = normal - pressure
+        taken = normal - pressure
         return LIKE_WEIGHTS * taken
 
     def displaced(self, rotation: Floats) -> Floats:
@@ -195,7 +192,7 @@ class StretchIntegrals:
         nowhere = np.empty((0, *rotation.shape))
         _, moment = displaced(self.section, rotation, nowhere)
         inertia = self.section._moments["inertia"]
-        over_inertia: Floats = moment / inertia
+        over_inertia = moment / inertia
         return LIKE_WEIGHTS * over_inertia[None]
 
     def growth_up_to(self, there: Floats) -> Floats:
@@ -219,7 +216,7 @@ class StretchIntegrals:
         growth = self.growth_up_to(there)
         by_soil = self.incidence.transpose(1, 0, 2)
         by_direction = by_soil[:, :, None] * growth
-        parts: Floats = by_direction.sum(axis=1)
+        parts = by_direction.sum(axis=1)
         return parts
 
     @cached_property
@@ -262,7 +259,7 @@ class StretchIntegrals:
         at_entry = of_soil[joints.first]
         at_joints = before - after
         by_soil = np.stack([*at_joints, at_exit, -at_entry])
-        incidence: Floats = by_soil.transpose(0, 2, 1)
+        incidence = by_soil.transpose(0, 2, 1)
         return incidence
 
 

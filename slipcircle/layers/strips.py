@@ -101,7 +101,7 @@ def cut_into_strips(
     by_surface = [_lowest(at_middle, chosen) for chosen in surfaces]
     lowest = np.stack(by_surface)
     height = np.take_along_axis(at_middle, lowest, 0)
-    covered = list[Flags]()
+    covered = []
     for x1, x2 in loads:
         is_under = (middle > x1) & (middle < x2)
         covered += [is_under, is_under]

@@ -50,15 +50,20 @@ SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
 @lru_cache(maxsize=256)
-def _moves(program: Program, rounding: float) -> Floats:
-    """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths."""
-    inputs = program.cells[len(ix.CELLS) : program.given]
-    moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
-    moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
+def _moves(program: Program, rounding: float, is_refined: bool = False) -> Floats:
+    """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths.
+
+    If the limit friction is refined, its two parts and the friction are exact inputs and remain unchanged.
+    """
+    inputs = [name for name in program.cells[len(ix.CELLS) : program.given] if not _is_of_table(name)]
+    if is_refined:
+        moved = [ix.OMEGA, *(program.places[name] for name in inputs if "." not in name)]
+    else:
+        moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs)]
+        moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
     signs = np.zeros((len(program.cells), RUNS))
     for number, cell in enumerate(moved):
-        factor = number % len(_FIRST)
-        signs[cell, 1:] = SIGNS[:, factor]
+        signs[cell, 1:] = SIGNS[:, number % len(_FIRST)]
     factors = 1.0 + rounding * signs
     factors[ix.FACTOR] = LONGER
     return factors
@@ -75,10 +80,12 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
     Run 0 is the motion itself. A single lane may have several runs at once. ``rounding`` is the relative error of an
     input.
-
-    Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    cells: Floats = problem.cells() * _moves(problem.program, rounding)[:, runs]
+    start = problem.cells()
+    cells = start * _moves(problem.program, rounding)[:, runs]
+    is_refined = start[ix.LIMIT_REST] != 0.0
+    if np.any(is_refined):
+        cells = np.where(is_refined, start * _moves(problem.program, rounding, True)[:, runs], cells)
     orders = cells[ix.ORDER]
     orders += FURTHER[runs]
     return cells
@@ -101,10 +108,7 @@ def estimate(plan: Plan, problem: Problem, final: Final) -> Any:
         spreads, unlike = _of_ensemble(_closer(plan, problem), final, rounding)
         error = np.maximum(CUT * spreads, LEAST)
         error = np.minimum(error, 1.0)
-    close = final[ix.CLOSE] < UNDECIDED
-    still = final[ix.PHASES] == 0.0
-    if_decided = choose(still, 0.0, error)
-    return choose(unlike | close, 1.0, if_decided)
+    return choose(unlike | (final[ix.CLOSE] < UNDECIDED), 1.0, choose(final[ix.PHASES] == 0.0, 0.0, error))
 
 
 def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Floats, Any]:
@@ -112,15 +116,14 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
-    unlike = np.zeros(problem.lanes, dtype=bool)
+    unlike = np.zeros(problem.lanes, bool)
     for run in range(1, RUNS):
-        alone = slice(run, run + 1)
-        cells = integrate(problem, perturbed_runs(problem, alone, rounding))
-        of_run = np.array(_summary(cells))
-        change = np.abs(of_run - of_motion)
-        greatest = np.fmax.reduce(change / sizes)
+        cells = integrate(problem, perturbed_runs(problem, slice(run, run + 1), rounding))
+        greatest = np.fmax.reduce(np.abs(np.array(_summary(cells)) - of_motion) / sizes)
         spread = np.fmax(spread, greatest)
-        unlike |= _ends_otherwise(cells, final)
+        # Whether runs end with another status than the motion, or move where the motion does not.
+        other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
+        unlike |= other_status | ((cells[ix.PHASES] > 0.0) != (final[ix.PHASES] > 0.0))
     return spread, unlike
 
 
@@ -128,8 +131,7 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     """Return the same lanes with more accurate interpolation of functions of the rotation."""
     if not any(table.kind == "rotation" for table in problem.program.tables):
         return problem
-    accuracy = max(CLOSER * plan.accuracy, CLOSEST)
-    closer = problem_of(replace(plan, accuracy=accuracy))
+    closer = problem_of(replace(plan, accuracy=max(CLOSER * plan.accuracy, CLOSEST)))
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
@@ -148,24 +150,14 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     if not (_end_alike(status, final) and move_alike):
         return 1.0, True
     in_time = [code == ix.ENDED and final[ix.TIME] < np.inf for code in status]
-    durations = np.where(in_time, end_times, rests).tolist()
-    rows = durations, run_outs, [*map(abs, peaks)]
+    rows = np.where(in_time, end_times, rests).tolist(), run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
         rotation_and_velocity = states[:2]
-        of_run_0 = rotation_and_velocity[:, :, :1]
-        change = np.abs(rotation_and_velocity - of_run_0)
+        change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
         greatest += np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in of_motion]
     return max(map(truediv, greatest, sizes + sizes[1:])), False
-
-
-def _ends_otherwise(cells: Floats, final: Final) -> Any:
-    """Return whether runs end with another status than the motion, or move where the motion does not."""
-    other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
-    moves = cells[ix.PHASES] > 0.0
-    phases = final[ix.PHASES]
-    return other_status | (moves != (phases > 0.0))
 
 
 def _end_alike(status: list[float], final: Final) -> bool:
@@ -175,16 +167,12 @@ def _end_alike(status: list[float], final: Final) -> bool:
 
 def _ending(status: Any) -> Any:
     """Return statuses with one code for lanes at rest and at their end time, whose durations are compared instead."""
-    is_answer = (status >= ix.ARRESTED) & (status <= ix.ENDED)
-    return choose(is_answer, float(ix.ENDED), status)
+    return choose((status >= ix.ARRESTED) & (status <= ix.ENDED), float(ix.ENDED), status)
 
 
 def _summary(final: Any) -> tuple[Any, Any, Any]:
     """Return dimensionless duration, run-out and peak velocity from final cells."""
-    duration = choose(_ends_in_time(final), final[ix.END_TIME], final[ix.REST_SINCE])
+    duration = choose(
+        ((final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)), final[ix.END_TIME], final[ix.REST_SINCE]
+    )
     return duration, final[ix.REACH_ROTATION], abs(final[ix.PEAK_OMEGA])
-
-
-def _ends_in_time(final: Final) -> Any:
-    """Return whether motions end at their end time. The duration of a creeping mass is its arrival."""
-    return (final[ix.STATUS] == ix.ENDED) & (final[ix.TIME] < np.inf)

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 from generated.effects import ALL_EFFECTS
 from generated.program import OF_SOIL, Recipe
-from slipcircle.base.kinds import Names
 from slipcircle.core.integrator.compiled import encoded, level, module, widest
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.scene.effects import without_soil
@@ -49,8 +48,8 @@ def describe_integrator() -> str:
 def _words(recipe: Recipe) -> PlanWords:
     effects = tuple(dict.fromkeys(map(without_soil, recipe.effects)))
     symbols = {*map(without_soil, recipe.moving)}
-    of_rotation = list[str]()
-    of_time = set[str]()
+    of_rotation = []
+    of_time = set()
     for effect in effects:
         for p in ALL_EFFECTS[effect].parameters:
             if p.symbol not in symbols:
@@ -64,17 +63,13 @@ def _words(recipe: Recipe) -> PlanWords:
         reasons += _reasons(effect, effect in of_time)
     reasons += [f"{e} depends on the rotation" for e in dict.fromkeys(of_rotation)]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends_on(recipe.of_friction)]
-    law = _law_in_words(recipe.of_friction)
-    return PlanWords(law, FLOW, "; ".join(reasons))
-
-
-def _law_in_words(laws: Names) -> str:
-    """Return the friction law, or the laws of the soils, and the law of speed as a product."""
-    of_soils = [without_soil(law) for law in laws if OF_SOIL in law]
-    factors = [law for law in laws if OF_SOIL not in law]
+    # The friction law, or the laws of the soils, and the law of speed as a product.
+    of_soils = [without_soil(law) for law in recipe.of_friction if OF_SOIL in law]
+    factors = [law for law in recipe.of_friction if OF_SOIL not in law]
     if of_soils:
         factors.insert(0, f"{', '.join(dict.fromkeys(of_soils))} by soil")
-    return " times ".join(factors)
+    law = " times ".join(factors)
+    return PlanWords(law, FLOW, "; ".join(reasons))
 
 
 def _reasons(effect: str, in_time: bool) -> Iterator[str]:

@@ -68,14 +68,14 @@ class Equation:
         return self.sums + self.numbers
 
     def __str__(self) -> str:
+        """Return the equation of motion with a legend of its symbols."""
         used = {"omega", "s"}
         for term in self.sums:
             used.update(symbols_in(term.formula))
         meanings = {name: words for name, (words, _) in self._quantities.items()}
         meanings |= {name: words for name, words in VARIABLES.items() if name in used}
         last = [f"  {name:8} {words}" for name, words in meanings.items()]
-        lines = [self._balance_in_words, *self._lines(), "with", *self._values(), "where", *last]
-        return "\n".join(lines)
+        return "\n".join([self._balance_in_words, *self._lines(), "with", *self._values(), "where", *last])
 
     @property
     def _balance_in_words(self) -> str:
@@ -83,7 +83,9 @@ class Equation:
 
     @property
     def _quantities(self) -> dict[str, tuple[str, str]]:
-        return SOIL_QUANTITIES if self.soils else EQUATION_QUANTITIES
+        if self.soils:
+            return SOIL_QUANTITIES
+        return EQUATION_QUANTITIES
 
     def _lines(self) -> Iterator[str]:
         """Yield a line for each term. A quantity without terms is 0."""
@@ -100,7 +102,7 @@ class Equation:
 
     def _values(self) -> Iterator[str]:
         """Yield a line for each number, with the numbers of the soils last."""
-        of_soils = list[tuple[str, str]]()
+        of_soils = []
         for number in self.numbers:
             if isinstance(number.value, tuple):
                 values = ", ".join(_shown(value, 4) for value in number.value)
@@ -124,7 +126,7 @@ class Equation:
         sums = {self.balance.symbol: [self.balance.latex]}
         for term in self.sums:
             sums.setdefault(term.symbol, []).append(term.latex)
-        rows = list[str]()
+        rows = []
         for symbol, addends in sums.items():
             right = " + ".join(addends).replace("+ - ", "- ")
             rows.append(f"{_latex(symbol)} &= {right}")

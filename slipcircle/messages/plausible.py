@@ -17,7 +17,8 @@ from slipcircle.base.checks import UnusualInput
 from slipcircle.core.scene.scene import Scene
 from slipcircle.derivatives.parameters import possible_parameters
 
-_STRONG, _STRONGEST = 1e6, 5.0  # Pa, g
+_STRONG = 1e6  # Pa, g
+_STRONGEST = 5.0
 
 
 def questions(scene: Scene, written: Callable[[str, float], str] | None) -> Iterator[str]:
@@ -81,7 +82,9 @@ def _question(name: str, value: float, unit: str) -> str:
     if is_strength and unit == "Pa" and value > _STRONG:
         meant = value / 1e3
         return f"soils and loads have less; was {meant:g} Pa meant, {meant / 1e3:g} kPa?"
-    return _of_friction(value) if _is_friction(name, unit) else _of_unit(value, unit)
+    if _is_friction(name, unit):
+        return _of_friction(value)
+    return _of_unit(value, unit)
 
 
 def _of_unit(value: float, unit: str) -> str:
@@ -100,7 +103,8 @@ def _of_unit(value: float, unit: str) -> str:
 
 
 def _of_friction(coefficient: float) -> str:
-    least, most = declared.USUAL_FRICTION[0], declared.QUESTIONED_FRICTION
+    least = declared.USUAL_FRICTION[0]
+    most = declared.QUESTIONED_FRICTION
     if coefficient >= 90.0:
         return f"soils have less than {most:g}; it is tan(phi)"
     if coefficient > most:

@@ -42,8 +42,7 @@ def summary(motion: Any) -> str:
 def ensemble_summary(motion: Any) -> str:
     """Return the number of lanes by status, and the range of their run-outs."""
     counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
-    unknown = np.isnan(motion.run_out)
-    known = motion.run_out[~unknown]
+    known = motion.run_out[~np.isnan(motion.run_out)]
     span = "not known"
     if known.size:
         least = shown(known.min())
@@ -60,4 +59,6 @@ def swings_back(motion: Any) -> Any:
 def range_words(motion: Any) -> str:
     """Return when and where a single motion leaves the range of validity, as text; empty if it does not."""
     state = motion.range_end
-    return f"after {shown(state.time, 3)} s, {measured(state.displacement, 'm', 3)}" if state else ""
+    if state:
+        return f"after {shown(state.time, 3)} s, {measured(state.displacement, 'm', 3)}"
+    return ""

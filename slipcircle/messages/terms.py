@@ -9,7 +9,7 @@ import numpy as np
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from generated.flow import COEFFICIENTS, EQUATION_QUANTITIES, SOIL_COEFFICIENTS, SOIL_TERMS, TERMS
 from generated.program import OF_COHESION
-from slipcircle.base.kinds import Names, Parameters
+from slipcircle.base.kinds import Names, Parameters, Texts
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.effects import rotates, soil_number, without_soil
@@ -53,7 +53,7 @@ def terms_of_effects(plan: Plan, soils: tuple[Any, ...], absent: set[str]) -> li
         names.append("soils")
     table = SOIL_TERMS if soils else TERMS
     missing = absent.union(plan.recipe.absent)
-    terms = list[EquationTerm]()
+    terms = []
     for name in names:
         for quantity, formula, latex in table[name]:
             if missing.isdisjoint(symbols_in(formula)):
@@ -95,8 +95,7 @@ def terms_of_friction(laws: Names, index: str) -> list[EquationTerm]:
     rate_law = shared[-1]
     rate = _term_of_law("mu_rate", rate_law)
     names = "|".join(p.name for p in LAWS[rate_law].parameters)
-    formula = re.sub(rf"\b({names})\b", r"rate_\1", rate.formula)
-    return [factor, *slip, rate._replace(formula=formula)]
+    return [factor, *slip, rate._replace(formula=re.sub(rf"\b({names})\b", r"rate_\1", rate.formula))]
 
 
 def terms_of_cohesion(laws: Names) -> list[EquationTerm]:
@@ -119,15 +118,15 @@ def _term_of_law(symbol: str, law: str) -> EquationTerm:
     return EquationTerm(symbol, formula, law, latex=latex)
 
 
-def symbols_in(formula: str) -> list[str]:
+def symbols_in(formula: str) -> Texts:
     """Return the symbols in a formula."""
     return re.findall(r"[A-Za-z_]\w*'?", formula)
 
 
 def used(terms: list[EquationTerm]) -> list[EquationTerm]:
     """Return the terms without components of the weight that no other term contains."""
-    taken = set[str]()
-    of_weight = set[str]()
+    taken = set()
+    of_weight = set()
     for term in terms:
         if term.symbol.startswith("J_"):
             of_weight.add(term.symbol)
@@ -143,7 +142,9 @@ def place(term: EquationTerm) -> int:
     if term.symbol.startswith(("mu_slip", "mu_rate")):
         return len(order)
     quantity, _, _ = term.symbol.partition("_")
-    return order.index(quantity) if quantity in order else len(order) + 1
+    if quantity in order:
+        return order.index(quantity)
+    return len(order) + 1
 
 
 def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator[EquationTerm]:

@@ -33,8 +33,7 @@ def velocity_class(motion: Any) -> str:
     """Return the class of the peak velocity of a single motion, empty if it does not move."""
     if not motion.moves:
         return ""
-    place = np.searchsorted(LIMITS, motion.peak.velocity, side="right")
-    return CLASSES[int(place)]
+    return CLASSES[int(np.searchsorted(LIMITS, motion.peak.velocity, side="right"))]
 
 
 def velocity_times(motion: Any) -> VelocityTimes:
@@ -44,18 +43,15 @@ def velocity_times(motion: Any) -> VelocityTimes:
     """
     above = np.zeros(len(CLASSES) + 1)  # times above the least velocity of each class, the slowest first
     phases = motion.phases if motion.moves else ()
-    angle = np.linspace(0.0, np.pi, SAMPLES)
-    share = (1.0 - np.cos(angle)) / 2
+    share = (1.0 - np.cos(np.linspace(0.0, np.pi, SAMPLES))) / 2
     for phase in phases:
         length = phase.end - phase.start
         times = phase.start + length * share
-        peak = np.clip(motion.peak.time, phase.start, phase.end)
-        times = np.unique([*times, peak])
+        times = np.unique([*times, np.clip(motion.peak.time, phase.start, phase.end)])
         above[0] += length
         for place, limit in enumerate(LIMITS, 1):
             above[place] += _time_above(motion, times, limit)
-    in_class = above[:-1] - above[1:]
-    return VelocityTimes(*in_class.tolist())
+    return VelocityTimes(*(above[:-1] - above[1:]).tolist())
 
 
 def _time_above(motion: Any, times: Floats, limit: float) -> float:
@@ -64,20 +60,19 @@ def _time_above(motion: Any, times: Floats, limit: float) -> float:
     before = faster[:-1]
     after = faster[1:]
     crosses = before != after
-    lengths = np.diff(times)
-    whole = np.sum(lengths[before & after])
+    whole = np.sum(np.diff(times)[before & after])
     begins_faster = before[crosses]
     start = times[:-1][crosses]
     end = times[1:][crosses]
-    low, high = start, end
+    low = start
+    high = end
 
     def has_passed(inside: Floats) -> Flags:
         return (_speed(motion, inside) > limit) != begins_faster
 
     for _ in range(ROUNDS if start.size else 0):
         low, high, _found = first_section(has_passed, low, high, SECTIONS)
-    parts = np.where(begins_faster, high - start, end - high)
-    return float(whole + np.sum(parts))
+    return float(whole + np.sum(np.where(begins_faster, high - start, end - high)))
 
 
 def _speed(motion: Any, times: Floats) -> Floats:

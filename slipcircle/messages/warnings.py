@@ -13,7 +13,8 @@ FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits the accu
 ENERGY_TOLERANCE = 1e-12  # imbalance relative to the exchanged energy above which it is reported
 NEAR_LIMIT = 1e-3  # relative distance of friction from its limit that makes a motion ill-conditioned
 SUBMERGED = 1e-6  # depth below the water level, relative to the radius, above which it is reported
-LISTED, MANY_PHASES = 3, 100  # greatest number of lift-offs listed individually; number of phases that counts as many
+LISTED = 3  # greatest number of lift-offs listed individually; number of phases that counts as many
+MANY_PHASES = 100
 
 
 def collect_warnings(motion: Any, written: Callable[[str, float], str] | None = None) -> Names:
@@ -38,7 +39,8 @@ def _lift_offs(motion: Any) -> Iterator[str]:
 
 def _conditioning(motion: Any) -> Iterator[str]:
     """Yield a warning if the requested accuracy is missed, with the likely cause, or if energy is not balanced."""
-    error, accuracy = motion.error_estimate, motion.plan.accuracy
+    error = motion.error_estimate
+    accuracy = motion.plan.accuracy
     if error > accuracy:
         limit = motion.limit_friction
         cause = "its numbers differ by many orders of magnitude"

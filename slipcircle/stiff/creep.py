@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.base.sections import first_section
 from slipcircle.core.integrator import compiled
@@ -46,7 +46,8 @@ SLOW = 1e-8  # omega* at which the slope of the viscous moment is taken
 NEXT = 1e-6  # remaining rotation, relative, at which the stiffness is taken; relative tolerance of the arrival
 LONGEST = 2.0**200  # dimensionless time
 STEPS = 0.145  # number of explicit steps of a creeping mass over d t, as stability bounds their length
-COMPILED, IN_NUMPY = ix.MOST_STEPS / ix.STIFF_STEP, 200  # explicit steps that take as long as the implicit solution
+COMPILED = ix.MOST_STEPS / ix.STIFF_STEP  # explicit steps that take as long as the implicit solution
+IN_NUMPY = 200.0
 
 
 class Now(NamedTuple):
@@ -82,7 +83,9 @@ def other_than_position(problem: Problem) -> str:
     if "thermal_pressurisation" in recipe.effects:
         return "frictional heat"
     others = set(depends_on(recipe.laws)) - {"slip"}
-    return f"a friction law of {min(others)}" if others else ""
+    if others:
+        return f"a friction law of {min(others)}"
+    return ""
 
 
 def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrate_lanes: Integrate) -> Floats:
@@ -106,7 +109,7 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
         return integrate_lanes(begin, samples)
     begin = begin.copy()
     begin[ix.STEPS, which] = _first_steps(STEPS * damping * end_time)
-    creeping = np.zeros(which.size, dtype=bool)
+    creeping = np.zeros(which.size, bool)
     undecided = ~creeping
     while undecided.any() and end_time.max() < LONGEST:
         cells = integrate_lanes(_until(begin, which, end_time), None)
@@ -120,9 +123,7 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
     rotation = equilibrium[creeping]
     arrival = _arrival(Now(problem, lanes, begin), rotation, end_time[creeping], integrate_lanes)
     if samples is not None:
-        last_sample = samples.times[-1].max()
-        last = np.maximum(end_time, last_sample)
-        integrate_lanes(_until(begin, which, last), samples)
+        integrate_lanes(_until(begin, which, np.maximum(end_time, samples.times[-1].max())), samples)
     _settle(cells, lanes, rotation, arrival)
     cells[ix.END_TIME, which] = np.inf
     cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
@@ -138,17 +139,14 @@ def slow_rotation(problem: Problem) -> Floats:
         return np.full(problem.lanes, np.nan)
     lanes = np.arange(problem.lanes)
     cells = problem.cells()
-    place = problem.program.places["driving_moment"]
-    direction = _direction(cells[place])
+    direction = _direction(cells[problem.program.places["driving_moment"]])
     cells[ix.DIRECTION] = direction
     now = Now(problem, lanes, cells)
-    start = np.zeros((1, lanes.size))
-    (net,) = _net(now, start)
+    (net,) = _net(now, np.zeros((1, lanes.size)))
     stands = net <= 0.0
     ahead = _ahead(now)
     left = np.where(stands, 0.0, ahead.left)
-    is_endless = np.isinf(left)
-    return np.where(is_endless, np.nan, direction * left)
+    return np.where(np.isinf(left), np.nan, direction * left)
 
 
 def _first_steps(explicit_steps: Floats) -> Floats:
@@ -156,7 +154,9 @@ def _first_steps(explicit_steps: Floats) -> Floats:
 
     Implicit steps then begin after the first explicit step.
     """
-    most = COMPILED if compiled.engine() is compiled else IN_NUMPY
+    most = IN_NUMPY
+    if compiled.engine() is compiled:
+        most = COMPILED
     return np.where(explicit_steps > most, ix.MOST_STEPS, 0.0)
 
 
@@ -195,9 +195,7 @@ def _candidates(problem: Problem, cells: Floats) -> tuple[Integers, Floats, Floa
     stiffness = ahead.stiffness[creeps]
     discriminant = damping**2 - 4.0 * stiffness
     root = np.sqrt(np.maximum(discriminant, 0.0))
-    slow_rate = 2.0 * stiffness / (damping + root)
-    time_to_arrive = np.log(1.0 / LEFT) / slow_rate
-    return which[creeps], MARGIN * time_to_arrive, damping
+    return which[creeps], MARGIN * (np.log(1.0 / LEFT) / (2.0 * stiffness / (damping + root))), damping
 
 
 def _direction(towards: Floats) -> Floats:
@@ -241,12 +239,11 @@ def _ahead(now: Now) -> Ahead:
     shares[0] = NEXT
     left = shares[:, None] * low
     net = _net(now, low - left)
-    with np.errstate(all="ignore"):
+    with quiet():
         stiffness = np.where(falls, net / left, np.inf)
-    slowed = _net(now, low[None], SLOW)
     return Ahead(
         left=np.where(falls, low, np.inf),
-        damping=-slowed[0] / SLOW,
+        damping=-_net(now, low[None], SLOW)[0] / SLOW,
         stiffness=stiffness[0],
         greatest=np.fmax.reduce(stiffness),
     )
@@ -277,8 +274,7 @@ def _net_at_once(now: Now, distance: Floats, omega: float) -> Floats:
     if problem.functions:
         lazy_import("functions").extend(problem, cells)
     registers = compiled.engine().begin_phase(problem.program, problem.tables(lanes), cells)
-    net = problem.program.roles["net"]
-    return np.reshape(registers[net], distance.shape)
+    return np.reshape(registers[problem.program.roles["net"]], distance.shape)
 
 
 def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integrate) -> Floats:
@@ -304,9 +300,7 @@ def _arrival(now: Now, equilibrium: Floats, end: Floats, integrate_lanes: Integr
         place = len(shares) - after_last_outside
         low = times[place - 1, every]
         high = times[place, every]
-    speed = np.abs(omega[place, every])
-    since_arrival = (within - left[place, every]) / speed
-    return high - since_arrival
+    return high - (within - left[place, every]) / np.abs(omega[place, every])
 
 
 def _read(now: Now, times: Floats, integrate_lanes: Integrate) -> ArrayPair:

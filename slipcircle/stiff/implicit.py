@@ -14,7 +14,7 @@ import numpy as np
 
 from generated import integrator
 from generated import layout as ix
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, quiet
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.integrator.compiled import Log, Samples, engine
 from slipcircle.core.problem.problem import Problem
@@ -42,7 +42,10 @@ CONVERGED = 1e-12  # relative correction below which only rounding prevents a fu
 MOST_STEPS = 2_000
 EXPLICIT = 8.0
 SHORT_STEP = 10
-FIRST, GROWS, SHRINKS, DIVERGES = 4.0, 4.0, 0.1, 0.25  # factors of explicit steps, and from one step to the next
+FIRST = 4.0  # factors of explicit steps, and from one step to the next
+GROWS = 4.0
+SHRINKS = 0.1
+DIVERGES = 0.25
 
 
 def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: Integers) -> None:
@@ -54,7 +57,7 @@ def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log
         state = lane.cells
         state[ix.STATUS] = ix.MOVING
         state[ix.STEPS] = 0.0
-        with np.errstate(all="ignore"):
+        with quiet():
             integrator.advance_origin(lane, _ONE)
             state[ix.PENDING] = ix.BEGIN_PHASE
             integrator.begin_phases(lane)
@@ -64,7 +67,7 @@ def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log
 
 
 _ONE = np.arange(1)  # the index of the one lane
-_HERE = np.ones(1, dtype=bool)
+_HERE = np.ones(1, bool)
 
 
 class Event(NamedTuple):
@@ -77,8 +80,7 @@ class Event(NamedTuple):
 
     def margin(self, registers: Floats) -> Floats:
         """Return the distance of a lane from the event, positive before it."""
-        beyond_bound = registers[self.register] - self.bound
-        return self.sign * beyond_bound
+        return self.sign * (registers[self.register] - self.bound)
 
 
 class _Implicit(integrator.Lanes):
@@ -130,16 +132,13 @@ class _Implicit(integrator.Lanes):
         self.limit = float(limit[0])
         self.state_cells = [cell for cell, _, _ in program.states]
         self.rates = [rate for _, _, rate in program.states]
-        self.explicit = self._explicit_step()
-        self.events = self._events()
-
-    def _explicit_step(self) -> float:
-        """Return the step that explicit integration would take."""
+        # The step that explicit integration would take.
         endless = np.full(1, np.inf)
         top = integrator.expand(self, endless, _HERE, 0)
         integrator.choose_step(self, _HERE, endless, top)
         step = float(self.cells[ix.STEP, 0])
-        return min(step, 1e3)
+        self.explicit = min(step, 1e3)
+        self.events = self._events()
 
     def _events(self) -> list[Event]:
         """Return the events of a step in the order of the search."""
@@ -207,8 +206,7 @@ class _Implicit(integrator.Lanes):
         if np.isfinite(self.limit) or duration == 0.0:
             return False
         omega = abs(now.states[1, 0])
-        peak = abs(self.cells[ix.PEAK_OMEGA, 0])
-        return bool(omega < CREEP * peak or duration > ENDLESS)
+        return bool(omega < CREEP * abs(self.cells[ix.PEAK_OMEGA, 0]) or duration > ENDLESS)
 
     # --- one step ----------------------------------------------------------------------------------------------------
 
@@ -233,18 +231,14 @@ class _Implicit(integrator.Lanes):
 
     def _registers_at(self, times: Floats, states: Floats) -> Floats:
         """Return registers in the given states, (registers, times)."""
-        cells = self._cells_at(times, states)
-        return engine().registers(self.program, self._tables(times.size), cells)
+        return engine().registers(self.program, self._tables(times.size), self._cells_at(times, states))
 
     def _at(self, time: float, states: Floats) -> Present:
-        registers = self._registers_at(np.array([time]), states)
-        return Present(time, states, registers)
+        return Present(time, states, self._registers_at(np.array([time]), states))
 
     def _within(self, step: Step, start: Present, time: float) -> Present:
         """Return states and registers at a time within a step."""
-        since = np.array([time - start.time])
-        states = step.states(since)
-        return self._at(time, states)
+        return self._at(time, step.states(np.array([time - start.time])))
 
     def _jacobian(self, times: Floats, points: Floats, rates: Floats, size: Floats) -> Floats:
         """Return df_j/dy_i at points of shape (points, states), as (i, points, j), from differences."""
@@ -256,10 +250,7 @@ class _Implicit(integrator.Lanes):
         every_time = np.tile(times, states)
         every_point = moved.reshape(-1, states)
         registers = self._registers_at(every_time, every_point.T)
-        moved_rates = registers[self.rates].T
-        change = moved_rates.reshape(states, count, states) - rates
-        by_state = step.T[:, :, None]
-        return change / by_state
+        return (registers[self.rates].T.reshape(states, count, states) - rates) / step.T[:, :, None]
 
     def _greatest_speed(self, start: Floats) -> Floats:
         """Return a vector with the greatest speed so far for omega and 0 for the other states.

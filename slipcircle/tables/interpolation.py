@@ -86,15 +86,13 @@ def between_kinks(function: Function, kinks: Floats, least: Floats, most: Floats
     start = np.concatenate(starts)
     order = np.argsort(start.sum(axis=1), kind="stable")
     powers = np.concatenate(coefficients)
-    breaks = np.vstack([start[order], end])
-    return breaks, np.concatenate([powers[order], constant])
+    return np.vstack([start[order], end]), np.concatenate([powers[order], constant])
 
 
 def _widest(tolerance: float) -> float:
     """Return the width at which interpolation meets the tolerance if all derivatives are at most 1."""
     inverse_error = 2.0 ** (TERMS - 1) * math.factorial(TERMS)  # at width 2
-    half = (tolerance * inverse_error) ** (1 / TERMS)
-    return float(2 * half)
+    return float(2 * (tolerance * inverse_error) ** (1 / TERMS))
 
 
 def _first_pieces(edges: Floats, widest: float) -> ArrayPair:

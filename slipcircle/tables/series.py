@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, Bounds, array_of, frozen, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, array_of, frozen, mistakes, raise_all
 from slipcircle.base.kinds import Floats, Integers
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
@@ -62,17 +62,19 @@ class Series:
     held: bool = True
 
     def __post_init__(self) -> None:
+        """Check times and values, and freeze them."""
         for name in ("time", "values"):
-            given = array_of(getattr(self, name))
-            if given.ndim != 1 or given.dtype.kind not in "iuf":
+            samples = array_of(getattr(self, name))
+            if samples.ndim != 1 or samples.dtype.kind not in "iuf":
                 raise ValueError(f"Series: {name}: must be a plain list of numbers, without mask or unit")
-            object.__setattr__(self, name, frozen(given.astype(float, copy=False)))
-        if self.time.shape != self.values.shape or self.time.size < 2:
+            samples = samples.astype(float, copy=False)
+            object.__setattr__(self, name, frozen(samples))
+        time, values = self.time, self.values
+        if time.shape != values.shape or time.size < 2:
             raise ValueError(
-                f"Series: has {self.time.size} times and {self.values.size} values: must have equal numbers of both, "
-                "two at least"
+                f"Series: has {time.size} times and {values.size} values: must have equal numbers of both, two at least"
             )
-        fault = bad_sample(self.time, self.values)
+        fault = bad_sample(time, values)
         if fault:
             index, sentence = fault
             raise ValueError(f"Series: sample {index + 1}: {sentence}")
@@ -148,10 +150,11 @@ class Pulse:
     cycles: float = 1.0
 
     def __post_init__(self) -> None:
-        faults = list[str]()
+        """Check name, amplitude, start, duration and number of cycles."""
+        faults = []
         if self.name not in PULSES:
             faults.append(f"name = {self.name!r}: must be one of {', '.join(PULSES)}")
-        bounds: dict[str, Bounds] = {
+        bounds = {
             "amplitude": (-INFINITY, INFINITY, "a finite number"),
             "start": (-5e-324, INFINITY, "a time in s, not before 0"),
             "duration": (0.0, INFINITY, "a positive time in s"),

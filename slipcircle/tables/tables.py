@@ -1,6 +1,6 @@
 """Piecewise polynomials of slip, speed, time or rotation for friction laws, records and pulses."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import chain
 from typing import Any
 
@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.kinds import ArrayDict, Floats, Integers, Parameters, Shape
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import LaneSeries, Pulse, Series
@@ -31,7 +32,7 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tupl
     return table, 1.0, of_places.unit
 
 
-def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> list[str]:
+def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> Texts:
     """Return the mistakes in a tabulated law, where ``values`` names its second list."""
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], float)
@@ -46,7 +47,9 @@ def list_faults(path: str, name: str, parameters: Parameters, values: str = "coe
     starts_at_0 = places[0] == 0.0
     if name == "tabulated" and not (increases and starts_at_0):
         return [f"{key}: must start at 0 and increase"]
-    return [] if increases else [f"{key}: must increase"]
+    if increases:
+        return []
+    return [f"{key}: must increase"]
 
 
 def _of_pieces(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> Data:
@@ -107,7 +110,19 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
     rise = np.diff(values)
     secant = rise / step
     slope = np.zeros_like(values)
-    slope[1:-1] = _interior_slopes(step, secant)
+    # Weighted harmonic means of neighbouring secants, 0 where their signs differ.
+    before = secant[:-1]
+    after = secant[1:]
+    step_before = step[:-1]
+    step_after = step[1:]
+    weight_before = 2 * step_after + step_before
+    weight_after = step_after + 2 * step_before
+    weight = weight_before + weight_after
+    with quiet():
+        reciprocal = weight_before / before + weight_after / after
+        mean = weight / reciprocal
+    same_sign = before * after > 0.0
+    slope[1:-1] = np.where(same_sign, mean, 0.0)
     if not smooth_start:
         slope[0] = _first_slope(step, secant)
     start = slope[:-1]
@@ -119,22 +134,6 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
     beyond = [last_value, 0.0, 0.0, 0.0]
     coefficients = np.vstack([pieces, beyond])
     return continuous(places, coefficients)
-
-
-def _interior_slopes(step: Floats, secant: Floats) -> Floats:
-    """Return weighted harmonic means of neighbouring secants, 0 where their signs differ."""
-    before = secant[:-1]
-    after = secant[1:]
-    step_before = step[:-1]
-    step_after = step[1:]
-    weight_before = 2 * step_after + step_before
-    weight_after = step_after + 2 * step_before
-    weight = weight_before + weight_after
-    with np.errstate(divide="ignore", invalid="ignore"):
-        reciprocal = weight_before / before + weight_after / after
-        mean = weight / reciprocal
-    same_sign = before * after > 0.0
-    return np.where(same_sign, mean, 0.0)
 
 
 def _first_slope(step: Floats, secant: Floats) -> float:
@@ -153,21 +152,17 @@ def _first_slope(step: Floats, secant: Floats) -> float:
     return float(slope)
 
 
-def of_speed(speeds: Floats, values: Floats) -> Data:
-    """Return monotone cubics in the logarithm of speed, continued by the end values down to speed 0."""
-    cubics = monotone(np.log(speeds), values, smooth_start=True)
-    constant = [values[0], 0.0, 0.0, 0.0]
-    breaks = np.concatenate([[0.0], speeds])
-    coefficients = np.vstack([constant, cubics.coefficients])
-    return continuous(breaks, coefficients)
-
-
 def of_list(argument: str, places: Floats, values: Floats) -> Data:
     """Return a friction law given as a table of slip, speed or time."""
     if argument == "slip":
         return monotone(places, values)
     if argument == "speed":
-        return of_speed(places, values)
+        # Monotone cubics in the logarithm of speed, continued by the end values down to speed 0.
+        cubics = monotone(np.log(places), values, smooth_start=True)
+        constant = [values[0], 0.0, 0.0, 0.0]
+        breaks = np.concatenate([[0.0], places])
+        coefficients = np.vstack([constant, cubics.coefficients])
+        return continuous(breaks, coefficients)
     return _held_lines(places, values)
 
 
@@ -181,27 +176,24 @@ def _held_lines(places: Floats, values: Floats) -> Data:
 def of_time(function: Series | LaneSeries | Pulse) -> Data:
     """Return the pieces of a function of time, or of one function per lane."""
     if isinstance(function, LaneSeries):
-        return _side_by_side([of_time(series) for series in function.series], function.which)
+        # Functions of time one after the other, each followed by a piece that begins at infinity.
+        tables = [of_time(series) for series in function.series]
+        infinity = np.array([np.inf])
+        nothing = np.zeros((1, 2))
+        never = continuous(infinity, nothing)
+        parts = [part for table in tables for part in (table, never)]
+        pieces = [len(part.breaks) for part in parts]
+        ends = np.cumsum([0, *pieces])
+        first = ends[::2][function.which]
+        breaks = np.concatenate([part.breaks for part in parts])
+        coefficients = np.concatenate([part.coefficients for part in parts])
+        jumps = np.concatenate([part.jumps for part in parts])
+        return Data(breaks, coefficients, jumps, first=first)
     if isinstance(function, Pulse):
         return _of_pulse(function)
     if function.held:
         return _held_lines(function.time, function.values)
     return lines(function.time, function.values, 0.0, 0.0)
-
-
-def _side_by_side(tables: Sequence[Data], which: Integers) -> Data:
-    """Return functions of time one after the other, each followed by a piece that begins at infinity."""
-    infinity = np.array([np.inf])
-    nothing = np.zeros((1, 2))
-    never = continuous(infinity, nothing)
-    parts = [part for table in tables for part in (table, never)]
-    pieces = [len(part.breaks) for part in parts]
-    ends = np.cumsum([0, *pieces])
-    first = ends[::2][which]
-    breaks = np.concatenate([part.breaks for part in parts])
-    coefficients = np.concatenate([part.coefficients for part in parts])
-    jumps = np.concatenate([part.jumps for part in parts])
-    return Data(breaks, coefficients, jumps, first=first)
 
 
 def _of_pulse(pulse: Pulse) -> Data:

@@ -1,11 +1,10 @@
 """Motions that combine starts by any method, softening, growing cohesion and standing water, by plain integration.
 
-``python -m tests.campaigns.combined [SCENES] [--seed N]`` draws slopes of one soil and of layers, solves their scene
-files and prints the greatest relative difference of strength factor, run-out, its time and peak velocity from
-`tests.support.along_the_arc`.
+``python -m tests.campaigns.combined [COUNT] [--seed N]`` draws slopes of one soil and of layers, some with an initial
+velocity, solves their scene files and prints the greatest relative difference of strength factor, run-out, its time and
+peak velocity from `tests.support.along_the_arc`.
 """
 
-import argparse
 import sys
 import tempfile
 import warnings
@@ -18,6 +17,7 @@ import numpy as np
 
 from slipcircle import Motion, load, solve
 from slipcircle.base.checks import UnusualInput
+from tests.campaigns import options
 from tests.support.along_the_arc import of_scene
 
 BOUND = 1e-8
@@ -55,14 +55,16 @@ class Drawn:
         self.shaken = rng.random() < 0.2
         self.facing = int(rng.choice([-1, 1]))
         self.wanted = rng.uniform(0.85, 1.0)
+        self.velocity = float(rng.choice([0.0, 0.0, rng.uniform(0.0, 3.0)]))
+        self.shift, self.scale = 0.0, 1.0  # of x, in m, and of all strengths
 
     def line(self, points: Any) -> list[list[float]]:
         """Return points as they are, or seen from behind."""
-        return [[self.facing * float(x), float(y)] for x, y in points][:: self.facing]
+        return [[self.facing * float(x) + self.shift, float(y)] for x, y in points][:: self.facing]
 
-    def file(self, scale: float = 1.0) -> str:
-        """Return the scene file with strengths times a scale."""
-        rng = np.random.default_rng(self.seed)
+    def file(self) -> str:
+        """Return the scene file."""
+        scale, rng = self.scale, np.random.default_rng(self.seed)
         shared = [(str(rng.choice(LAWS)), float(self.height * rng.uniform(0.02, 0.2))) for _ in range(2)]
         soils, layers = [], []
         for k in range(self.count):
@@ -80,19 +82,18 @@ class Drawn:
             soils.append((gamma, friction, cohesion, "\n".join(rows)))
             layers.append(f'[[layers]]\nsoil = "s{k}"\n' + (f"top_m = {own!r}\n" if k else ""))
         ratio = 0.0 if self.level else float(rng.uniform(0.0, 0.3))
+        text = f"initial_velocity_m_s = {self.velocity}\n[ground]\npoints_m = {self.line(self.ground)}\n"
         if self.count == 1:
             ((gamma, friction, cohesion, growth),) = soils
-            text = f"[ground]\npoints_m = {self.line(self.ground)}\nunit_weight_kN_m3 = {gamma}\n"
+            text += f"unit_weight_kN_m3 = {gamma}\n"
             text += _table("friction", friction) + _table("cohesion", cohesion) + growth + "\n"
             text += f"[pore_pressure]\nratio = {ratio}\n" if ratio else ""
         else:
-            text = f"[ground]\npoints_m = {self.line(self.ground)}\n"
             for k, (gamma, friction, cohesion, growth) in enumerate(soils):
                 text += f"[soils.s{k}]\nunit_weight_kN_m3 = {gamma}\npore_pressure_ratio = {ratio}\n{growth}\n"
                 text += f"friction = {friction}\ncohesion = {cohesion}\n"
             text += "".join(layers) + f'[slip]\nstrength = "{self.strength}"\n'
-        x, y = self.centre
-        text += f"[circle]\ncentre_m = [{self.facing * x}, {y}]\nradius_m = {self.radius}\n"
+        text += f"[circle]\ncentre_m = {self.line([self.centre])[0]}\nradius_m = {self.radius}\n"
         text += f'start = "{self.start}"\n[rotation]\n[centripetal]\n'
         text += f"[water]\nlevel_m = {self.line(self.level)}\n" if self.level else ""
         return text + ('[shaking]\npulse = "sine"\namplitude_g = 0.0\nduration_s = 1\n' if self.shaken else "")
@@ -103,17 +104,21 @@ def _table(name: str, inline: str) -> str:
     return f"[{name}]\n" + inline.strip("{}").replace(", ", "\n") + "\n"
 
 
+def read(drawn: Drawn, folder: Path) -> Any:
+    """Return the scene of the file of a slope."""
+    file = folder / "scene.toml"
+    file.write_text(drawn.file(), "utf-8")
+    return load(file)
+
+
 def motions(seed: int, folder: Path) -> Iterator[tuple[Drawn, Motion]]:
     """Yield random slopes whose mass moves and comes to rest, with their motions."""
     rng = np.random.default_rng(seed)
-    file = folder / "scene.toml"
     while True:
         drawn = Drawn(rng)
         try:
-            file.write_text(drawn.file(), "utf-8")
-            scene: Any = load(file)
-            file.write_text(drawn.file(drawn.wanted / scene.stability.factors_of_safety[drawn.start]), "utf-8")
-            motion = solve(load(file))
+            drawn.scale = drawn.wanted / read(drawn, folder).stability.factors_of_safety[drawn.start]
+            motion = solve(read(drawn, folder))
         except ValueError:  # no result by the method, or no mass
             continue
         is_first = motion.run_out > 0.05 and motion.farthest.rotation < 0.8
@@ -126,26 +131,23 @@ def difference(drawn: Drawn, motion: Motion) -> float:
     scene: Any = motion.plan.scene
     slope = of_scene(scene)
     factor = slope.strength_factor(drawn.start, drawn.shaken)
-    truths = np.array([factor, *slope.motion(factor)])
+    truths = np.array([factor, *slope.motion(factor, drawn.velocity)])
     values = np.array([scene.strength_factor, motion.run_out, motion.farthest.time, motion.peak.velocity])
     return float(np.max(np.abs(values / truths - 1.0)))
 
 
 def main() -> int:
     """Compare random slopes; return 1 if one differs by more than the bound."""
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("count", metavar="SCENES", type=int, nargs="?", default=200)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
+    chosen = options(__doc__, 200)
     warnings.simplefilter("ignore", UnusualInput)  # strengths that rise are compared, too
     greatest = 0.0
     with tempfile.TemporaryDirectory() as folder:
-        for number, (drawn, motion) in enumerate(islice(motions(options.seed, Path(folder)), options.count), 1):
+        for number, (drawn, motion) in enumerate(islice(motions(chosen.seed, Path(folder)), chosen.count), 1):
             found = difference(drawn, motion)
             greatest = max(greatest, found)
             kind = f"{drawn.count} soils, {drawn.strength}, {drawn.start}, {motion.run_out:.3g} m"
             print(f"{number}: {kind}: {found:.1e}", flush=True)
-    print(f"{options.count} motions agree with a plain integration to {greatest:.1e}")
+    print(f"{chosen.count} motions agree with a plain integration to {greatest:.1e}")
     return int(not greatest < BOUND)
 
 

@@ -6,7 +6,6 @@ exit status is 1 if an interval covers less than 92 % or more than 98 %, exact i
 never too short and may cover more.
 """
 
-import argparse
 import math
 import sys
 from collections.abc import Callable, Iterator
@@ -27,6 +26,7 @@ from slipcircle.workbench.studies.statistics import (
     sums,
     width,
 )
+from tests.campaigns import options
 
 LOW, HIGH = 0.92, 0.98  # accepted coverage
 WEIGHTS = np.array([0.5, 0.4, 0.3])  # of three normal inputs in the logarithm of the output
@@ -160,7 +160,7 @@ def of_suites(count: int) -> Iterator[Row]:
 
 
 def of_back_analyses(count: int) -> Iterator[Row]:
-    """The friction angle of a slide within 1.96 standard errors, from a run-out with a standard error of 3 %."""
+    """Yield the friction angle of a slide within 1.96 standard errors, from a run-out with a standard error of 3 %."""
     scene, true = load("vaiont"), 10.0
     run_out = float(solve(scene).run_out)
     coverage = Coverage("standard error of the run-out 3 %")
@@ -183,13 +183,10 @@ PARTS: dict[str, Callable[[int], Iterator[Row]]] = {
 
 def main() -> int:
     """Measure, print a table and return the exit status."""
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("count", type=int, nargs="?", default=2000, help="repetitions; default %(default)s")
-    parser.add_argument("--part", choices=PARTS, help="only these intervals")
-    options = parser.parse_args()
+    chosen = options(__doc__, 2000, part={"choices": PARTS, "help": "only these intervals"})
     status = 0
     for name, part in PARTS.items():
-        for row in part(options.count) if options.part in (None, name) else ():
+        for row in part(chosen.count) if chosen.part in (None, name) else ():
             mark = "" if row.is_accepted else "  <--"
             print(
                 f"{row.interval:32} {row.sample:32} given {row.given:5.3f}  coverage {row.coverage:5.3f}{mark}",

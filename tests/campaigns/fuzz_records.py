@@ -4,7 +4,6 @@
 increasing times or is refused in one line, within two seconds; any other is shown.
 """
 
-import argparse
 import sys
 import tempfile
 import time
@@ -18,6 +17,7 @@ import numpy as np
 
 from slipcircle import read_suite
 from slipcircle.workbench.records.records import read_pore_pressure, read_record
+from tests.campaigns import options
 from tests.support.recordfiles import FILES, NORTH, TIME, rows
 
 SECONDS = 2.0
@@ -44,7 +44,7 @@ OPTIONS: tuple[dict[str, Any], ...] = (
 
 
 def damaged(rng: Random) -> bytes:
-    """A file of some format with a few kinds of damage, or random bytes."""
+    """Return a file of some format with a few kinds of damage, or random bytes."""
     data = rng.choice(BASES)
     for _ in range(rng.randint(1, 3)):
         start, end = sorted(rng.randint(0, len(data)) for _ in range(2))
@@ -72,7 +72,7 @@ def damaged(rng: Random) -> bytes:
 
 
 def fault(path: Path, rng: Random) -> str:
-    """What is wrong with the answer for a file; empty if nothing is."""
+    """Return the fault in the answer for a file, or an empty text."""
     start = time.process_time()
     options = rng.choice(OPTIONS)
     try:
@@ -97,7 +97,7 @@ def fault(path: Path, rng: Random) -> str:
 
 
 def faults(numbers: Iterable[int], seed: int, folder: Path) -> list[str]:
-    """The faults of files by number, each with its number; the files of faults remain in the folder."""
+    """Return the faults of files by number, each with its number; the files of faults remain in the folder."""
     found = []
     for number in numbers:
         rng = Random(f"{seed} {number}")
@@ -111,10 +111,7 @@ def faults(numbers: Iterable[int], seed: int, folder: Path) -> list[str]:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--seed", type=int, default=1)
-    given = parser.parse_args()
+    given = options(__doc__, 20_000)
     wrong = faults(range(given.count), given.seed, Path(tempfile.mkdtemp()))
     print(*wrong, f"{given.count} files, {len(wrong)} faults", sep="\n")
     sys.exit(bool(wrong))

@@ -1,15 +1,14 @@
-"""Plant random faults in `slipcircle` and `derive`, and see which of them no test notices.
+"""Plant random faults in `slipcircle` and `derive`, and count those that no test notices.
 
-``python -m tests.campaigns.mutants --count 100 --seed 1`` plants so many, one at a time, in a copy of the project. A
-fault is one changed node of a module's syntax tree: an operator, a comparison, a constant, a sign, swapped arguments, a
-negated condition, a missing statement. First all tests run
-once with ``pytest-cov``, to be installed beside, which notes the lines that each test reaches (``--map FILE`` keeps
-that for the next seed). A fault is caught if one of the tests that reach its line fails, the quickest first; a test
-that hangs has failed. What survives either changes no answer (numbers of the golden scenes and ensembles, what commands
-print and write) or is a gap in the tests.
+``python -m tests.campaigns.mutants 100 --seed 1`` plants so many, one at a time, in a copy of the project. A fault is
+one changed node of a module's syntax tree: an operator, a comparison, a constant, a sign, swapped arguments, a negated
+condition, a missing statement. First all tests run once with ``pytest-cov``, which has to be installed, to find the
+lines that each test reaches. ``--map FILE`` stores them for the next run. The tests that reach each file are stored by
+`tests.support.reach` for ``./run test --of``. A fault is caught if one of the tests that reach its line fails; they run
+in the order of their duration. A test that hangs has failed. A fault that survives changes no answer (numbers of the
+golden scenes and ensembles, output and files of commands) or shows a gap in the tests.
 """
 
-import argparse
 import ast
 import contextlib
 import io
@@ -29,6 +28,9 @@ from queue import Queue
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from tests.campaigns import options
+from tests.support import reach
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("slipcircle", "derive")
@@ -95,7 +97,7 @@ class Fault(NamedTuple):
 
 
 def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
-    """Every fault that a tree can get: its node, what it is called, and what plants it."""
+    """Yield every fault that a tree can get: its node, its name, and the function that plants it."""
     texts = {id(n.value) for n in ast.walk(tree) if isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant)}
     typing = {id(n) for a in ast.walk(tree) for field in ("annotation", "returns")
               if (part := getattr(a, field, None)) for n in ast.walk(part)}  # fmt: skip
@@ -126,7 +128,7 @@ def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
 
 
 def faults() -> Iterator[Fault]:
-    """Every fault of the packages, except those of templates, which are texts of `generated`."""
+    """Yield every fault of the packages, except in templates, which are parts of `generated`."""
     for path in sorted(path for package in PACKAGES for path in (ROOT / package).rglob("*.py")):
         found = [] if "templates" in path.parts else changes(ast.parse(path.read_text("utf-8")))
         for place, (node, kind, _) in enumerate(found):
@@ -145,7 +147,7 @@ def planted(fault: Fault) -> str:
 
 
 def copied(folder: Path) -> Path:
-    """A copy of the project, its compiled modules included."""
+    """Return a copy of the project, its compiled modules included."""
     ignored = shutil.ignore_patterns("__pycache__", ".git", ".venv", ".*_cache")
     return shutil.copytree(ROOT, folder, ignore=ignored)
 
@@ -160,7 +162,7 @@ def run(folder: Path, limit: float | None, *argv: str | Path) -> str | None:
 
 
 def _last(printed: str | None) -> str:
-    """The last line of an output."""
+    """Return the last line of an output."""
     return (printed or "").strip().rpartition("\n")[2]
 
 
@@ -189,7 +191,7 @@ def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
 
 
 def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
-    """The tests that reach a fault, the quickest first; for what imports run, then all others.
+    """Return the tests that reach a fault, the quickest first; for what imports run, then all others.
 
     What `derive` keeps in caches counts for the first test that asks for it: all tests of the package follow.
     """
@@ -205,7 +207,7 @@ def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
 
 
 def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str, Any]) -> str:
-    """What became of a fault: the test that caught it, no changed answer, or SURVIVED."""
+    """Return the verdict on a fault: the test that caught it, no changed answer, or SURVIVED."""
     near, target = tests_near(fault, measured), folder / fault.path
     begin = time.monotonic()
     try:
@@ -229,29 +231,28 @@ def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str,
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("--count", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--map", type=Path, help="where the lines that each test reaches are kept")
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--answers", action="store_true", help="print the answers of this tree, and do nothing else")
-    options = parser.parse_args()
-    if options.answers:
+    chosen = options(__doc__, 100, "--answers", jobs={"type": int, "default": 2},
+                     map={"type": Path, "help": "lines that each test reaches; written if absent"})  # fmt: skip
+    if chosen.answers:  # those of this tree, and nothing else
         print(json.dumps(dict(answers())))
         return 0
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.jobs) as pool:
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(chosen.jobs) as pool:
         copies: Queue[Path] = Queue()
-        for k in range(options.jobs):
+        for k in range(chosen.jobs):
             copies.put(first := copied(Path(folder) / f"{k}"))
-        if options.map and options.map.exists():
-            measured = json.loads(options.map.read_text("utf-8"))
+        if chosen.map and chosen.map.exists():
+            measured = json.loads(chosen.map.read_text("utf-8"))
         else:
-            measured = measured_tests(first, options.jobs)
-        if options.map:
-            options.map.write_text(json.dumps(measured), "utf-8")
+            measured = measured_tests(first, chosen.jobs)
+            of_files: dict[str, set[str]] = {}
+            for line, tests in measured["reached"].items():
+                of_files.setdefault(line.rpartition(":")[0], set()).update(tests)
+            reach.write({file: tests - {AT_IMPORT} for file, tests in of_files.items()})
+        if chosen.map:
+            chosen.map.write_text(json.dumps(measured), "utf-8")
         good = json.loads(run(first, None, "-m", "tests.campaigns.mutants", "--answers") or "{}")
         places = list(faults())
-        random.Random(options.seed).shuffle(places)
+        random.Random(chosen.seed).shuffle(places)
 
         def judged_in_a_copy(fault: Fault) -> str:
             copy = copies.get()
@@ -262,7 +263,7 @@ def main() -> int:
             print(f"{fault.path}:{fault.lines[0]}: {fault.words}: {verdict}", flush=True)
             return verdict.partition(" ")[0]
 
-        verdicts = list(pool.map(judged_in_a_copy, places[: options.count]))
+        verdicts = list(pool.map(judged_in_a_copy, places[: chosen.count]))
     caught, survived = verdicts.count("caught"), verdicts.count("SURVIVED")
     print(f"{caught} caught, {survived} SURVIVED, {verdicts.count('survived,')} survive but change no answer")
     return int(caught < 0.9 * (caught + survived))

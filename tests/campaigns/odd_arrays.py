@@ -1,4 +1,4 @@
-"""Every place that takes numbers with arrays of every kind: an answer as for plain numbers, or an error of one line.
+"""Arrays of every kind wherever numbers are accepted: an answer as for plain numbers, or an error of one line.
 
 ``python -m tests.campaigns.odd_arrays 20000 --seed 1`` draws so many pairs of a place and a value: numbers of all of
 NumPy's types, masked, pint, xarray, pandas, dask and JAX arrays, lists of them, and what is no number at all. A value
@@ -6,7 +6,6 @@ is read as the numbers that it contains, or refused with ValueError, TypeError o
 no warning appears, and no result is NaN.
 """
 
-import argparse
 import contextlib
 import math
 import sys
@@ -41,6 +40,7 @@ from slipcircle import (
 )
 from slipcircle.base.checks import UnusualInput
 from slipcircle.derivatives import with_parameters
+from tests.campaigns import options
 
 Place = tuple[str, float, Callable[[Any], Any]]  # name, a number that it takes, what is computed
 
@@ -283,10 +283,7 @@ def every() -> Iterable[tuple[str, str, str]]:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int, nargs="?", help="random pairs; by default every pair once")
-    parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
+    asked = options(__doc__)  # without a count every pair once
     with contextlib.suppress(ImportError):
         import_module("jax.numpy")
     begun = time.monotonic()

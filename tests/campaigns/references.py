@@ -5,7 +5,6 @@ them by Taylor series and by the package, and prints of each its kind, its error
 if an estimate is below its error, or a decision other than the reference's.
 """
 
-import argparse
 import math
 import sys
 from concurrent.futures import ProcessPoolExecutor
@@ -15,13 +14,14 @@ from typing import Any
 import numpy as np
 
 import slipcircle
+from tests.campaigns import options
 from tests.support import accuracy, combinations, references, section_references
 
 LAWS = [law for law in combinations.LAWS if law != "callable"]
 
 
 def row_of_arc(index: int, seed: int) -> dict[str, Any]:
-    """A scene of each law in turn with any effects, and its motion."""
+    """Return a scene of each law in turn with any effects, and its motion."""
     rng, law = np.random.default_rng([seed, index]), LAWS[index % len(LAWS)]
     effects = combinations.ALL[rng.integers(len(combinations.ALL))]
     return {"group": law} | references.first_fit(
@@ -30,7 +30,7 @@ def row_of_arc(index: int, seed: int) -> dict[str, Any]:
 
 
 def compared(index: int, seed: int, sections: bool) -> tuple[str, float, float]:
-    """The kind of a scene, its error, infinite where it is decided otherwise, and the estimate."""
+    """Return the kind of a scene, its error, infinite where it is decided otherwise, and the estimate."""
     row = section_references.row(index, seed) if sections else row_of_arc(index, seed)
     scene = section_references.scene(row["scene"]) if sections else accuracy.scene(row)
     reference = row["reference"]
@@ -44,14 +44,10 @@ def compared(index: int, seed: int, sections: bool) -> tuple[str, float, float]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("count", metavar="COUNT", type=int)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--sections", action="store_true")
-    options = parser.parse_args()
-    work, below = partial(compared, seed=options.seed, sections=options.sections), 0
+    chosen = options(__doc__, 1000, "--sections")
+    work, below = partial(compared, seed=chosen.seed, sections=chosen.sections), 0
     with ProcessPoolExecutor(2) as pool:
-        for index, (kind, error, estimate) in enumerate(pool.map(work, range(options.count))):
+        for index, (kind, error, estimate) in enumerate(pool.map(work, range(chosen.count))):
             print(f"{index:5} {kind:22} error {error:9.2g}  estimate {estimate:9.2g}")
             below += estimate < error
     return int(below > 0)

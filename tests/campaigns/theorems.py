@@ -5,7 +5,6 @@ with frictions from a thirtieth of the limit to 1e-9 below it, and prints those 
 estimate; the exit status is 1 if an error exceeds its estimate.
 """
 
-import argparse
 import sys
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
@@ -18,6 +17,7 @@ import generated
 from derive.check.truth import number, working
 from derive.theorem.motion import Slide, Theorem, theorem
 from slipcircle import Arc, Motion, Scene, solve
+from tests.campaigns import options
 
 OUTCOMES = ("run_out_m", "peak_velocity_m_s", "duration_s")
 WORST = 12  # rows of the table
@@ -43,7 +43,7 @@ class Case(NamedTuple):
 
 
 def drawn(index: int, seed: int) -> Case:
-    """Every tenth arc is a half disc, and every third friction next to its limit."""
+    """Return a random case; every tenth arc is a half disc, and every third friction is next to its limit."""
     rng = np.random.default_rng([seed, index])
     alpha = np.pi / 2 if index % 10 == 0 else 10 ** rng.uniform(-6.0, np.log10(1.57))
     middle, radius = 1.5 * np.pi - rng.uniform(0.02, 1.3), 10 ** rng.uniform(0.0, 4.0)
@@ -64,7 +64,7 @@ def errors(motion: Motion, proof: Theorem) -> list[float]:
 
 
 def compared(index: int, seed: int) -> tuple[Case, str, float, float]:
-    """A case, how it ends, its largest error and the estimate; the error is infinite where it ends otherwise."""
+    """Return a case, how it ends, its largest error and the estimate; the error is infinite where it ends otherwise."""
     case = drawn(index, seed)
     proof, motion = theorem(case.slide), case.motion()
     alike = proof.status == "rests" and motion.arrested
@@ -72,12 +72,9 @@ def compared(index: int, seed: int) -> tuple[Case, str, float, float]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("count", metavar="COUNT", type=int)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
+    chosen = options(__doc__, 200)
     with ProcessPoolExecutor(2) as pool:
-        rows = list(pool.map(partial(compared, seed=options.seed), range(options.count)))
+        rows = list(pool.map(partial(compared, seed=chosen.seed), range(chosen.count)))
     rows.sort(key=lambda row: -row[2] / row[3])
     print(f"{'half angle':>10} {'dip':>6} {'friction':>22} {'error':>9} {'estimate':>9}  ends")
     for case, status, error, estimate in rows[:WORST]:

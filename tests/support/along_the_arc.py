@@ -5,7 +5,7 @@ and of the circle; nothing that it computes. SciPy's DOP853 integrates motions.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from functools import lru_cache
 from itertools import combinations, pairwise
@@ -16,6 +16,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
+from slipcircle import Section
 from slipcircle.layers import LayeredSection, Soil
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
@@ -51,7 +52,7 @@ def random_section(rng: np.random.Generator, strongest: float = 1.0, **given: An
 
 
 def antiderivatives(x: Any, y: Any) -> Any:
-    """Over y of -y/rho, x/rho, rho, x, y, rho^2 and 1, rho the distance from the centre."""
+    """Return antiderivatives over y of -y/rho, x/rho, rho, x, y, rho^2 and 1; rho is the distance from the centre."""
     rho, log = np.sqrt(x**2 + y**2), np.arcsinh(y / np.abs(x))
     return np.array([-rho, x * log, (y * rho + x**2 * log) / 2, x * y, y**2 / 2, x**2 * y + y**3 / 3, y])
 
@@ -68,6 +69,31 @@ def kinks_of(lines: Any, x: Any) -> Any:
     every = np.concatenate(crossings)
     every = np.concatenate([x, every[(every >= x[:-1]) & (every <= x[1:])]])
     return np.arcsin(every[np.abs(every) <= 1.0])
+
+
+class Slide(NamedTuple):
+    """Displacement or rotation at the end of a slide, its time, and the greatest velocity or angular velocity."""
+
+    distance: float
+    time: float
+    fastest: float
+
+
+def first_slide(rate: Callable[[float, Any], Sequence[float]], start: Sequence[float], end: float = math.inf) -> Slide:
+    """Integrate rotation, angular velocity and further states from a start to the first standstill or a rotation."""
+    stops: Callable[..., float] = lambda t, state: min(state[1], end - state[0]) if t > 0.0 else 1.0  # noqa: E731
+    fastest: Callable[..., float] = lambda t, state: rate(t, state)[1]  # noqa: E731
+    stops.terminal, stops.direction = True, -1.0  # type: ignore[attr-defined]
+    run = solve_ivp(rate, (0.0, 1e4), start, "DOP853", rtol=1e-12, atol=1e-14, events=(stops, fastest))
+    greatest = max([start[1], *(state[1] for state in run.y_events[1])])
+    return Slide(run.y_events[0][0][0], run.t_events[0][0], greatest)
+
+
+def under_chord(arc: Any) -> Section:
+    """Return the section whose ground is the chord of an arc."""
+    ends = [(arc.radius * math.cos(theta), arc.radius * math.sin(theta)) for theta in (arc.theta_1, arc.theta_2)]
+    left, right = np.array(sorted(ends))
+    return Section([2 * left - right, 2 * right - left], (0.0, 0.0), arc.radius, arc.unit_weight)
 
 
 class Columns(NamedTuple):
@@ -153,12 +179,12 @@ class AlongTheArc:
         return mass
 
     def line(self, top: Any) -> Any:
-        """A line of the slope, or a height, with x that grows."""
+        """Return a line of the slope, or a height, with x that grows."""
         points = np.asarray(top) if np.ndim(top) else np.array([[self.centre[0], top]])
         return (points - self.centre)[:: self.facing] * [self.facing / self.radius, 1.0 / self.radius]
 
     def weights(self, b: Any) -> tuple[Any, Any]:
-        """Of the soils, and of the surcharges, above points of the arc."""
+        """Return the weights of the soils and of the surcharges above points of the arc."""
         x, y = np.sin(b), -np.cos(b)
         ground, *_ = tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
         bounds = [*np.maximum(tops, y), y]
@@ -196,7 +222,7 @@ class AlongTheArc:
 
     @lru_cache(1)  # noqa: B019 (one question follows another of the same state)
     def columns(self, rotation: float = 0.0, strength: str = "base") -> Columns:
-        """After the mass has turned; strength is that of the base or turns with the mass."""
+        """Return the strips after a rotation; strength belongs to the base or turns with the mass."""
         first, last = self.ends
         edges = np.concatenate([self.kinks, self.kinks - rotation, self.ends - rotation, np.linspace(first, last, 9)])
         edges = np.concatenate([edges, self.at_pool(rotation)])
@@ -244,13 +270,13 @@ class AlongTheArc:
         return radial * np.cos(turn) - tangential * np.sin(turn) + speed * whole[2]
 
     def means(self, state: Any) -> tuple[float, float]:
-        """Of total normal stress and of pore pressure along the arc, Pa."""
+        """Return the means of total normal stress and of pore pressure along the arc, Pa."""
         columns = self.columns(float(state.rotation), self.slope.strength)
         sums = [(value * columns.length).sum() for value in (self.normal(state, columns), columns.pressure)]
         return sums[0] / np.ptp(self.ends), sums[1] / np.ptp(self.ends)
 
     def acceleration(self, state: Any, strength_factor: float = 1.0) -> float:
-        """Return that of a turning mass, m/s^2, with strength times a factor."""
+        """Return the acceleration of a turning mass, m/s^2, with strength times a factor."""
         section, turn = self.slope, float(state.rotation)
         columns = self.columns(turn, section.strength)
         whole = (columns.soil + columns.load) * np.cos(columns.b)
@@ -262,10 +288,10 @@ class AlongTheArc:
         moment = driving - np.sign(state.velocity) * strength_factor * (max(gripping, 0.0) + cohesion)
         return section.gravity * moment / mass
 
-    def motion(self, strength_factor: float = 1.0, velocity: float = 0.0) -> tuple[float, float, float]:
-        """Return displacement and time of the first standstill of a motion down-slope, and its greatest velocity.
+    def motion(self, strength_factor: float = 1.0, velocity: float = 0.0, end: float = math.inf) -> Slide:
+        """Return displacement and time of the first standstill or of a rotation, and the greatest velocity before.
 
-        Zeros if the mass does not move.
+        Zeros if the mass does not move down-slope.
         """
 
         def rate(_: float, state: Any) -> tuple[float, float]:
@@ -274,17 +300,14 @@ class AlongTheArc:
             return omega, self.acceleration(moment, strength_factor) / self.radius
 
         if velocity == 0.0 and rate(0.0, (0.0, 0.0))[1] <= 0.0:
-            return 0.0, 0.0, 0.0
-        stops: Callable[..., float] = lambda t, state: state[1] if t > 0.0 else 1.0  # noqa: E731
-        fastest: Callable[..., float] = lambda t, state: rate(t, state)[1]  # noqa: E731
-        stops.terminal, stops.direction = True, -1.0  # type: ignore[attr-defined]
-        start = (0.0, velocity / self.radius)
-        run = solve_ivp(rate, (0.0, 1e4), start, "DOP853", rtol=1e-12, atol=1e-14, events=(stops, fastest))
-        greatest = max([velocity / self.radius, *(state[1] for state in run.y_events[1])])
-        return self.radius * run.y_events[0][0][0], run.t_events[0][0], self.radius * greatest
+            return Slide(0.0, 0.0, 0.0)
+        rotation, time, omega = first_slide(rate, (0.0, velocity / self.radius), end)
+        return Slide(self.radius * rotation, time, self.radius * omega)
 
     def factors(self, k_h: float, bishop: float) -> dict[str, float]:
-        """By three methods, Bishop's from his own, and the share of the arc under negative normal stress."""
+        """Return factors of safety by three methods, given Bishop's, and the share of the arc under negative
+        normal stress.
+        """
         columns = self.columns()
         cosine, sine, length = np.cos(columns.b), -np.sin(columns.b), columns.length  # a positive sine drives
         whole = (columns.soil + columns.load) * cosine

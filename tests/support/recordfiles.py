@@ -1,6 +1,7 @@
 """Small record files in the layouts of networks and programs, written from one motion; the layouts follow their manuals
 and public files, the numbers are made up."""
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -28,22 +29,22 @@ def packed(values: Sequence[float], form: str, per_line: int) -> str:
 
 
 def of_three(*factors: float) -> list[Any]:
-    """The three components in another order or unit: by their shares of the first."""
+    """Return the three components in another order or unit: by their shares of the first."""
     return [factor * NORTH for factor in factors]
 
 
-def at2(component: str = "090", kind: str = "ACCELERATION", unit: str = "G") -> str:
+def at2(component: str = "090", kind: str = "ACCELERATION", unit: str = "G", factor: float = 1.0) -> str:
     head = f"PEER NGA STRONG MOTION DATABASE RECORD\nNowhere, 1/1/1999, Station Zero, {component}\n"
     head += f"{kind} TIME SERIES IN UNITS OF {unit}\nNPTS=  {COUNT}, DT=   .0200 SEC,\n"
-    return head + packed(NORTH, "%15.7E", 5)
+    return head + packed(factor * NORTH, "%15.7E", 5)
 
 
-def smc(kind: str = "2 CORRECTED ACCELEROGRAM", component: str = "225") -> str:
+def smc(kind: str = "2 CORRECTED ACCELEROGRAM", component: str = "225", factor: float = 1.0) -> str:
     integers = [-32768] * 15 + [1, COUNT] + [-32768] * 31
     reals = [1.7e38, 50.0] + [1.7e38] * 48
     text = [kind, "*", "ABC", "1989", "Mw", f"station = Nowhere   component= {component}", *["*"] * 5]
     numbers = packed(integers, "%10d", 8) + packed(reals, "%15.7E", 5)
-    return "\n".join(text) + "\n" + numbers + "|a comment\n" + packed(GAL * NORTH, "%10.5f", 8)
+    return "\n".join(text) + "\n" + numbers + "|a comment\n" + packed(factor * GAL * NORTH, "%10.5f", 8)
 
 
 def cosmos(
@@ -59,13 +60,13 @@ def cosmos(
     return "\n".join(head) + "\n" + numbers + data + "End-of-data for Chan  1 acceleration\n"
 
 
-def csmip(unit: str = "in cm/sec2. (8f10.5)") -> str:
+def csmip(unit: str = "in cm/sec2. (8f10.5)", factor: float = 1.0) -> str:
     parts = []
     for k, (name, share) in enumerate((("90 Deg", 1.0), (" Up", 0.25), ("360 Deg", 0.5)), 1):
         head = f"Corrected accelerogram   12345-L1234-00000.00       Chan  {k}: {name}     from\n"
         head += "Uncorrected Accelerogram Data             Processed: 01/01/99\n" + packed([0] * 100, "%5d", 16)
         data = f" {COUNT} points of accel data equally spaced at  .020 sec, {unit}\n"
-        data += packed(share * GAL * NORTH, "%10.5f", 8)
+        data += packed(factor * share * GAL * NORTH, "%10.5f", 8)
         other = f" {COUNT} points of veloc data equally spaced at  .020 sec, in cm/sec.  (8f10.7)\n"
         parts.append(head + data + other + packed(NORTH, "%10.7f", 8) + f"/&  --- End of data for channel  {k} ---\n")
     return "".join(parts)
@@ -120,10 +121,13 @@ _UNAM += (
 _UNAM += " CANAL-1 CANAL-2 CANAL-3\n ------- -------\n"
 _BLANKS: dict[str, str] = {"form": "%12.5f", "separator": " "}
 
+_SHORT = re.sub(r"E([+-])0", r"E\1", packed(GAL * NORTH, "%11.4E", 8))
+
 FILES: dict[str, tuple[str, dict[str, float]]] = {  # text, and peaks of the components in g, those of verticals below 0
     "AT2": (at2(), {"090": 0.3}),
     "AT2 up": (at2("UP"), {"UP": -0.3}),
     "SMC": (smc(), {"225": 0.3}),
+    "SMC, short exponents": (smc().partition("|")[0] + "|a comment\n" + _SHORT, {"225": 0.3}),
     "SMC up": (smc(component="up"), {"UP": -0.3}),
     "COSMOS": (cosmos(), {"90": 0.3}),
     "COSMOS in g.": (cosmos("g.", 1.0), {"90": 0.3}),

@@ -20,7 +20,7 @@ from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
-from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 
 
@@ -54,15 +54,14 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def problem(self) -> Problem:
         """Scene's initial value problem, as integrated."""
-        return problem_of(self.plan, self.invalid).ending_first(self._final[ix.FIRST_ONLY])
+        first_only, limit_rest = self._final[ix.FIRST_ONLY], self._final[ix.LIMIT_REST]
+        return problem_of(self.plan, self.invalid).begin_with(FIRST_ONLY=first_only, LIMIT_REST=limit_rest)
 
     def _shaped(self, values: Any) -> Any:
         """Return one number per lane in the scene's shape, or a Python number for a single scene."""
         if self.shape:
             return np.reshape(values, self.shape)
         return values.item() if hasattr(values, "item") else values
-
-    # --- how it ended ------------------------------------------------------------------------------------------------
 
     @cached_property
     def status(self) -> Any:
@@ -190,8 +189,7 @@ class Motion(Conversions, Generic[Numbers]):
         peak_time = final[ix.PEAK_TIME]
         ended = final[ix.STATUS] == ix.ENDED
         last = peak_time == final[ix.END_TIME]
-        still = final[ix.PHASES] == 0.0
-        at_end = last & ended | still
+        at_end = last & ended | (final[ix.PHASES] == 0.0)
         time = choose(at_end, self.duration, peak_time * self._time_scale)
         if not self.shape and self._varies_in_time and 0.0 < time < self.duration:
             return self.at(time)  # at the rounded time; where a force jumps, its value after the jump
@@ -368,14 +366,14 @@ class Motion(Conversions, Generic[Numbers]):
         """
         return lazy_import("sensitivity").sensitivity(self)
 
-    # --- lanes, and one line of text ---------------------------------------------------------------------------------
-
     def __len__(self) -> int:
+        """Return the length of the scene's first dimension."""
         if not self.shape:
             raise TypeError("a single motion has no len(): its scene has no arrays")
         return int(self.shape[0])
 
     def __bool__(self) -> bool:
+        """Return True, also for ensembles without members."""
         return True
 
     def __getitem__(self, index: Any) -> Self:
@@ -388,10 +386,12 @@ class Motion(Conversions, Generic[Numbers]):
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
             return type(self)(plan, self._final[(slice(None), *rows)], invalid)
+        plan = replace(plan, recipe=recipe_of(scene))  # other lanes may have standing water
         problem = problem_of(plan, invalid)  # a single lane is solved to rounding
         return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 
     def __repr__(self) -> str:
+        """Return a summary of the results in one line."""
         name = self.plan.scene.name
         if name:
             name += ": "

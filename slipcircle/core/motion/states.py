@@ -20,6 +20,7 @@ class Status(IntEnum):
     reason: str  #: reason for a missing result, empty otherwise
 
     def __new__(cls, number: int, words: str = "", reason: str = "") -> Self:
+        """Create a member with its description and the reason for a missing result."""
         status = int.__new__(cls, number)
         status._value_ = number
         status.words = words
@@ -111,6 +112,7 @@ class State:
     stress: InitVar[Callable[[], Any]] = field(kw_only=True)
 
     def __post_init__(self, stress: Callable[[], Any]) -> None:
+        """Store the function that computes the normal stress when it is requested."""
         object.__setattr__(self, "_stress", stress)
 
     def __getattr__(self, name: str) -> Any:

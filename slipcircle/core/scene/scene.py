@@ -157,6 +157,7 @@ class Scene(Generic[Numbers]):
         def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
+        """Check mass, friction, effects and times, convert their units and freeze them."""
         take_units(self, ("effects", "friction", *START, *END))
         effects, faults = named(self.effects)
         object.__setattr__(self, "effects", effects)

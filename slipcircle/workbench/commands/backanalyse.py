@@ -9,11 +9,11 @@ from slipcircle.base.kinds import TextDict, ValueDict
 from slipcircle.base.text import digits_left, printed, shown
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import add_files, add_scene, add_units
-from slipcircle.workbench.common import records
 from slipcircle.workbench.common.quantities import OBSERVABLE, to_error
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.scenefile import load
-from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs import json_records as records
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer, Part, beside
 from slipcircle.workbench.stability.critical import SlopeScene
 from slipcircle.workbench.stability.stability import METHODS
@@ -77,7 +77,7 @@ def run(options: argparse.Namespace) -> Answer:
     columns = [_column(fit, solution) for solution in fit.solutions]
     heads = [name] if len(columns) == 1 else [f"solution {k}" for k in range(1, len(columns) + 1)]
     table = Part(["", *heads], beside(columns), note=f"by {fit.method}")
-    drawn = {"plot": partial(pictures.picture, "backanalysis", fit)}
+    drawn = {"plot": partial(picture, "backanalysis", fit)}
     return Answer(lambda: [_record(fit)], [table], [f"{name}: {warning}" for warning in fit.warnings], drawn)
 
 

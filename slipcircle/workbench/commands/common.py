@@ -11,7 +11,7 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.scenefile import units_of_files
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.pictures.files import check_picture
 
 T = TypeVar("T")
 SCENE = "a scene that ships, by name (`slipcircle --help` lists them), or the path of a TOML file"
@@ -49,7 +49,7 @@ def check_files(options: argparse.Namespace) -> None:
     files.check(options.command, outputs, [str(find(name)) for name in scenes])
     if "--plot" in outputs or "--report" in outputs:
         for path in options.plot or [""]:
-            pictures.check(options.command, path, len(scenes))
+            check_picture(options.command, path, len(scenes))
 
 
 def add_units(parser: argparse.ArgumentParser) -> None:

@@ -13,7 +13,7 @@ from slipcircle.workbench.commands.common import SCENE, add_files, with_scene_co
 from slipcircle.workbench.common.quantities import plain, time_text
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer, Part
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ def run(options: argparse.Namespace) -> Answer:
         rows = [row for row in rows if row.group == scenes.ALONE] + recommended(judged(chosen), **wanted)
     measured_on = machine()
     record = {"name": title, "machine": measured_on, "rows": [plain(asdict(row)) for row in rows]}
-    drawn = {"plot": partial(pictures.picture, "cost", rows)}
+    drawn = {"plot": partial(picture, "cost", rows)}
     return Answer(lambda: record, _parts(title, rows, measured_on, wanted), (), drawn)
 
 

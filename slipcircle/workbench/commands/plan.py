@@ -7,7 +7,8 @@ from functools import partial
 from slipcircle.core import plan
 from slipcircle.workbench.commands.common import add_files, add_scene, with_scene_context
 from slipcircle.workbench.files.scenefile import load
-from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs import tables
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer
 
 FIELDS = ("effects", "left_out", "law", "method", "why", "accuracy")  # in JSON
@@ -30,9 +31,9 @@ def run(options: argparse.Namespace) -> Answer:
     record["equation"] = equation.to_dict()
     if not options.ladder:
         return Answer(lambda: [record], [tables.plan_part(chosen), f"\n{equation}"])
-    from slipcircle.workbench.studies.ladder import ladder
+    from slipcircle.workbench.cost.ladder import ladder
 
     rungs = with_scene_context(chosen.scene, ladder)
     record["ladder"] = [asdict(rung) for rung in rungs]
-    drawn = {"plot": partial(pictures.picture, "ladder", rungs)}
+    drawn = {"plot": partial(picture, "ladder", rungs)}
     return Answer(lambda: [record], [tables.ladder_part(rungs, chosen.scene.name)], (), drawn)

@@ -9,14 +9,15 @@ from slipcircle.core import Motion, solve
 from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.common import REPORT, SCENE, add_files, add_units, with_scene_context
-from slipcircle.workbench.common.records import record
+from slipcircle.workbench.common.trace import csv
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs import tables
+from slipcircle.workbench.outputs.json_records import record
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer, Files
-from slipcircle.workbench.outputs.trace import csv
 
 
 def options(parser: argparse.ArgumentParser) -> None:
@@ -42,7 +43,7 @@ def run(options: argparse.Namespace) -> Answer:
     motions = [with_scene_context(scene, solve) for scene in track(scenes, "scenes solved")]
     contents: Files = {
         "csv": lambda _: csv(motions, options.times),
-        "plot": partial(pictures.picture, "motions", motions),
+        "plot": partial(picture, "motions", motions),
         "live": lambda _: _live(motions[0], options.vary).encode(),
         "report": lambda _: _report(motions, sources, options.line).encode(),
     }
@@ -68,7 +69,7 @@ def _report(motions: Sequence[Motion], sources: Sequence[bytes], line: str) -> s
 
 def _live(motion: Motion, varied: str | None) -> str:
     """Return the HTML page of a motion; the parameter of ``--vary``, if given, has the first slider."""
-    from slipcircle.workbench.outputs import live
+    from slipcircle.workbench.outputs.page import live
 
     if not varied:
         return live.page(motion)

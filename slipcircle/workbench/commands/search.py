@@ -6,7 +6,8 @@ from functools import partial
 from slipcircle.base.progress import say, track
 from slipcircle.workbench.commands.common import add_files, add_units
 from slipcircle.workbench.files.scenefile import critical_of_file, with_circle
-from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs import tables
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
@@ -46,7 +47,7 @@ def run(options: argparse.Namespace) -> Answer:
     ]
     lines = [f"{name}: {line}" for name, of_slope in zip(names, warnings, strict=True) for line in of_slope]
     made: Files = {
-        "plot": partial(pictures.picture, "search", (names[0], circles[0])),
+        "plot": partial(picture, "search", (names[0], circles[0])),
         "write": lambda path: with_circle(options.scenes[0], circles[0], path).encode(),
     }
     return Answer(lambda: records, [table], lines, made)

@@ -7,8 +7,8 @@ from slipcircle.core import solve
 from slipcircle.workbench.commands.common import add_files, add_scene, add_units
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.files.scenefile import load
-from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.influence import important, sensitivity_part
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.tables import Answer
 from slipcircle.workbench.studies.standstill import standstills
 
@@ -31,5 +31,5 @@ def run(options: argparse.Namespace) -> Answer:
     further = {"keys": keys, "elasticities": derivatives.elasticities, "standstills": stops}
     record = vars(derivatives) | {"scene": name} | further
     warnings = [f"{name}: {warning}" for warning in derivatives.warnings]
-    drawn = {"plot": partial(pictures.picture, "sensitivity", derivatives)}
+    drawn = {"plot": partial(picture, "sensitivity", derivatives)}
     return Answer(lambda: [record], [sensitivity_part(derivatives, stops, names, name)], warnings, drawn)

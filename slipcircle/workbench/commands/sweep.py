@@ -24,7 +24,8 @@ from slipcircle.workbench.common.starting import method_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.outputs import pictures, studyplots
+from slipcircle.workbench.outputs.pictures import studyplots
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.outputs.studytables import parts
 from slipcircle.workbench.outputs.suitereport import suite_report
@@ -119,7 +120,7 @@ def run(options: argparse.Namespace) -> Answer:
         return _answer_of_records(study, options, content)
     tables = _of_grid(study) if levels else _of_samples(study, options.verbose)
     contents: Files = {
-        "plot": partial(pictures.picture, "study", study),
+        "plot": partial(picture, "study", study),
         "report": lambda _: study_report(study, content, options.line).encode(),
         "csv": lambda _: files.table(tables.head, tables.rows),
         "npz": lambda _: files.arrays(export.arrays(study)),
@@ -158,7 +159,7 @@ def _answer_of_records(study: Study, options: argparse.Namespace, scene_file: by
     tables = list(suite.parts(study, compared))
     record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
     contents: Files = {
-        "plot": partial(pictures.picture, "suite", study),
+        "plot": partial(picture, "suite", study),
         "csv": lambda _: _table({name: column.tolist() for name, column in study.columns().items()}),
         "npz": lambda _: files.arrays(export.arrays(study)),
         "fragility": lambda _: _table(study.fragility_columns()),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import TextDict, ValueDict
+from slipcircle.base.kinds import TextDict, Texts, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
@@ -88,7 +88,7 @@ def to_xarray(motion: Motion, times: ArrayLike | None) -> Any:
 
 def _axes_and_columns(motion: Motion, times: ArrayLike | None) -> tuple[ValueDict, ValueDict]:
     """Return coordinates by axis, with time as the last axis if given, and columns over all axes."""
-    axes: ValueDict = {}
+    axes = {}
     for name, size in zip(_dimensions(motion), motion.shape, strict=True):
         axes[name] = np.arange(size)
     if times is None:
@@ -105,7 +105,7 @@ def _units(motion: Motion) -> TextDict:
     return {q.name: q.unit for q in (*results(motion), *HISTORY.values())}
 
 
-def _dimensions(motion: Motion) -> list[str]:
+def _dimensions(motion: Motion) -> Texts:
     """Return the names of the axes of an ensemble: dimensions of its inputs, else lane, or lane_0, lane_1, ..."""
     count = len(motion.shape)
     named: dict[int, str] = {}

@@ -281,6 +281,7 @@ class Interval(NamedTuple):
         return None if low == high else self.high if low else self.low
 
     def __str__(self) -> str:
+        """Return the interval as text, such as "at most 60"."""
         if self.limit is not None:
             return f"{'at least' if self.limit == self.low else 'at most'} {shown(self.limit, 6)}"
         return f"{shown(self.low, 6)} to {shown(self.high, 6)}"

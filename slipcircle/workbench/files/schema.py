@@ -1,9 +1,8 @@
 """JSON Schema of a scene file, for editors: tables, keys and their allowed values."""
 
 from collections.abc import Mapping
-from typing import Any
 
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Texts, ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
@@ -83,7 +82,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
         properties[inside] = many[inner.repeats] | {"title": inner.title} if inner.repeats else one
     schema = _object(properties, table.title, []) | _other_units(table.keys)
     present = {k: _present(k, key) for k, key in table.keys.items()}
-    needs: list[Any] = [present[k] for k, key in table.keys.items() if key.required]
+    needs = [present[k] for k, key in table.keys.items() if key.required]
     needs += [{"oneOf": [present[k] for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [present[k] for k in table.any_of]}] if table.any_of else []
     if table.sets:
@@ -93,7 +92,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
     return schema
 
 
-def _object(properties: Values, title: str, required: list[str]) -> ValueDict:
+def _object(properties: Values, title: str, required: Texts) -> ValueDict:
     return {
         "type": "object",
         "title": title,

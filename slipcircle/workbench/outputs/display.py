@@ -10,8 +10,10 @@ from slipcircle.workbench.common import files
 from slipcircle.workbench.common.conversions import html as table_of
 from slipcircle.workbench.common.conversions import to_dict, to_pandas, to_xarray
 from slipcircle.workbench.common.quantities import factors_of as factors_of_safety
-from slipcircle.workbench.outputs import film, live, pictures, plots, studyplots, suiteplots
-from slipcircle.workbench.outputs.plotstyle import new_figure
+from slipcircle.workbench.outputs.page import live
+from slipcircle.workbench.outputs.pictures import files as pictures
+from slipcircle.workbench.outputs.pictures import film, plots, studyplots, suiteplots
+from slipcircle.workbench.outputs.pictures.plotstyle import new_figure
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.study import Study

@@ -19,13 +19,15 @@ from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
 from slipcircle.workbench.common.quantities import json_text, prefixed
-from slipcircle.workbench.common.records import record
 from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.common.trace import toe_words
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
-from slipcircle.workbench.outputs import live, pictures
 from slipcircle.workbench.outputs.info import facts
-from slipcircle.workbench.outputs.plotstyle import width, work
+from slipcircle.workbench.outputs.json_records import record
+from slipcircle.workbench.outputs.page import live
+from slipcircle.workbench.outputs.pictures.files import picture
+from slipcircle.workbench.outputs.pictures.plotstyle import width, work
 from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
 from slipcircle.workbench.outputs.studytables import parts
 from slipcircle.workbench.outputs.tables import (
@@ -36,7 +38,6 @@ from slipcircle.workbench.outputs.tables import (
     stability_columns,
     stretches_part,
 )
-from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.study import Study
 
@@ -147,7 +148,7 @@ def slope_figure(scene: Scene) -> Iterator[Raw]:
     name, critical = scene.name, stability_of(scene)
     what, result = ("search", (name, critical)) if critical else ("slope", scene.arc)
     caption = "The section with its slip circle" + (", the centre and the factors of safety." if critical else ".")
-    yield figure(f"Slope of {name}", caption, pictures.picture(what, result, "svg"))
+    yield figure(f"Slope of {name}", caption, picture(what, result, "svg"))
 
 
 def slope_parts(scene: Scene) -> Iterator[Part | Raw]:
@@ -219,7 +220,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep samples the uncertain inputs.")
     yield tag("h3", "Pictures")
     for what, caption in track(_captions(motion).items(), "pictures drawn"):
-        yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
+        yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, picture(what, motion, "svg"))
     if stability_of(plan.scene):
         yield from slope_figure(plan.scene)
     for title, rows in motion_groups(motion).items():
@@ -304,7 +305,7 @@ def _of_study(study: Study, file: bytes) -> Iterable[Part | Raw]:
     design = study.design
     caption = "Exceedance probability of run-out and peak velocity"
     caption += "; below, sensitivity indices." if study.sensitivity else "."
-    yield figure(f"Exceedance of {study.scene.name}", caption, pictures.picture("study", study, "svg"))
+    yield figure(f"Exceedance of {study.scene.name}", caption, picture("study", study, "svg"))
     yield from slope_parts(study.scene)
     yield from parts(study)
     yield from input_parts(plan(study.scene, design.accuracy), file)

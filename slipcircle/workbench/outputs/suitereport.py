@@ -6,7 +6,7 @@ from typing import Any
 from slipcircle.base.text import printed, shown
 from slipcircle.core import plan
 from slipcircle.workbench.common.markup import Raw, terms
-from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.provenance import uncertain_part
 from slipcircle.workbench.outputs.report import figure, input_parts, slope_parts, study_page
 from slipcircle.workbench.outputs.tables import Part
@@ -31,7 +31,7 @@ def suite_report(study: Study, tables: Iterable[Part], record: Any, file: bytes,
 
 def _contents(study: Study, tables: Sequence[Part], file: bytes) -> Iterator[Part | Raw]:
     """Yield picture, key numbers, tables, inputs and method."""
-    yield figure(f"Suite of {study.scene.name}", _CAPTION, pictures.picture("suite", study, "svg"))
+    yield figure(f"Suite of {study.scene.name}", _CAPTION, picture("suite", study, "svg"))
     yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
     yield from slope_parts(study.scene)
     yield from tables

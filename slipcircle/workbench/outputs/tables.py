@@ -26,14 +26,14 @@ from slipcircle.workbench.common.quantities import (
     to_error,
     words,
 )
-from slipcircle.workbench.common.records import foreland_words, stretch_records
 from slipcircle.workbench.common.starting import starts
 from slipcircle.workbench.common.summary import end_words, summary
+from slipcircle.workbench.common.trace import toe_words
+from slipcircle.workbench.cost.ladder import Rung
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs.trace import toe_words
+from slipcircle.workbench.outputs.json_records import foreland_words, stretch_records
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import Slope, least_of
-from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate, value_text
 
 if TYPE_CHECKING:

@@ -61,7 +61,8 @@ def _with_unit(field: str, quantity: Quantity) -> tuple[str, str]:
     if bracketed and is_unit:
         return bracketed[1].strip(" _-,:"), bracketed[2].strip()
     for place in re.finditer(r"[\s_,/:-]+", field):
-        name, tail = field[: place.start()], field[place.end() :]
+        name = field[: place.start()]
+        tail = field[place.end() :]
         if is_direction(tail) and not _is_time(name):
             break
         times = _is_time(name) and not _is_time(tail)

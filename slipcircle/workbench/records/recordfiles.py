@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import InputError
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.checks import InputError, quiet
+from slipcircle.base.kinds import Floats, Names, Texts
 from slipcircle.workbench.common.textfiles import (
     CLOCK,
     Lines,
@@ -24,11 +24,13 @@ from slipcircle.workbench.records.columns import Column
 from slipcircle.workbench.records.headers import Header, channels, header_of
 from slipcircle.workbench.records.tables import Table, table_of
 
-MOST_BYTES, MOST_NUMBERS = 2**28, 2**24
+MOST_BYTES = 2**28
+MOST_NUMBERS = 2**24
 _LONGEST_STEP = 0.5  # s, greatest step of two columns without names that are read as time and acceleration
 WRAPPED = "wrapped"  # role of all columns if each line contains several values of one record
 SKIP = "skip"
-_CLOCK, _COUNTER = "has times of day or dates", "counts the samples"
+_CLOCK = "has times of day or dates"
+_COUNTER = "counts the samples"
 
 
 class Samples(NamedTuple):
@@ -72,6 +74,7 @@ class Channel(NamedTuple):
     samples: Samples | None = None
 
     def __str__(self) -> str:
+        """Return the column with the reason why it is not used."""
         return f"column {self.place}{f' ({self.name})' * bool(self.name)}: {self.reason}"
 
 
@@ -138,7 +141,7 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
     check_count(name, len(fields), header.samples)
     samples = _samples(name, header.step, fields, lines, _unit(ACCELERATION, name, header.units))
     if header.scale:
-        with np.errstate(invalid="ignore", over="ignore"):  # numbers that are not finite are refused later
+        with quiet():  # numbers that are not finite are refused later
             return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
     return samples
 
@@ -152,7 +155,8 @@ def _of_table(quantity: Quantity, name: str, text: str, options: Options) -> lis
     roles = _roles(quantity, name, table, options)
     width = 1 if roles == (WRAPPED,) else table.width
     fields, lines = cells_of(name, text.split("\n")[table.lines :], table.lines, table.separator, width)
-    cells, lines = [fields[k::width] for k in range(width)], lines[::width]
+    cells = [fields[k::width] for k in range(width)]
+    lines = lines[::width]
     if table.stated:
         check_count(name, len(lines), float(table.stated))
     columns = _only(quantity, name, _with_roles(quantity, table.columns, cells, roles), options.column)
@@ -212,9 +216,7 @@ def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, a
     return unit
 
 
-def _with_roles(
-    quantity: Quantity, named: list[Column], cells: Sequence[list[str]], roles: Sequence[str]
-) -> list[Column]:
+def _with_roles(quantity: Quantity, named: list[Column], cells: Sequence[Texts], roles: Sequence[str]) -> list[Column]:
     """Return the columns of a table with roles from the options, the header or conventions."""
     width = len(cells)
     columns = list(named) or [Column("")] * width
@@ -242,12 +244,7 @@ def _with_roles(
 
 
 def _times(
-    quantity: Quantity,
-    name: str,
-    columns: Sequence[Column],
-    cells: Sequence[list[str]],
-    lines: Lines,
-    step: float | None,
+    quantity: Quantity, name: str, columns: Sequence[Column], cells: Sequence[Texts], lines: Lines, step: float | None
 ) -> Floats | float:
     """Return the times of the samples, or their step, in s.
 

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.base.kinds import PathName, ValueDict, Values
+from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
 from slipcircle.base.progress import track
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
@@ -136,6 +136,7 @@ class Unread(NamedTuple):
     reason: str
 
     def __str__(self) -> str:
+        """Return the file with the reason why it is not used."""
         return f"{self.file}: {self.reason}"
 
 
@@ -158,9 +159,11 @@ class Suite:
     unread: tuple[Unread, ...] = ()
 
     def __len__(self) -> int:
+        """Return the number of horizontal components."""
         return len(self.entries)
 
     def __iter__(self) -> Iterator[Entry]:
+        """Return an iterator over the horizontal components."""
         return iter(self.entries)
 
     @property
@@ -174,18 +177,18 @@ class Suite:
         return [(one, other) for one, other in pairs]
 
     @property
-    def reasons(self) -> list[str]:
+    def reasons(self) -> Texts:
         """Line for each file, column and vertical component that is not used."""
         verticals = [f"{entry.name}: is a vertical component" for entry in self.verticals]
         return [*map(str, self.unread), *verticals]
 
     @property
-    def not_used(self) -> list[str]:
+    def not_used(self) -> Texts:
         """Unused files, columns and components as warnings."""
         return [f"{line}; not used" for line in self.reasons]
 
     @property
-    def warnings(self) -> list[str]:
+    def warnings(self) -> Texts:
         """Warnings about unused files and columns, and about each record with a drift."""
         drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
         return self.not_used + drifts
@@ -285,8 +288,8 @@ def read_suite(
 
 def _read_all(files: Sequence[Path], vertical: str | None, reading: Values) -> tuple[list[Entry], list[Unread]]:
     """Return the records of files, the first of which remain in memory, and the unused files and columns."""
-    entries = list[Entry]()
-    unread = list[Unread]()
+    entries = []
+    unread = []
     remaining = _KEPT
     for file in track(files, "records read"):
         try:
@@ -367,5 +370,6 @@ def _entry(
     step = float(series.time[-1] - series.time[0]) / (series.time.size - 1)
     reading = reading or {}
     gravity = float(reading.get("gravity", 9.81))
-    measures, drift = intensities(series, gravity), drift_warning(series, gravity)
+    measures = intensities(series, gravity)
+    drift = drift_warning(series, gravity)
     return Entry(name, file, place, series.time.size, step, unit, measures, digest, is_vertical, drift, series, reading)

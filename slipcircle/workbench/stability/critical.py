@@ -16,11 +16,12 @@ from slipcircle.core import AS_ENTERED, Motion, Scene
 from slipcircle.ground import Section, ends_above
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
+from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import METHODS, Slope, one_layer
 from slipcircle.workbench.stability.starting import OF_CLOSURE, at_rest_by, factor_of, strength_factor, yield_by
 
 _PULLED = 0.2  # share of an arc that may be under negative stress without a warning
-_PIECES = 50  # into which an arc is cut to count it
+_PIECES = Rule(pieces=50)  # that resolve it
 _CRACK_EMPTIES = "a crack opens and empties as soon as the mass moves; leave it out"
 _BY_START = ("factor_of_safety", "yield_coefficient", "residual", "at_rest")
 _NO_START = (
@@ -161,8 +162,7 @@ class Critical(Pictured):
         if not isinstance(self.section, LayeredSection):
             fields["friction"] = self.slope.friction
         named = effects if isinstance(effects, Mapping) else {name: {} for name in effects}
-        every_effect = self._own_effects() | dict(named)
-        return SlopeScene(self.section, effects=every_effect, **fields)
+        return SlopeScene(self.section, effects=self._own_effects() | dict(named), **fields)
 
     def _own_effects(self) -> ValueDict:
         """Return the pore pressure of the slope as an effect, and the cohesion of a single soil."""
@@ -207,6 +207,7 @@ class SlopeScene(Scene[Numbers]):
     set_by_start: Any = AS_ENTERED
 
     def __post_init__(self) -> None:
+        """Check the fields, and set the strength factor by the starting method."""
         if self.starts_by_method:
             self._start_with(AS_ENTERED)  # until all fields are known to be valid
         super().__post_init__()
@@ -258,11 +259,8 @@ class SlopeScene(Scene[Numbers]):
 
 def at_circle(slope: Slope, section: Section) -> Critical:
     """Return the given circle of a section of a slope with its factors of safety."""
-    ends = sorted([tuple(section.entry), tuple(section.exit)])
-    left, right = np.array(ends)[:, None]
-    centre = np.array([section.centre])
-    radius = np.array([section.radius])
-    found = circle_of(slope, centre, radius, left, right)
+    left, right = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
+    found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
     return replace(found, refused=int(None in found.factors_of_safety.values()))
 
 
@@ -272,14 +270,14 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
         fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
         raise_all("Slope", complaint([fault], ()))
     circle = centre, radius, left, right
-    factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
+    factors = circle_factors(slope.arrays(), *circle, rule=_PIECES)
     without_k_h = None
     if slope.k_h:
-        unshaken = replace(slope.arrays(), k_h=0.0)
-        without_k_h = _by_method(circle_factors(unshaken, *circle))
+        without_k_h = _by_method(circle_factors(replace(slope.arrays(), k_h=0.0), *circle))
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
-    first, second = _point(left), _point(right)
+    first = _point(left)
+    second = _point(right)
     entry, exit = (first, second) if facing >= 0 else (second, first)
     warning = ""
     if slope.has_friction and negative > _PULLED:

@@ -7,17 +7,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.bases import Arcs, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
-from slipcircle.workbench.stability.slices import NODES, Slices, slices_above
+from slipcircle.workbench.stability.slices import EXACT, Rule, Slices, slices_above
 
 YIELD = "k_y"  # least yield coefficient, in the place of a method
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
 _LEAST_FACTOR = 5e-3  # by Bishop's method
-_NODES_TO_FACE = 2  # of Gauss' rule: enough to see which way a mass slides
+_TO_FACE = Rule(nodes=2)  # enough to determine the direction in which a mass slides
 _NEWTON_STEPS = 20
 _CLOSE = 1e-9  # relative change of a converged factor
 
@@ -32,7 +33,7 @@ class Driven(NamedTuple):
 
 
 def circle_factors(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, rule: Rule = EXACT
 ) -> ArrayDict:
     """Return factors of safety of the masses between circles and the ground, with ends at two points of the ground.
 
@@ -44,8 +45,8 @@ def circle_factors(
         Of circles, (n, 2) and (n,), m.
     left, right : ndarray
         Ends of the arcs, (n, 2), m, between which the ground lies inside the circle.
-    pieces : int
-        Into which each arc is cut besides at kinks, to resolve ``negative``.
+    rule : Rule
+        Points of the integrals. More pieces resolve ``negative``.
 
     Returns
     -------
@@ -61,23 +62,24 @@ def circle_factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    driven = driven_slices(slope, centre, radius, left, right, pieces)
+    driven = driven_slices(slope, centre, radius, left, right, rule)
     slices = driven.slices
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         factors = {method: value(driven) for method, value in _VALUES.items()}
     ordinary = slices.integral(slices.ordinary_normal() < 0.0)
     bishop = slices.integral(bishop_normal(slices, factors["bishop"]) < 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         negative = np.maximum(ordinary, bishop) / slices.integral(1.0)
     return factors | {"facing": driven.facing, "negative": negative}
 
 
 def factors_by(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, rule: Rule = EXACT
 ) -> ArrayPair:
     """Return factors of safety (or yield coefficients) by one method, and the direction in which each mass slides."""
-    driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    every_surface = method in ("paper", YIELD) or np.any(slope.k_h)
+    driven = driven_slices(slope, centre, radius, left, right, rule, bool(every_surface))
+    with quiet():
         return factor_by(method, driven), driven.facing
 
 
@@ -90,32 +92,35 @@ def factor_by(method: str, driven: Driven) -> Floats:
 
 
 def driven_slices(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1, nodes: int = NODES
+    slope: SlopeArrays,
+    centre: Floats,
+    radius: Floats,
+    left: Floats,
+    right: Floats,
+    rule: Rule = EXACT,
+    every_surface: bool = True,
 ) -> Driven:
     """Return the slices of arcs and their driving moments."""
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
-    slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
+    slices = slices_above(slope, arcs, _TO_FACE if cracked else rule, every_surface)
     gravity = slices.driving_moment() + at_shores(slope, arcs)
     negligible = 1e-9 * slices.weight_along_arc()
-    is_driven = np.abs(gravity) > negligible
-    facing = np.where(is_driven, np.sign(gravity), 0.0)
+    facing = np.where(np.abs(gravity) > negligible, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
-        slices = slices_above(slope, arcs, pieces, nodes)
+        slices = slices_above(slope, arcs, rule, every_surface)
         gravity = slices.driving_moment() + at_shores(slope, arcs)
     slices = slices.facing(facing)
     if slope.ponds is not None:
         slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
-    upper_end = np.where(facing > 0.0, arcs.first, arcs.last)
-    gravity = facing * gravity + _crack_water(slope, radius, upper_end)
+    gravity = facing * gravity + _crack_water(slope, radius, np.where(facing > 0.0, arcs.first, arcs.last))
     driving = gravity
     if np.any(slope.k_h):
         driving = gravity + slope.k_h * slices.shaking_moment()
     slides = arcs.valid & (facing != 0.0)
     gravity = np.where(slides, gravity, np.nan)
-    overcomes = slides & (driving > negligible)
-    driving = np.where(overcomes, driving, np.nan)
+    driving = np.where(slides & (driving > negligible), driving, np.nan)
     return Driven(slices, facing, gravity, driving)
 
 
@@ -127,15 +132,13 @@ def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, righ
     lies_below_centre = (first < 0.0) & (last > 0.0)
     x, y = centre.T
     buried = lies_below_centre & (slope.ground_height(x) >= y)
-    valid = (first < last) & ~overhangs & ~buried
-    return Arcs(centre, radius, first, last, valid)
+    return Arcs(centre, radius, first, last, (first < last) & ~overhangs & ~buried)
 
 
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
     """Return arcs that begin at the bottom of a tension crack, where the ground is its depth above them."""
     depth = np.reshape(slope.crack, (-1, 1))
-    down = np.stack([np.zeros_like(depth), depth], axis=-1)
-    lowered_ground = slope.lines[0] - down
+    lowered_ground = slope.lines[0] - np.stack([np.zeros_like(depth), depth], axis=-1)
     sine = crack_place(arcs.from_centre(lowered_ground), np.sin(arcs.first), np.sin(arcs.last), facing)
     place = np.where(facing == 0.0, 0.0, np.arcsin(sine))
     first = np.where(facing > 0.0, place, arcs.first)
@@ -150,8 +153,7 @@ def _crack_water(slope: SlopeArrays, radius: Floats, bottom: Floats) -> Any:
     """Return the moment of water in a crack at the upper end of the arc, gamma_w h^2/2 at a third of its height."""
     height = slope.crack_water / radius
     unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
-    force = unit_weight * height**2 / 2
-    return force * (np.cos(bottom) - height / 3)
+    return unit_weight * height**2 / 2 * (np.cos(bottom) - height / 3)
 
 
 # --- what resists ----------------------------------------------------------------------------------------------------
@@ -164,15 +166,13 @@ def _paper(driven: Driven) -> Floats:
     if np.any(slices.k_h):
         normal = normal + slices.k_h * slices.radial_tilt()
     friction = slices.integral(slices.friction * normal)
-    cohesion = slices.integral(slices.cohesion())
-    return (cohesion + np.maximum(friction, 0.0)) / driven.driving
+    return (slices.integral(slices.cohesion()) + np.maximum(friction, 0.0)) / driven.driving
 
 
 def _ordinary(driven: Driven) -> Floats:
     """Return factors from the stress normal to the base of each slice, without forces between slices."""
     slices = driven.slices
-    strength = slices.cohesion() + slices.friction * slices.ordinary_normal()
-    return slices.integral(strength) / driven.driving
+    return slices.integral(slices.cohesion() + slices.friction * slices.ordinary_normal()) / driven.driving
 
 
 def _yield_coefficient(driven: Driven) -> Floats:
@@ -189,8 +189,7 @@ def _yield_coefficient(driven: Driven) -> Floats:
     with_friction = (missing + friction) / (shaking - tilt)
     lifted = friction + with_friction * tilt < 0.0
     grows = shaking > np.where(lifted, 0.0, tilt)
-    balanced = np.where(lifted, missing / shaking, with_friction)
-    return np.where(grows, balanced, np.nan)
+    return np.where(grows, np.where(lifted, missing / shaking, with_friction), np.nan)
 
 
 def _bishop(driven: Driven) -> Floats:
@@ -202,10 +201,10 @@ def _bishop(driven: Driven) -> Floats:
     between them).
     """
     slices = driven.slices
-    friction, cosine = slices.friction, slices.cosine
+    friction = slices.friction
+    cosine = slices.cosine
     lowest, highest = lever_range(slices)
-    effective = slices.vertical()
-    strength = slopes.bishop_strength(cosine, effective, 0.0, slices.cohesion(), friction)
+    strength = slopes.bishop_strength(cosine, slices.vertical(), 0.0, slices.cohesion(), friction)
     driving = driven.driving
     start = slices.integral(strength) / driving
     start = np.maximum(start, _LEAST_FACTOR)
@@ -213,8 +212,7 @@ def _bishop(driven: Driven) -> Floats:
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        of_arc = slices.of_arcs(factor)
-        lever = slopes.bishop_lever(slices.sine, cosine, friction, of_arc)
+        lever = slopes.bishop_lever(slices.sine, cosine, friction, slices.of_arcs(factor))
         shear = strength / lever
         excess = y * slices.integral(shear) - driving
         growth = slices.integral(shear * cosine / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
@@ -228,7 +226,8 @@ def _bishop(driven: Driven) -> Floats:
 
 def bishop_normal(slices: Slices, factor: Floats) -> Any:
     """Return the effective normal stress of Bishop's simplified method."""
-    sine, cosine = slices.sine, slices.cosine
+    sine = slices.sine
+    cosine = slices.cosine
     effective = slices.vertical()
     of_arc = slices.of_arcs(factor)
     return slopes.bishop_normal(sine, cosine, effective, 0.0, slices.cohesion(), slices.friction, of_arc)
@@ -241,11 +240,9 @@ def lever_range(slices: Slices) -> ArrayPair:
     ends = slices.ends.reshape(2, *(1,) * (friction.ndim - 1), -1)
     sine = friction * np.sin(ends)
     room = np.cos(ends) - LEAST_LEVER
-    limits_above = np.maximum(room, 0.0) / sine
-    above = np.where(sine > 0.0, limits_above, greatest)
+    above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, greatest)
     above = above.min(axis=0)
-    limited_below = (sine < 0.0) & (room < 0.0)
-    below = np.where(limited_below, room / sine, 0.0)
+    below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
     below = below.max(axis=0)
     if below.ndim > 1:
         return np.maximum(below.max(axis=-1), 0.0), above.min(axis=-1)

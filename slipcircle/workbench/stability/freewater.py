@@ -25,14 +25,11 @@ def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
     sines = (np.stack([ponds.first, ponds.last]) - x) / arcs.radius
     after_first = sines > np.sin(arcs.first) + _ROUNDING
     before_last = sines < np.sin(arcs.last) - _ROUNDING
-    square = np.maximum(1.0 - sines**2, 0.0)
-    cosine = np.sqrt(square)
+    cosine = np.sqrt(np.maximum(1.0 - sines**2, 0.0))
     height = (ponds.level - y) / arcs.radius + cosine
-    moment = height**2 / 2 * (cosine - height / 3)
-    inside = np.where(after_first & before_last, moment, 0.0)
+    inside = np.where(after_first & before_last, height**2 / 2 * (cosine - height / 3), 0.0)
     at_first, at_last = inside.sum(axis=1)
-    unit_weight = slope.water_unit_weight / slope.soils.unit_weight[0]
-    return unit_weight * (at_last - at_first)
+    return slope.water_unit_weight / slope.soils.unit_weight[0] * (at_last - at_first)
 
 
 def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
@@ -41,8 +38,7 @@ def level_at_exit(ponds: Ponds, arcs: Arcs, facing: Floats) -> Floats:
     x, y = arcs.centre.T
     exit_x = x + arcs.radius * np.sin(place)
     exit_y = y - arcs.radius * np.cos(place)
-    from_centre = ponds.covering(exit_x, exit_y) - y
-    return np.where(facing == 0.0, -np.inf, from_centre / arcs.radius)
+    return np.where(facing == 0.0, -np.inf, (ponds.covering(exit_x, exit_y) - y) / arcs.radius)
 
 
 def submerged(slices: Slices, level: Floats) -> Slices:
@@ -60,8 +56,7 @@ def submerged(slices: Slices, level: Floats) -> Slices:
     water = slices.water * above_arc
     none = np.zeros_like(water)
     of_weight = np.stack([constant, gradient, np.ones_like(water)])
-    of_pressure = np.stack([height, none, np.ones_like(water)])
-    relieved = water * of_pressure
+    relieved = water * np.stack([height, none, np.ones_like(water)])
     buoyancy = -water * of_weight
     on_ground = relieved + buoyancy
     stresses = slices.stresses

@@ -4,13 +4,14 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Values
+from slipcircle.base.kinds import ArrayTriple, Floats, Values
 from slipcircle.workbench.stability.factors import circle_factors
-from slipcircle.workbench.stability.family import COARSE_NODES, Search, valleys_of
+from slipcircle.workbench.stability.family import COARSE, Search, valleys_of
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
 _NEAR = 0.5  # over the least value, as a share of it, circles of the coarse family are kept
-_BEST, _OTHERS = 100, 300  # of these, the best ones, and so many spread evenly over the others
+_BEST = 100  # of these, the best ones, and so many spread evenly over the others
+_OTHERS = 300
 _VALLEYS = 4  # that are followed in each slope
 _NEIGHBOURS = 3  # slopes whose circles are tried
 
@@ -33,10 +34,10 @@ class SampleSearch:
         self._limits = limits
         search = Search(slope, method, **limits)
         q, steps = search.coarse_family()
-        kept = _promising(search.evaluate(q, COARSE_NODES))
+        kept = _promising(search.evaluate(q, COARSE))
         self._q = q[kept]
         self._steps = steps[kept]
-        self._solved: list[tuple[Floats, Floats, Floats]] = []  # place, circle and steps of slopes
+        self._solved: list[ArrayTriple] = []  # place, circle and steps of slopes
 
     def factors(self, slope: Slope, place: Floats) -> dict[str, float]:
         """Return factors of safety by method on the critical circle of a slope, NaN without a critical circle.
@@ -44,7 +45,7 @@ class SampleSearch:
         Slopes are neighbours where the numbers in ``place`` are close; these should have about the same spread.
         """
 
-        def distance(solved: tuple[Floats, Floats, Floats]) -> float:
+        def distance(solved: ArrayTriple) -> float:
             return float(np.sum((solved[0] - place) ** 2))
 
         search = Search(slope, self._method, **self._limits)
@@ -54,7 +55,7 @@ class SampleSearch:
         for _, circle, circle_steps in nearest:
             q = np.concatenate([q, circle])
             steps = np.concatenate([steps, circle_steps])
-        values = search.evaluate(q, COARSE_NODES)
+        values = search.evaluate(q, COARSE)
         if not np.any(np.isfinite(values)):
             return dict.fromkeys(METHODS, np.nan)
         followed = valleys_of(q, values, steps, _VALLEYS, 1)
@@ -69,8 +70,6 @@ def _promising(values: Floats) -> Any:
     """Return the numbers of the best values, and of some values not far above."""
     order = np.argsort(values, kind="stable")
     least = values[order[0]]
-    limit = least + _NEAR * max(abs(least), 0.1)
-    near = order[values[order] <= limit]
+    near = order[values[order] <= least + _NEAR * max(abs(least), 0.1)]
     others = near[_BEST:]
-    spread = others[:: max(len(others) // _OTHERS, 1)]
-    return np.concatenate([near[:_BEST], spread])
+    return np.concatenate([near[:_BEST], others[:: max(len(others) // _OTHERS, 1)]])

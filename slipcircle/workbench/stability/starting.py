@@ -13,14 +13,16 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
+from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+_RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -52,7 +54,7 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
         return None
     blocks = []
     for driven, lanes in driven_blocks(scene, slipped):
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with quiet():
             results = result(driven)
         blocks.append(np.broadcast_to(results, lanes))
     values = np.concatenate(blocks).reshape(scene.shape)
@@ -66,7 +68,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
         is_shared = _is_shared(slope, circles)
         if not is_shared:
             circles = each_lane(circles, lanes)
-        driven = driven_slices(slope, *circles, _PIECES)
+        driven = driven_slices(slope, *circles, _RULE)
         yield driven, lanes
 
 
@@ -116,12 +118,12 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     right = turned[-1:]
     rest = np.full_like(slope.soils.friction, friction)
     soils = slope.soils
-    cohesion, growth = soils.cohesion * kept, soils.cohesion_gradient * kept
+    cohesion = soils.cohesion * kept
+    growth = soils.cohesion_gradient * kept
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
-    ground = turned[None]
-    moved = replace(slope, ground=ground, soils=soils)
-    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    moved = replace(slope, ground=turned[None], soils=soils)
+    driven = driven_slices(moved, centre, radius, left, right, _RULE)
+    with quiet():
         return float(factor_by(method, driven)[0])
 
 
@@ -146,17 +148,14 @@ def _of_circles(driven: Driven, method: str, shaken: bool) -> Floats:
         of_closure = factor_by(OF_CLOSURE, driven)
     factor = wanted / of_closure
     slices = driven.slices
-    friction = slices.integral(slices.friction)
-    changes = (friction > 0.0) & (driven.facing != 0.0)
-    return np.where(changes, factor, 1.0)
+    return np.where((slices.integral(slices.friction) > 0.0) & (driven.facing != 0.0), factor, 1.0)
 
 
 def _under(k_h: Floats, driven: Driven) -> Driven:
     """Return arcs under a horizontal acceleration of k_h g, which acts on surcharges as well."""
     slices = driven.slices
     shaken = slices._replace(k_h=slices.of_arcs(k_h), shaken_load=1.0)
-    driving = driven.gravity + k_h * shaken.shaking_moment()
-    return driven._replace(slices=shaken, driving=driving)
+    return driven._replace(slices=shaken, driving=driven.gravity + k_h * shaken.shaking_moment())
 
 
 def yield_coefficient(driven: Driven, method: str) -> Floats:
@@ -169,9 +168,7 @@ def yield_coefficient(driven: Driven, method: str) -> Floats:
     moved = _under(unit, driven)
     at_rest = _resistance(still, method)
     shaken = _resistance(moved, method)
-    excess = at_rest - driven.gravity
-    growth = moved.driving - driven.gravity
-    return excess / (growth - shaken + at_rest)
+    return (at_rest - driven.gravity) / (moved.driving - driven.gravity - shaken + at_rest)
 
 
 def _resistance(driven: Driven, method: str) -> Floats:
@@ -182,7 +179,4 @@ def _resistance(driven: Driven, method: str) -> Floats:
     lowest, highest = lever_range(slices)
     one = np.ones_like(lowest)
     friction = slices.friction * bishop_normal(slices, one)
-    strength = slices.cohesion() + friction
-    resistance = slices.integral(strength)
-    is_known = (lowest < one) & (one < highest)
-    return np.where(is_known, resistance, np.nan)
+    return np.where((lowest < one) & (one < highest), slices.integral(slices.cohesion() + friction), np.nan)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Values
+from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
@@ -221,7 +221,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
     return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 
-def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+def _exact(problem: SearchProblem) -> tuple[list[Solution], Texts]:
     """Return all solutions for one field and one observation, the fewest swings first, and warnings."""
     if problem.limit is None:
         values = solve_exact(problem)
@@ -270,13 +270,15 @@ def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) ->
     return f"{name} {limit} {unit}: {'every' if all(inside) else 'no'}"
 
 
-def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+def _fitted(problem: SearchProblem) -> tuple[list[Solution], Texts]:
     """Return all solutions that fit about as well as the best one, the best first, and warnings."""
-    names, count = ", ".join(f.key for f in problem.fields), len(problem.fields)
+    names = ", ".join(f.key for f in problem.fields)
+    count = len(problem.fields)
     minima = fits(problem, sobol(0, (5,), 0, _STARTS * count, count))
     if not minima:
         raise Unattainable(f"{names}: no values within the bounds make this scene move and come to rest", {})
-    solutions, refusals = [], list[ValueError]()
+    solutions = []
+    refusals = []
     for fit in minima:
         try:
             solutions.append(_solution(problem, problem.values_at(fit.shares[:, None])[:, 0].tolist()))
@@ -320,8 +322,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     slopes = _slopes(problem, motion, si)
     outcomes = problem.seen(motion)
     residuals = outcomes - problem.targets
-    scaled = residuals / problem.scales
-    chi_square = float(np.sum(scaled**2))
+    chi_square = float(np.sum((residuals / problem.scales) ** 2))
     covariance = None
     error = math.inf if problem.limit is None else EPS
     sizes = np.array([abs(v) or 1.0 for v in values])
@@ -330,10 +331,8 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         if problem.limit is None:
             _refuse_indistinct(problem, jacobian)
         inverse = np.linalg.pinv(jacobian)
-        relative = np.abs(inverse) @ _numerical_errors(problem, motion, outcomes)
-        error = max(float(np.max(relative)), EPS)
-        by_units = inverse * sizes[:, None]
-        covariance = _covariance(problem, by_units, chi_square)
+        error = max(float(np.max(np.abs(inverse) @ _numerical_errors(problem, motion, outcomes))), EPS)
+        covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)
 
@@ -355,9 +354,7 @@ def _numerical_errors(problem: SearchProblem, motion: Motion, outcomes: Floats) 
 def _jacobian(problem: SearchProblem, slopes: Floats, values: Sequence[float]) -> Floats:
     """Return the derivatives of the scaled residuals with respect to the fields in their units."""
     with_values = zip(problem.fields, values, strict=True)
-    per_key = np.array([field.slope(value) for field, value in with_values])
-    scaled = slopes / problem.scales[:, None]
-    return scaled * per_key
+    return slopes / problem.scales[:, None] * np.array([field.slope(value) for field, value in with_values])
 
 
 def _covariance(problem: SearchProblem, inverse: Floats, chi_square: float) -> Floats | None:
@@ -387,8 +384,7 @@ def _refuse_indistinct(problem: SearchProblem, jacobian: Floats) -> None:
     if singular[-1] > _NOISE * singular[0]:
         return
     change = directions[-1] / sizes
-    greatest = np.max(np.abs(change))
-    per_cent = 100 * change / greatest
+    per_cent = 100 * change / np.max(np.abs(change))
     by_field = [f"{key} by {c:+.3g} %" for key, c in zip(keys, per_cent, strict=True)]
     changes = " and ".join(by_field)
     raise ValueError(f"backanalyse: changing {changes} does not change {names}, which cannot distinguish them")

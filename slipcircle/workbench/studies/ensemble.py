@@ -121,11 +121,15 @@ def _design(scene: Scene, rng: Any, accuracy: float | None, folder: Any, records
     """Return the design of an ensemble from its settings; ValueError names all invalid ones."""
     raise_all("ensemble", setting_mistakes(scene, given, records))
     drawn = uncertain_numbers(scene)
-    n, method, correlation = int(given["n"]), given["method"], given["correlation"] or {}
-    means, matrix = along_means(scene), _correlation(drawn, correlation)
+    n = int(given["n"])
+    method = given["method"]
+    correlation = given["correlation"] or {}
+    means = along_means(scene)
+    matrix = _correlation(drawn, correlation)
     inputs = {k: u.number for k, u in drawn.items()}
     base = _base_points(given["sensitivity"], len(drawn), n, correlation) if records is None else 0
-    tolerance, seed = plan(means, accuracy).accuracy, _seed(rng, folder)
+    tolerance = plan(means, accuracy).accuracy
+    seed = _seed(rng, folder)
     size = int(given["size"] or _size(n, method))
     each = given["search_each"]
     design = Design(means, tolerance, inputs, drawn, (), method, n, base, matrix, seed, size, each)
@@ -147,7 +151,7 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
     """Return the correlation matrix of all inputs from correlations by pairs of their keys or names."""
     known = [*(u.key for u in drawn.values()), *drawn]
     matrix = np.eye(len(drawn))
-    mistakes = list[str]()
+    mistakes = []
     for pair, value in given.items():
         places = {known.index(k) % len(drawn) for k in pair if k in known}
         if unknown := [k for k in pair if k not in known]:
@@ -170,9 +174,7 @@ def _size(n: int, method: str) -> int:
     sequences = REPLICATES if method == "sobol" else 1
     each = max(n // sequences, 1)
     most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
-    eighth = max(each // 8, 1)
-    power_of_two = 2 ** eighth.bit_length() // 2
-    return min(max(power_of_two, 256), most)
+    return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
 
 
 def grid(
@@ -211,8 +213,9 @@ def grid(
     if n > _MOST_GRID:
         found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
-    axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
-    accuracy, independent = plan(scene, accuracy).accuracy, np.eye(len(inputs))
+    axes = tuple(np.asarray(values, float) for values in levels.values())
+    accuracy = plan(scene, accuracy).accuracy
+    independent = np.eye(len(inputs))
     design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
 

@@ -7,9 +7,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import Floats, ValueDict
+from slipcircle.base.kinds import ArrayTriple, Floats, Integers, ValueDict
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
@@ -56,14 +56,13 @@ class FragilityCurve(NamedTuple):
 
     def probability(self, pga: ArrayLike) -> Floats:
         """Return probabilities of exceedance and their intervals at peak accelerations over gravity, (3, ...)."""
-        log_pga = np.log(np.asarray(pga, dtype=np.float64))
+        log_pga = np.log(np.asarray(pga, float))
         intercept, slope = self.coefficients
         (of_intercept, joint), (_, of_slope) = self.covariance
         middle = intercept + slope * log_pga
         variance = of_intercept + 2.0 * joint * log_pga + of_slope * log_pga**2
         half = self.quantile * np.sqrt(np.maximum(variance, 0.0))
-        bounds = np.stack([middle, middle - half, middle + half])
-        return np.asarray(special().ndtr(bounds))
+        return np.asarray(special().ndtr(np.stack([middle, middle - half, middle + half])))
 
     def to_dict(self) -> ValueDict:
         """Return the curve as a mapping for JSON."""
@@ -107,7 +106,8 @@ def fragility_curve(share: Floats, pga: Floats, threshold: float) -> FragilityCu
     """
     counts = np.isfinite(share) & (pga > 0.0)
     record, _ = np.nonzero(counts)
-    shares, log_pga = share[counts], np.log(pga[counts])
+    shares = share[counts]
+    log_pga = np.log(pga[counts])
     if reason := _not_identified(shares, log_pga, record):
         return FragilityCurve(threshold, reason)
     centre = log_pga.mean()
@@ -137,7 +137,7 @@ def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile:
     return FragilityCurve(threshold, "", median, dispersion, coefficients, covariance, quantile)
 
 
-def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -> str:
+def _not_identified(share: Floats, log_pga: Floats, record: Integers) -> str:
     """Return the reason why the motions do not identify a curve, also without each of the records; else empty.
 
     If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
@@ -160,7 +160,8 @@ def _without_maximum(share: Floats, log_pga: Floats) -> str:
     This happens if a peak acceleration separates motions that exceed the threshold from the other motions (Albert and
     Anderson 1984).
     """
-    exceeds, stays = share > 0.0, share < 1.0
+    exceeds = share > 0.0
+    stays = share < 1.0
     if not np.any(exceeds):
         return "no motion exceeds it; give larger scales"
     if not np.any(stays):
@@ -190,19 +191,17 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
         likelihood, score, _ = _likelihood(terms @ coefficients, share)
         return -float(likelihood.sum()), -score @ terms
 
-    start = np.array([0.0, 1.0])
-    found = minimize(negative, start, jac=True, method="BFGS", options={"gtol": 1e-9})
-    return found.x
+    return minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9}).x
 
 
-def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Floats:
+def _jackknife(terms: Floats, share: Floats, record: Integers) -> Floats:
     """Return the covariance of the coefficients from fits that leave out one record each."""
     without = np.array([_most_likely(terms[record != one], share[record != one]) for one in np.unique(record)])
     count = len(without)
     return (count - 1) ** 2 / count * np.cov(without.T)
 
 
-def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
+def _likelihood(argument: Floats, share: Floats) -> ArrayTriple:
     """Return log-likelihoods of shares at arguments of Phi, first derivatives and negative expected second ones."""
     log_above = special().log_ndtr(argument)
     log_below = special().log_ndtr(-argument)
@@ -210,9 +209,7 @@ def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats
     above = np.exp(log_density - log_above)
     below = np.exp(log_density - log_below)
     rest = 1.0 - share
-    likelihood = share * log_above + rest * log_below
-    score = share * above - rest * below
-    return likelihood, score, above * below
+    return share * log_above + rest * log_below, share * above - rest * below, above * below
 
 
 def _lognormal(log_value: float, derivative: Floats, covariance: Floats, quantile: float) -> Estimate:

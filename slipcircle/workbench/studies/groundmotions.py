@@ -39,8 +39,7 @@ class GroundMotions:
 
     def together(self, samples: int) -> int:
         """Return the number of records that are solved in one call with this number of samples."""
-        motions = len(self.polarities) * self.scales.size * samples
-        return max(1, _LANES // motions)
+        return max(1, _LANES // (len(self.polarities) * self.scales.size * samples))
 
     def part(self, first: int, end: int) -> "GroundMotions":
         """Return the ground motions with the records from ``first`` to ``end`` only."""
@@ -75,17 +74,17 @@ def ground_motions(
     ValueError
         If records are invalid or do not fit the scene and the scales; the message lists them.
     """
-    gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = Suite.of(records, strict=settings["strict"], gravity=gravity)
+    suite = Suite.of(records, strict=settings["strict"], gravity=float(np.ravel(scene.arc.gravity)[0]))
     shaking = scene.checked_effects.get("shaking", {})
     still = {effect: given for effect, given in scene.checked_effects.items() if effect != "shaking"}
     two_way = {key: given for key, given in shaking.items() if key == "two_way"}
     replaces = tuple(name for name in ("horizontal", "vertical") if name in shaking)
     polarities = (1.0, -1.0) if settings["polarities"] else (1.0,)
-    pga, thresholds = settings["scale_to_pga"], settings["thresholds"]
+    pga = settings["scale_to_pga"]
+    thresholds = settings["thresholds"]
     scales = pga if pga is not None else 1.0 if settings["scales"] is None else settings["scales"]
     thresholds = THRESHOLDS if thresholds is None else thresholds
-    scales, thresholds = (np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (scales, thresholds))
+    scales, thresholds = (np.atleast_1d(np.asarray(x, float)) for x in (scales, thresholds))
     motions = GroundMotions(suite, polarities, scales, pga is not None, two_way, replaces, thresholds)
     raise_all("ensemble", [*_input_mistakes(inputs), *_record_mistakes(motions)])
     return replace(scene, effects=still, uncertain={}), motions

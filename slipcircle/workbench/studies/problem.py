@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import raise_all, real_number, shown
-from slipcircle.base.kinds import ArrayPair, Floats, Pair
+from slipcircle.base.checks import plain, raise_all, real_number, shown
+from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
@@ -56,8 +56,7 @@ class SearchProblem:
         )  # standard errors for all observations, or for none
         exit = float(np.ravel(scene.arc.exit)[0])  # x of the toe before the motion
         self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
-        values = np.array([value for value, _ in pairs])
-        self.targets = values - self.origins
+        self.targets = np.array([value for value, _ in pairs]) - self.origins
         sigmas = [sigma for _, sigma in pairs]
         self.scales = np.array([sigma or abs(value) or 1.0 for value, sigma in zip(self.targets, sigmas, strict=True)])
 
@@ -86,8 +85,7 @@ class SearchProblem:
         is_open = scene.end_time is None
         if is_open:
             patience = _AT_ONCE if {*self.observed} == {"factor_of_safety"} else _PATIENCE
-            end_time = patience * float(scene.arc.time_scale)
-            scene = replace(scene, end_time=end_time, uncertain={})
+            scene = replace(scene, end_time=patience * float(scene.arc.time_scale), uncertain={})
         si = {field.name: field.to_si(value) for field, value in zip(self.fields, values, strict=True)}
         motion = motions(scene, si, _FINE)
         outcomes = self.seen(motion)
@@ -104,9 +102,7 @@ class SearchProblem:
     def seen(self, motion: Any) -> Floats:
         """Return the observed outcomes of a motion, (observations, ...), relative to their origins."""
         found = np.stack([observable(motion, name) for name in self.observed])
-        lanes = found.ndim - 1
-        origins = self.origins.reshape(-1, *[1] * lanes)
-        return found - origins
+        return found - self.origins.reshape(-1, *[1] * (found.ndim - 1))
 
     def values_at(self, shares: Floats) -> Floats:
         """Return the values of the fields in their units, (fields, count), at shares of the ranges."""
@@ -116,16 +112,13 @@ class SearchProblem:
     def residuals(self, shares: Floats) -> Floats:
         """Return computed minus observed outcomes over their scales, (observations, count), at ``shares``."""
         outcomes, _ = self.outcomes(self.values_at(shares))
-        misfit = outcomes - self.targets[:, None]
-        return misfit / self.scales[:, None]
+        return (outcomes - self.targets[:, None]) / self.scales[:, None]
 
     def linearised(self, shares: Floats) -> ArrayPair:
         """Return residuals and their derivatives with respect to the shares, (observations, fields), at one point."""
         here = shares[:, None]
         steps = _STEP * np.eye(len(shares))
-        moved_up = np.minimum(here + steps, 1.0)
-        moved_down = np.maximum(here - steps, 0.0)
-        places = np.hstack([here, moved_up, moved_down])
+        places = np.hstack([here, np.minimum(here + steps, 1.0), np.maximum(here - steps, 0.0)])
         residuals = self.residuals(places)
         at_here = residuals[:, 0]
         is_known = ~np.isnan(residuals).any(axis=0)
@@ -133,9 +126,7 @@ class SearchProblem:
         places = np.where(is_known, places, here)
         _, up, down = np.split(places, [1, 1 + len(shares)], axis=1)
         _, above, below = np.split(residuals, [1, 1 + len(shares)], axis=1)
-        widths = np.diag(up - down)
-        slopes = (above - below) / np.maximum(widths, 1e-300)
-        return at_here, slopes
+        return at_here, (above - below) / np.maximum(np.diag(up - down), 1e-300)
 
 
 # --- observations and fields -----------------------------------------------------------------------------------------
@@ -143,7 +134,7 @@ class SearchProblem:
 
 def observations(given: Mapping[str, Observed]) -> tuple[dict[str, tuple[float, float | None]], dict[str, Interval]]:
     """Return observed values with standard errors (None if not given) by outcome, and those that are intervals."""
-    found = dict[str, tuple[float, float | None]]()
+    found = {}
     unknown = [name for name in given if name not in OBSERVABLE]
     mistakes = [f"observed.{name}: is not an outcome; known are {', '.join(OBSERVABLE)}" for name in unknown]
     asked = {name: value for name, value in given.items() if name in OBSERVABLE}
@@ -189,8 +180,7 @@ def _observation(given: Any) -> tuple[float, float | None]:
 
 def may_stand(observed: Observations, limit: Interval | None) -> bool:
     """Return whether a mass at rest is a valid candidate: for a limit, or a factor of safety alone."""
-    is_limit = limit is not None
-    return is_limit or {*observed} == {"factor_of_safety"}
+    return limit is not None or {*observed} == {"factor_of_safety"}
 
 
 def search_problem(
@@ -223,8 +213,7 @@ def search_problem(
         mistakes.append(f"bounds: {', '.join(other)} is not one of the fields")
     raise_all("backanalyse", mistakes)
     is_alone = len(fields) == 1 and not may_stand(observed, limit)
-    ranges = _ranges(scene, fields, ends, is_alone)
-    return SearchProblem(scene, fields, ranges, observed, limit)
+    return SearchProblem(scene, fields, _ranges(scene, fields, ends, is_alone), observed, limit)
 
 
 def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
@@ -256,7 +245,7 @@ def _default_field(scene: Scene) -> str:
     )
 
 
-def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> list[str]:
+def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> Texts:
     """Return a message for each mistake in the choice of fields."""
     mistakes = []
     names = [f.name for f in fields]
@@ -286,8 +275,7 @@ def _between(name: str, low: float, high: float) -> Floats:
         raise ValueError(
             f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
         )
-    is_far_apart = 0.0 < 100 * low < high
-    return np.geomspace(low, high, 401) if is_far_apart else np.linspace(low, high, 401)
+    return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
 
 
 def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
@@ -306,13 +294,10 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     """Return usual values of a parameter in SI units, from scales of the arc or about the scene's value, or None."""
     arc = scene.arc
     scales = (arc.static_normal_stress, arc.radius, arc.gravity)
-    stress, radius, gravity = (float(np.asarray(scale)) for scale in scales)
-    next_to_one = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
-    below_one = np.linspace(0.0, 1.0, 81)[:-1]
-    to_one = np.concatenate([below_one, next_to_one])
-    speed = 2 * math.sqrt(gravity * radius)
+    stress, radius, gravity = map(plain, scales)
+    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     by_scale = {
-        "initial_velocity": speed * np.linspace(-1.0, 1.0, 241),
+        "initial_velocity": 2 * math.sqrt(gravity * radius) * np.linspace(-1.0, 1.0, 241),
         "dip": np.pi / 2 * np.concatenate([-to_one[:0:-1], to_one]),
         "cohesion.cohesion": stress * np.concatenate([[0.0], np.geomspace(1e-6, 100.0, 161)]),
         "pore_pressure.ratio": to_one,
@@ -335,15 +320,12 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
 
 def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     """Return friction values from many swings of the mass up to the limit of motion from rest."""
-    end_time = 1e-9 * float(scene.arc.time_scale)
-    at_once = replace(scene, end_time=end_time, uncertain={})
-    without = motions(at_once, {field.name: np.zeros(1)})
-    limit = float(without.limit_friction[0])
+    at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
+    limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])
     if not 1e-6 < limit < math.inf:
         limit = 1.0
     least = 0.5 / MOST_SWINGS
-    decades = np.arange(3.0, 13.0)
-    next_to_one = 1.0 - 10.0**-decades
+    next_to_one = 1.0 - 10.0 ** -np.arange(3.0, 13.0)
     shares = [np.geomspace(least, 1.0, 129), np.linspace(least, 1.0, 129), next_to_one]
     is_constant = field.name == "friction"
     turns = any(EFFECTS[effect].turns for effect in scene.called)
@@ -352,7 +334,7 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     creeps = "speed" in depends_on(
         law_names(scene.friction)
     )  # with more friction the mass creeps, which takes long to solve
-    has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
+    has_speed = plain(scene.initial_velocity) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # shaking moves a mass that would stay at rest

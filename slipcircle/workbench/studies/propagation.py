@@ -18,7 +18,9 @@ from slipcircle.workbench.studies.statistics import Spread
 
 # Tolerances of the comparison, as shares of the samples' standard deviation and in standard errors. Second-order terms
 # shift the mean first, which matters less, so that its tolerance is wider.
-_MEAN, _STD, _ERRORS = 0.25, 0.1, 3.0
+_MEAN = 0.25
+_STD = 0.1
+_ERRORS = 3.0
 
 
 class Linear(NamedTuple):
@@ -39,7 +41,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     if not design.drawn:
         raise ValueError("values on a grid do not have a distribution")
     keys = {n: number.key for n, number in design.inputs.items()}
-    means = dict[str, float]()  # SI
+    means = {}  # SI
     stds = []
     for name, uncertain in design.drawn.items():
         mean, std = uncertain.moments
@@ -57,9 +59,7 @@ def propagated(design: Design) -> dict[str, Linear]:
         raise ValueError(f"{', '.join(unknown)}: the motion at the means is not differentiable with respect to it")
     changes = slopes * np.array(stds)
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
-    means_of = np.abs(_outcomes(motion)).tolist()
-    stds_of = np.sqrt(np.maximum(variances, 0.0)).tolist()
-    linear = map(Linear, means_of, stds_of)
+    linear = map(Linear, np.abs(_outcomes(motion)).tolist(), np.sqrt(np.maximum(variances, 0.0)).tolist())
     return dict(zip(OUTCOMES, linear, strict=True))
 
 

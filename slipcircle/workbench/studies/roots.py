@@ -1,11 +1,10 @@
 """Back-analysis of one parameter from one observation: all roots in its range, many candidates in each call."""
 
 import math
-from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, quiet
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 
@@ -13,7 +12,8 @@ _PARTS = 16  # of a bracket: each round gains four bits
 _ROUNDS = 16
 _STEEP = 30.0  # greatest relative change of an outcome over that of the field, where the kind of motion changes
 _ROUNDING = 64 * EPS  # relative difference of outcomes when other lanes are solved with them
-_WIDE, _FLAT = 1e-6, 1e-12  # relative: wide brackets with tiny misfits are not divided, as the field has little effect
+_WIDE = 1e-6  # relative: wide brackets with tiny misfits are not divided, as the field has little effect
+_FLAT = 1e-12
 _TOLERANCE = 1e-9  # relative: at a jump over the observation the misfit is larger
 
 Places = tuple[Integers, Integers]
@@ -27,45 +27,29 @@ def solve_exact(problem: SearchProblem) -> list[float]:
     they are computed with other lanes. A point that meets the observation is a root even without a bracket, because
     the outcome may jump there.
     """
-    scale = abs(float(problem.targets[0]))
+    scale = abs(problem.targets[0])
     rows = problem.ranges[0][None, :]
-    fine: list[Floats] = []
-    at_ends: Any = None
+    fine = []
+    at_ends = None
     for _ in range(_ROUNDS):
-        misfit, kind = _misfit(problem, rows)
+        outcomes, kind = problem.outcomes(rows.reshape(1, -1))
+        misfit = outcomes.reshape(rows.shape) - problem.targets[0]
         if at_ends is not None:
             misfit[:, 0], misfit[:, -1] = at_ends
-        elif _is_flat(misfit, scale):
+        elif np.fmax.reduce(np.abs(misfit), axis=None) <= _FLAT * scale:  # the field does not affect the outcome
             return []
-        first, last = bracket_candidates(rows, misfit, kind, scale)
-        size = np.abs(misfit)
-        is_met = size <= _ROUNDING * scale
-        fine.append(rows[is_met])
-        left = rows[first]
-        right = rows[last]
-        is_level = np.maximum(size[first], size[last]) <= _FLAT * scale
-        is_flat = is_level & _apart(left, right, _WIDE)
-        is_fine = is_flat | (is_met[first] & is_met[last]) | ~_apart(left, right, 4 * EPS)
-        fine += [left[is_fine], right[is_fine]]
+        places = bracket_candidates(rows, misfit, kind.reshape(rows.shape), scale)
+        left, right = (rows[place] for place in places)
+        at_ends = np.stack([misfit[place] for place in places])
+        greatest = np.abs(at_ends).max(axis=0)
+        is_flat = (greatest <= _FLAT * scale) & _apart(left, right, _WIDE)
+        is_fine = is_flat | (greatest <= _ROUNDING * scale) | ~_apart(left, right, 4 * EPS)
+        fine += [rows[np.abs(misfit) <= _ROUNDING * scale], left[is_fine], right[is_fine]]
         if is_fine.all():
             break
-        rough = ~is_fine
-        at_ends = misfit[first][rough], misfit[last][rough]
-        rows = _divided(left[rough], right[rough])
+        at_ends = at_ends[:, ~is_fine]
+        rows = np.linspace(left[~is_fine], right[~is_fine], _PARTS + 1, axis=1)
     return _distinct_roots(problem, np.unique(np.concatenate(fine)))
-
-
-def _misfit(problem: SearchProblem, rows: Floats) -> tuple[Floats, Kinds]:
-    """Return outcome less target, and the kind of the motion, for every value of the field in an array."""
-    outcomes, kind = problem.outcomes(rows.reshape(1, -1))
-    misfit = outcomes.reshape(rows.shape) - problem.targets[0]
-    return misfit, kind.reshape(rows.shape)
-
-
-def _is_flat(misfit: Floats, scale: float) -> bool:
-    """Return whether the field does not affect the outcome: all misfits, over ``scale``, vanish to within rounding."""
-    largest = np.fmax.reduce(np.abs(misfit), axis=None)
-    return bool(largest <= _FLAT * scale)
 
 
 def limit_value(problem: SearchProblem) -> list[float]:
@@ -79,9 +63,7 @@ def limit_value(problem: SearchProblem) -> list[float]:
 
     def satisfied(values: Floats) -> Flags:
         outcomes, _ = problem.outcomes(values[None])
-        above = low <= outcomes[0]
-        below = outcomes[0] <= high
-        return above & below
+        return (low <= outcomes[0]) & (outcomes[0] <= high)
 
     values = problem.ranges[0]
     met = satisfied(values)
@@ -89,29 +71,16 @@ def limit_value(problem: SearchProblem) -> list[float]:
         return []
     for _ in range(_ROUNDS):
         last = np.flatnonzero(met[:-1] != met[1:])[-1]
-        before, after = met[last : last + 2]
+        ends = met[last : last + 2]
         values = np.linspace(values[last], values[last + 1], _PARTS + 1)
         met = satisfied(values)
-        met[[0, -1]] = before, after
-    first, *_, last_value = values.tolist()
-    if met[-1]:
-        return [last_value]
-    return [first]
+        met[[0, -1]] = ends
+    return [float(values[-1] if met[-1] else values[0])]
 
 
 def _apart(left: Floats, right: Floats, least: float) -> Flags:
     """Return whether the ends of brackets differ by more than the share ``least`` of their magnitude."""
-    magnitude = np.maximum(np.abs(left), np.abs(right))
-    return right - left > least * magnitude
-
-
-def _divided(left: Floats, right: Floats) -> Floats:
-    """Return points that divide brackets into equal parts, (brackets, points), both ends included."""
-    parts = np.linspace(0.0, 1.0, _PARTS + 1)
-    widths = right - left
-    rows = left[:, None] + widths[:, None] * parts
-    rows[:, -1] = right
-    return rows
+    return right - left > least * np.maximum(np.abs(left), np.abs(right))
 
 
 def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
@@ -121,15 +90,9 @@ def _distinct_roots(problem: SearchProblem, ends: Floats) -> list[float]:
     misfit = np.abs(outcomes[0] - target)
     is_root = misfit <= _TOLERANCE * abs(target)
     ends = ends[is_root]
-    misfit = misfit[is_root]
-    is_gap = np.diff(ends) > _TOLERANCE * np.abs(ends[1:])
-    gaps = np.flatnonzero(is_gap) + 1
-    roots = []
-    for group, misfits in zip(np.split(ends, gaps), np.split(misfit, gaps), strict=True):
-        if group.size:
-            best = np.argmin(misfits)
-            roots.append(float(group[best]))
-    return roots
+    gaps = np.flatnonzero(np.diff(ends) > _TOLERANCE * np.abs(ends[1:])) + 1
+    groups = zip(np.split(ends, gaps), np.split(misfit[is_root], gaps), strict=True)
+    return [float(group[np.argmin(misfits)]) for group, misfits in groups if group.size]
 
 
 def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) -> tuple[Places, Places]:
@@ -138,37 +101,24 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     A root is possible where the outcome passes the observed value, where the kind of motion changes near it, and where
     the outcome has an extremum near it.
     """
-    left = x[:, :-1]
-    right = x[:, 1:]
-    size = np.abs(misfit)
-    with np.errstate(invalid="ignore"):
+    left = np.abs(misfit[:, :-1])
+    right = np.abs(misfit[:, 1:])
+    here = right[:, :-1]
+    before = left[:, :-1]
+    after = right[:, 1:]
+    with quiet():
         product = misfit[:, :-1] * misfit[:, 1:]  # NaN where one is
-        nearest = np.fmin(size[:, :-1], size[:, 1:])
-        magnitude = np.maximum(np.abs(left), np.abs(right))
-        relative_width = (right - left) / np.maximum(magnitude, 1e-300)
-        reachable = _STEEP * np.minimum(relative_width, 1.0) * target
-        changes_kind = kind[:, :-1] != kind[:, 1:]
-        may_jump_over = changes_kind & (nearest <= reachable)
-        passes = (product <= 0.0) | may_jump_over
-        same_side = product > 0.0
-        stays_on_side = same_side[:, :-1] & same_side[:, 1:]
-        turns_back = _is_dip(size) & stays_on_side
-    row, column = np.nonzero(passes)
-    row_of_dip, before_dip = np.nonzero(turns_back)
-    rows = np.concatenate([row, row_of_dip])
-    starts = np.concatenate([column, before_dip])
-    ends = np.concatenate([column + 1, before_dip + 2])
-    return (rows, starts), (rows, ends)
-
-
-def _is_dip(size: Floats) -> Flags:
-    """Return whether values within rows are at most both neighbours, and at most half of the larger neighbour."""
-    before = size[:, :-2]
-    here = size[:, 1:-1]
-    after = size[:, 2:]
-    less_than_both = here <= np.fmin(before, after)
-    less_than_half = 2 * here <= np.fmax(before, after)
-    return less_than_both & less_than_half
+        magnitude = np.maximum(np.abs(x[:, :-1]), np.abs(x[:, 1:]))
+        reachable = _STEEP * np.minimum(np.diff(x) / np.maximum(magnitude, 1e-300), 1.0) * target
+        passes = (product <= 0.0) | ((np.diff(kind) != 0) & (np.fmin(left, right) <= reachable))
+        # At an extremum the size is at most both neighbours', and at most half of the larger neighbour's.
+        is_dip = (here <= np.fmin(before, after)) & (2 * here <= np.fmax(before, after))
+        turns_back = is_dip & (product[:, :-1] > 0.0) & (product[:, 1:] > 0.0)
+    sections = np.nonzero(passes)
+    dips = np.nonzero(turns_back)
+    rows, starts = np.hstack([sections, dips])
+    lengths = np.repeat([1, 2], [len(sections[0]), len(dips[0])])
+    return (rows, starts), (rows, starts + lengths)
 
 
 def extreme(problem: SearchProblem, sign: float) -> float:
@@ -181,9 +131,7 @@ def extreme(problem: SearchProblem, sign: float) -> float:
         outcome = np.nan_to_num(sign * outcomes[0], nan=-math.inf)
         best = int(np.argmax(outcome))
         if outcome[best] > greatest:
-            greatest = float(outcome[best])
+            greatest = outcome[best]
             place = float(values[best])
-        before = max(best - 1, 0)
-        after = min(best + 1, len(values) - 1)
-        values = np.linspace(values[before], values[after], 2 * _PARTS + 1)
+        values = np.linspace(values[max(best - 1, 0)], values[min(best + 1, len(values) - 1)], 2 * _PARTS + 1)
     return place

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayDict, Flags, Floats
+from slipcircle.base.kinds import ArrayDict, Flags, Floats, Texts
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
@@ -28,19 +28,17 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
     search = SampleSearch(stability.slope, stability.method, stability.limits)
     values = np.stack([*si.values()], axis=1)
     spread = values.std(axis=0)
-    scale = np.where(spread > 0.0, spread, 1.0)
-    places = values / scale
+    places = values / np.where(spread > 0.0, spread, 1.0)
     factors = {method: np.full(len(values), np.nan) for method in METHODS}
     for k in np.flatnonzero(valid):
         numbers = dict(zip(si, values[k].tolist(), strict=True))
-        sample = with_parameters(scene, numbers)
-        slope = slope_of(sample, stability.slope)
+        slope = slope_of(with_parameters(scene, numbers), stability.slope)
         for method, factor in search.factors(slope, places[k]).items():
             factors[method][k] = factor
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}
 
 
-def search_mistakes(scene: Any) -> list[str]:
+def search_mistakes(scene: Any) -> Texts:
     """Return a message, in a list, if the scene does not search for its critical circle; otherwise an empty list."""
     stability = stability_of(scene)
     if stability is not None and stability.method:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import array_of, shown
-from slipcircle.base.kinds import Function, Values
+from slipcircle.base.kinds import Function, Texts, Values
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
@@ -50,7 +50,8 @@ def _are_pairs(value: Any) -> bool:
     return isinstance(value, Mapping) and all(isinstance(pair, tuple) and len(pair) == 2 for pair in value)
 
 
-_FLAG, _POSITIVE = "must be True or False", "must be one or more positive numbers"
+_FLAG = "must be True or False"
+_POSITIVE = "must be one or more positive numbers"
 SETTINGS: Mapping[str, Setting] = {
     "n": Setting(lambda x: whole(x) and 1 <= x <= _MOST, f"must be a whole number of samples, from 1 to {_MOST:.0e}"),
     "method": Setting(lambda x: x in METHODS, f"must be one of {', '.join(METHODS)}"),
@@ -69,7 +70,7 @@ SETTINGS: Mapping[str, Setting] = {
 }
 
 
-def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
+def setting_mistakes(scene: Scene, given: Values, records: Any) -> Texts:
     """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other."""
     found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:
@@ -91,11 +92,12 @@ def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
     return found or _truncated(uncertain_numbers(scene))
 
 
-def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
+def _truncated(drawn: Mapping[str, Uncertain]) -> Texts:
     """Return a message for each distribution with too much probability outside the bounds of its parameter."""
     found = []
     for uncertain in drawn.values():
-        number, distribution = uncertain.number, uncertain.distribution
+        number = uncertain.number
+        distribution = uncertain.distribution
         outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
         if outside > _OUTSIDE:
             found.append(

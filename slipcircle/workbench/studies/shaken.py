@@ -6,9 +6,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Columns, Floats, Texts
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.tables import Pulse
@@ -26,7 +25,7 @@ class Shaken:
     """Part of a study that concerns its records."""
 
     design: Design
-    values: dict[str, NDArray[Any]]
+    values: Columns
 
     @property
     def scene(self) -> Scene:
@@ -59,8 +58,7 @@ class Shaken:
     def displacement(self) -> Floats:
         """Permanent displacement along the arc, m, (record, polarity, scale, sample); infinite without a result."""
         without_result = np.isin(self.values["status"], NO_RESULT)
-        permanent = np.abs(self.values["end_displacement"])
-        return np.where(without_result, np.inf, permanent)
+        return np.where(without_result, np.inf, np.abs(self.values["end_displacement"]))
 
     @property
     def factors(self) -> Floats:
@@ -125,7 +123,8 @@ class Shaken:
     def fragility(self) -> list[FragilityCurve]:
         """Return lognormal fragility curves over the peak acceleration, one for each threshold."""
         thresholds = self.records.thresholds.tolist()
-        displacement, pga = self.displacement, self.pga
+        displacement = self.displacement
+        pga = self.pga
         return [fragility_curve(exceedance_shares(displacement, t), pga, t) for t in thresholds]
 
     def fragility_columns(self) -> dict[str, list[Any]]:
@@ -154,11 +153,10 @@ class Shaken:
             fitted = curve.probability(levels)
             blocks.append(np.stack([threshold, self.scales, levels, *shares[:, k].T, *fitted]))
         rows = np.concatenate(blocks, axis=1).tolist()
-        columns: dict[str, list[Any]] = {
+        columns = {
             name: [None if math.isnan(value) else value for value in row] for name, row in zip(names, rows, strict=True)
         }
-        reasons = np.repeat([curve.reason for curve in curves], levels.size)
-        return columns | {"reason": reasons.tolist()}
+        return columns | {"reason": np.repeat([curve.reason for curve in curves], levels.size).tolist()}
 
     def median_record(self, scale: int) -> int:
         """Return the place of the record with the median displacement at a scale, the lower of two middle records."""
@@ -182,7 +180,7 @@ class Shaken:
         value = shown(float(self.scales[scale]))
         return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
-    def _record_warnings(self) -> list[str]:
+    def _record_warnings(self) -> Texts:
         """Return warnings about the record files and about motion without shaking."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
         found += self.suite.warnings
@@ -196,10 +194,7 @@ class Shaken:
         Columns are the displacement for each polarity and their mean, m, and, as the greater of both polarities, the
         peak velocity, m/s, the number of slips and the rotation, rad.
         """
-        columns: dict[str, list[Any]] = {
-            "record": [entry.name for entry in self.suite],
-            "pga_g": self.pga[:, scale].tolist(),
-        }
+        columns = {"record": [entry.name for entry in self.suite], "pga_g": self.pga[:, scale].tolist()}
         medians = {n: np.median(np.abs(self.values[n][:, :, scale]), axis=-1) for n in RESULTS}
         both = medians["end_displacement"]
         for place, polarity in enumerate(self.records.polarities):

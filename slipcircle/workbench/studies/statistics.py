@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import ArrayTriple, Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 
@@ -56,20 +57,17 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
     The interval is never too short (Clopper and Pearson 1934).
     """
-    hits = np.asarray(hits, dtype=np.float64)
+    hits = np.asarray(hits, float)
     tail = (1.0 - confidence) / 2
     misses = n - hits
     low = special().betaincinv(hits, misses + 1, tail)
     high = special().betaincinv(hits + 1, misses, 1.0 - tail)
-    low = np.where(hits > 0, low, 0.0)
-    high = np.where(misses > 0, high, 1.0)
-    return low, high
+    return np.where(hits > 0, low, 0.0), np.where(misses > 0, high, 1.0)
 
 
 def standard_error(values: Floats) -> Any:
     """Return the standard error of the mean of independent estimates along the first axis."""
-    deviation = np.std(values, axis=0, ddof=1)
-    return deviation / math.sqrt(len(values))
+    return np.std(values, axis=0, ddof=1) / math.sqrt(len(values))
 
 
 def student(values: Floats, confidence: float) -> Any:
@@ -85,14 +83,13 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
     It is NaN where the interval would not reach its confidence (`python -m tests.campaigns.coverage`): for few samples,
     in the tails, and where the replicates differ by less than a sample, as for sequences in one dimension.
     """
-    spread = size * np.std(shares, axis=0, ddof=1)
     share = np.mean(shares, axis=0)
-    in_tail = size * np.minimum(share, 1.0 - share)
-    is_resolved = (size >= _LEAST_SIZE) & (in_tail >= _LEAST_IN_TAIL) & (spread >= _LEAST_SPREAD)
-    return np.where(is_resolved, student(shares, confidence), np.nan)
+    is_in_tail = size * np.minimum(share, 1.0 - share) < _LEAST_IN_TAIL
+    varies = size * np.std(shares, axis=0, ddof=1) >= _LEAST_SPREAD
+    return np.where((size >= _LEAST_SIZE) & ~is_in_tail & varies, student(shares, confidence), np.nan)
 
 
-def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
+def probability(hits: Any, valid: Any, confidence: float) -> ArrayTriple:
     """Return probabilities and the ends of intervals; ``hits`` (replicates, ...), ``valid`` samples (replicates,)."""
     samples = int(valid.sum())
     total = hits.sum(axis=0)
@@ -113,9 +110,7 @@ def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Float
 def width(confidence: float, replicates: int = 1) -> float:
     """Return half the width of an interval in standard errors, for many samples or for a few replicates."""
     tail = (1.0 + confidence) / 2
-    if replicates > 1:
-        return float(special().stdtrit(replicates - 1, tail))
-    return float(special().ndtri(tail))
+    return float(special().stdtrit(replicates - 1, tail) if replicates > 1 else special().ndtri(tail))
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
@@ -123,8 +118,7 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
 
     The number of samples below the quantile is binomial for every distribution.
     """
-    tail = (1.0 - confidence) / 2
-    tails = np.array([tail, 1.0 - tail])
+    tails = np.array([1.0 - confidence, 1.0 + confidence]) / 2
     count = np.nan_to_num(np.ceil(special().bdtrik(tails, n, p)), nan=n * p)  # NaN of p = 0 and 1
     before = np.maximum(count - 1.0, 0.0)
     low, high = np.where(special().bdtr(before, n, p) >= tails, before, count).astype(int).tolist()
@@ -163,16 +157,14 @@ class Ordered:
 
     def __init__(self, replicates: Sequence[Floats]) -> None:
         self.replicates = [np.sort(values) for values in replicates if values.size]
-        together = np.concatenate([*self.replicates, np.empty(0)])
-        self.values = together if len(self.replicates) < 2 else np.sort(together)
+        self.values = np.sort(np.concatenate([*self.replicates, np.empty(0)]))
         self.finite = self.values[: np.searchsorted(self.values, np.inf)]
 
     def at_share(self, share: float) -> float:
         """Return the least value that at least this share of the samples does not exceed; NaN beyond 0 to 1."""
         if not 0.0 <= share <= 1.0:
             return math.nan
-        rank = math.ceil(share * self.values.size)
-        return float(self.values[max(rank, 1) - 1])
+        return float(self.values[max(math.ceil(share * self.values.size), 1) - 1])
 
     def quantile(self, p: float, confidence: float) -> Estimate:
         """Return the p-quantile, a value of a sample, with its interval; NaN for an unknown end.
@@ -190,7 +182,8 @@ class Ordered:
             finite = min(value, float(np.finfo(np.float64).max))
             shares = np.array([np.searchsorted(x, finite, side="right") / x.size for x in self.replicates])
             half = float(share_width(shares, n / len(shares), confidence))
-            low, high = p - half, p + half
+            low = p - half
+            high = p + half
         return Estimate(value, self.at_share(low), self.at_share(high))
 
     def spread(self) -> Spread:
@@ -221,31 +214,23 @@ def indices(sums: Floats, confidence: float) -> Indices:
     """
     batches = len(sums)
     together = np.sum(sums, axis=0)
-    with np.errstate(all="ignore"):
+    with quiet():
         whole = _indices(together)
-        without_one = _indices(together - sums)
         # The jackknife estimate behaves like a mean of pseudo-values, one for each batch (Tukey 1958).
-        pseudo_values = batches * whole - (batches - 1) * without_one
-        half = student(pseudo_values, confidence)
+        half = student(batches * whole - (batches - 1) * _indices(together - sums), confidence)
     intervals = np.stack([whole, whole - half, whole + half], axis=-1)
-    first, total = intervals.tolist()
-    return Indices([Estimate(*interval) for interval in first], [Estimate(*interval) for interval in total])
+    return Indices(*([Estimate(*interval) for interval in of_inputs] for of_inputs in intervals.tolist()))
 
 
 def _indices(sums: Floats) -> Floats:
     """Return first-order and total indices, (..., 2, inputs), from `sums` of any shape (..., 3 + 3 inputs)."""
     n, both, squares = (sums[..., k, None] for k in range(3))
-    of_inputs = sums[..., 3:]
-    by_input = of_inputs.reshape(*sums.shape[:-1], -1, 3)
-    jansen, saltelli, shift = np.moveaxis(by_input, -1, 0)
+    jansen, saltelli, shift = (sums[..., k::3] for k in range(3, 6))  # of each input
     samples = 2 * n
     mean = both / samples
     variance = squares / samples - mean**2
-    varies = variance > 1e-13 * mean**2
-    variance = np.where(varies, variance, np.nan)
-    first = (saltelli - mean * shift) / (n * variance)
-    total = jansen / (samples * variance)
-    return np.stack([first, total], axis=-2)
+    variance = np.where(variance > 1e-13 * mean**2, variance, np.nan)
+    return np.stack([(saltelli - mean * shift) / (n * variance), jansen / (samples * variance)], axis=-2)
 
 
 def sums(y: Floats) -> Floats:
@@ -255,16 +240,12 @@ def sums(y: Floats) -> Floats:
     (yAB - yA)**2, yB (yAB - yA) and yAB - yA.
     """
     a, b, *each_mixed = y
-    with np.errstate(invalid="ignore"):
-        both = np.sum(a + b)
-        squares = np.sum(a * a + b * b)
-        totals = [len(a), both, squares]
+    with quiet():
+        totals = [len(a), np.sum(a + b), np.sum(a * a + b * b)]
         for mixed in each_mixed:
             step = mixed - a
-            jansen = np.sum(step * step)
-            saltelli = np.sum(b * step)
-            totals += [jansen, saltelli, np.sum(step)]
-    return np.array(totals, dtype=np.float64)
+            totals += [np.sum(step * step), np.sum(b * step), np.sum(step)]
+    return np.array(totals, float)
 
 
 # --- displacements under records -------------------------------------------------------------------------------------
@@ -300,15 +281,14 @@ def distribution(displacement: Floats, scale: int) -> Distribution:
     """Return the distribution of displacements, (record, polarity, scale, sample), at the scale with this index."""
     values = _valid(displacement, scale)
     if not values.size:
-        unknown = (math.nan,) * len(Distribution._fields)
-        return Distribution(*unknown)
+        return Distribution(*[math.nan] * len(Distribution._fields))
     p16, median, p84 = np.quantile(values, (0.16, 0.5, 0.84), method="inverted_cdf").tolist()
     moving = values > 0.0
     logs = np.log(values[moving & (values < np.inf)])
     geometric_mean = math.exp(logs.mean()) if logs.size else math.nan
     std_ln = float(logs.std(ddof=1)) if logs.size > 1 else math.nan
-    mean, share = float(values.mean()), float(moving.mean())
-    return Distribution(share, mean, median, p16, p84, geometric_mean, std_ln)
+    mean = float(values.mean())
+    return Distribution(float(moving.mean()), mean, median, p16, p84, geometric_mean, std_ln)
 
 
 def _valid(displacement: Floats, scale: int) -> Floats:
@@ -319,10 +299,9 @@ def _valid(displacement: Floats, scale: int) -> Floats:
 
 def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
     """Return the share of motions that exceed a threshold, m, (record, scale); NaN without valid motions."""
-    known = ~np.isnan(displacement)
-    exceeds = (displacement > threshold) & known
-    with np.errstate(invalid="ignore"):
-        return exceeds.sum(axis=(1, 3)) / known.sum(axis=(1, 3))
+    exceeds = displacement > threshold
+    with quiet():
+        return exceeds.sum(axis=(1, 3)) / (~np.isnan(displacement)).sum(axis=(1, 3))
 
 
 def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.95) -> list[list[Estimate]]:
@@ -333,15 +312,13 @@ def exceedance(displacement: Floats, thresholds: Floats, confidence: float = 0.9
     short, because the two polarities of a record are not independent.
     """
     records, _, scales, _ = displacement.shape
-    found = []
+    by_scale = []
     for k in range(scales):
         values = _valid(displacement, k)
-        exceeds = values[:, None] > thresholds
-        shares = exceeds.mean(axis=0) if values.size else np.full(thresholds.size, np.nan)
-        lows, highs = proportion(shares * records, records, confidence)
-        rows = np.stack([shares, lows, highs], axis=1)
-        found.append([Estimate(*row) for row in rows.tolist()])
-    return found
+        shares = (values[:, None] > thresholds).mean(axis=0) if values.size else np.full(thresholds.size, np.nan)
+        rows = np.stack([shares, *proportion(shares * records, records, confidence)], axis=1)
+        by_scale.append([Estimate(*row) for row in rows.tolist()])
+    return by_scale
 
 
 class Shares(NamedTuple):
@@ -357,8 +334,5 @@ def variance_shares(displacement: Floats, scale: int) -> Shares:
     values = displacement[:, :, scale]
     if not np.all(np.isfinite(values)) or not np.var(values) > 0.0:
         return Shares(math.nan, math.nan, math.nan)
-    total = np.var(values)
-    records = np.var(values.mean(axis=(1, 2)))
-    polarities = np.var(values.mean(axis=(0, 2)))
-    samples = np.var(values.mean(axis=(0, 1)))
-    return Shares(float(records / total), float(polarities / total), float(samples / total))
+    means = (values.mean(axis=others) for others in ((1, 2), (0, 2), (0, 1)))
+    return Shares(*(float(np.var(mean) / np.var(values)) for mean in means))

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.conversions import Pictured
-from slipcircle.base.kinds import ArrayDict, Flags, Floats, ValueDict
+from slipcircle.base.kinds import ArrayDict, Columns, Flags, Floats, Integers, Texts, ValueDict
 from slipcircle.core import Motion, Status
 from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
@@ -81,9 +81,9 @@ class Study(Shaken, Pictured):
         return self.design.samples()
 
     @cached_property
-    def samples(self) -> dict[str, NDArray[Any]]:
+    def samples(self) -> Columns:
         """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
-        found: dict[str, NDArray[Any]] = {**self.inputs}
+        found = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
             if values.dtype == np.float64:
                 magnitude = np.abs(values) if name in OUTCOMES else values
@@ -120,7 +120,8 @@ class Study(Shaken, Pictured):
         """Estimates from increasing numbers of samples: after 1, 2, 4, ... blocks of every replicate."""
         found = []
         design = self._sampling
-        blocks, turn = design.sample_blocks, design.replicates
+        blocks = design.sample_blocks
+        turn = design.replicates
         while turn < 2 * blocks and design.method != "grid":
             (lanes,) = design.place(min(turn, blocks) - 1)
             first = Study(replace(design, n=lanes.stop, base=0), self.confidence, self.values)
@@ -132,6 +133,7 @@ class Study(Shaken, Pictured):
     # -- tables -------------------------------------------------------------------------------------------------------
 
     def __repr__(self) -> str:
+        """Return the design and a summary of the results in one line."""
         sizes = ", ".join(f"{name}: {len(values)}" for name, values in export.axes(self).items())
         parts = [" ".join(words) for words in self._summary()]
         return f"<Study {self.scene.name}: {'; '.join([sizes, *parts])}>"
@@ -139,7 +141,7 @@ class Study(Shaken, Pictured):
     def _repr_html_(self) -> str:
         return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table(self._summary()))
 
-    def _summary(self) -> list[list[str]]:
+    def _summary(self) -> list[Texts]:
         rows = [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
         for name, quantity in OUTCOMES.items() if self.design.records is None else ():
             low, median, high = (value_text(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
@@ -147,9 +149,11 @@ class Study(Shaken, Pictured):
         return rows
 
     def __len__(self) -> int:
+        """Return the number of samples."""
         return self.design.n
 
     def __bool__(self) -> bool:
+        """Return True, also for studies without samples."""
         return True
 
     def __getitem__(self, index: int) -> Motion:
@@ -165,11 +169,11 @@ class Study(Shaken, Pictured):
         """
         return export.record(self)
 
-    def columns(self) -> dict[str, NDArray[Any]]:
+    def columns(self) -> Columns:
         """Return all scenes as columns by name: axes, inputs, results in SI units, status and reason."""
         return export.columns(self)
 
-    def arrays(self) -> dict[str, NDArray[Any]]:
+    def arrays(self) -> Columns:
         """Return axes, inputs and results as arrays by name."""
         return export.arrays(self)
 
@@ -195,10 +199,9 @@ class Study(Shaken, Pictured):
         """Index of the replicate of each sample."""
         design = self._sampling
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
-        replicates = np.arange(design.sample_blocks) % design.replicates
-        return np.repeat(replicates.astype(np.int8), lengths)
+        return np.repeat((np.arange(design.sample_blocks) % design.replicates).astype(np.int8), lengths)
 
-    def _by_replicate(self, selected: Flags) -> NDArray[np.int64]:
+    def _by_replicate(self, selected: Flags) -> Integers:
         """Return the number of selected samples in each replicate."""
         return np.bincount(self._replicate[selected], minlength=self.design.replicates)
 
@@ -211,7 +214,7 @@ class Study(Shaken, Pictured):
         return self._ordered[name]
 
     @cached_property
-    def counts(self) -> NDArray[np.int64]:
+    def counts(self) -> Integers:
         """Number of samples by `Status`."""
         return np.bincount(self.values["status"].ravel(), minlength=len(Status))
 
@@ -221,7 +224,7 @@ class Study(Shaken, Pictured):
         return int(self._valid.sum())
 
     @cached_property
-    def _valid(self) -> NDArray[np.int64]:
+    def _valid(self) -> Integers:
         """Number of valid samples in each replicate."""
         return self._by_replicate(self.values["status"] < Status.INVALID)
 
@@ -259,7 +262,8 @@ class Study(Shaken, Pictured):
         found = {}
         valid = self.values["status"] < Status.INVALID
         for method, factor in self._factors.items():
-            failing, unknown = valid & (factor < 1.0), valid & np.isnan(factor)
+            failing = valid & (factor < 1.0)
+            unknown = valid & np.isnan(factor)
             estimate = self._single_probability(failing)
             if unknown.any():
                 at_most = self._single_probability(failing | unknown)
@@ -341,9 +345,10 @@ class Study(Shaken, Pictured):
     # -- warnings -----------------------------------------------------------------------------------------------------
 
     @property
-    def warnings(self) -> list[str]:
+    def warnings(self) -> Texts:
         """Warnings about the results."""
-        is_shaken, is_grid = self.design.records is not None, self.design.method == "grid"
+        is_shaken = self.design.records is not None
+        is_grid = self.design.method == "grid"
         found = self._record_warnings() if is_shaken else self._circle_warnings()
         if self.damaged:
             found.append(f"{self.damaged} blocks of the folder were damaged and computed again")
@@ -363,7 +368,7 @@ class Study(Shaken, Pictured):
             found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
         return found + ([] if is_shaken else self._statistics_warnings())
 
-    def _statistics_warnings(self) -> list[str]:
+    def _statistics_warnings(self) -> Texts:
         """Return warnings about the statistics of samples."""
         found = []
         if self.without_result and self.design.method != "grid":
@@ -375,7 +380,7 @@ class Study(Shaken, Pictured):
                 found.append(difference)
         return found
 
-    def _circle_warnings(self) -> list[str]:
+    def _circle_warnings(self) -> Texts:
         stability = stability_of(self.scene)
         if stability is None or not stability.method:
             return []

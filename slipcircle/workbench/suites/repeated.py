@@ -19,7 +19,7 @@ def repeated(measures: Sequence[tuple[int, float, float]], values: Callable[[int
     values : callable
         Function that returns the samples of the record at a place; called only for records whose measures agree.
     """
-    found: dict[int, int] = {}
+    found = {}
     different: dict[tuple[int, str], list[int]] = {}
     for k, (samples, step, peak) in enumerate(measures):
         alike = different.setdefault((samples, f"{step:.6g}"), [])

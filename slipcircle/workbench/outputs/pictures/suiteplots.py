@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.outputs.plotstyle import (
+from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     SERIES,
@@ -21,8 +22,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     points_of,
     title,
 )
-from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
-from slipcircle.workbench.outputs.trace import drawn
+from slipcircle.workbench.outputs.pictures.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.statistics import distribution, exceedance
 

@@ -8,9 +8,9 @@ import numpy as np
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
-from slipcircle.workbench.outputs.plotstyle import LINES, SOILS, axis, label, measure, points_of, title
-from slipcircle.workbench.outputs.scenery import key_of, numbers_of
-from slipcircle.workbench.outputs.shapes import Mass
+from slipcircle.workbench.outputs.pictures.plotstyle import LINES, SOILS, axis, label, measure, points_of, title
+from slipcircle.workbench.outputs.pictures.scenery import key_of, numbers_of
+from slipcircle.workbench.outputs.pictures.shapes import Mass
 
 _ACROSS = 400  # number of points of the stress curve
 _START = 6.0  # width of the arc at the start, in points

@@ -17,10 +17,11 @@ from slipcircle.layers import LayeredSection
 from slipcircle.messages import standing, swings_back
 from slipcircle.tables import in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
-from slipcircle.workbench.outputs.comparison import ladder
-from slipcircle.workbench.outputs.film import animate
-from slipcircle.workbench.outputs.layerplot import stress_along
-from slipcircle.workbench.outputs.plotstyle import (
+from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.outputs.pictures.comparison import ladder
+from slipcircle.workbench.outputs.pictures.film import animate
+from slipcircle.workbench.outputs.pictures.layerplot import stress_along
+from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     amount,
@@ -40,9 +41,8 @@ from slipcircle.workbench.outputs.plotstyle import (
     width,
     work,
 )
-from slipcircle.workbench.outputs.sectionplot import section
-from slipcircle.workbench.outputs.sheets import Drawing, heading, sheet
-from slipcircle.workbench.outputs.trace import drawn
+from slipcircle.workbench.outputs.pictures.sectionplot import section
+from slipcircle.workbench.outputs.pictures.sheets import Drawing, heading, sheet
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 

@@ -32,7 +32,9 @@ def ladder(scene: Scene) -> list[Rung]:
     motion least. A motion that would never rest is followed for the duration of the complete scene.
     """
     full = solve(scene)
-    chosen, order, motions = full.plan.effects, list[str](), [full]
+    chosen = full.plan.effects
+    order = list[str]()
+    motions = [full]
     while chosen:
         without = [(e, _solved(scene, tuple(x for x in chosen if x != e), full)) for e in reversed(chosen)]
         least, motion = min(without, key=lambda found: _distance(found[1], full))

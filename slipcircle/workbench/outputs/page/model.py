@@ -22,8 +22,8 @@ from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
 from slipcircle.workbench.files.numbers import Number, by_name
-from slipcircle.workbench.outputs.livestart import NoFit, Start, start_of
-from slipcircle.workbench.outputs.plotstyle import FIRST, quantity_words
+from slipcircle.workbench.outputs.page.start import NoFit, Start, start_of
+from slipcircle.workbench.outputs.pictures.plotstyle import FIRST, quantity_words
 
 DEGREE = 16  # greatest degree of an interpolant in one number
 ROUNDING = 4e-15  # relative to the greatest value; smaller coefficients are dropped

@@ -13,7 +13,7 @@ from slipcircle.base.kinds import Pair
 from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, observable
 from slipcircle.workbench.files.numbers import Number, number_in
-from slipcircle.workbench.outputs.plotstyle import (
+from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     SERIES,
@@ -34,7 +34,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     title,
     unit_of,
 )
-from slipcircle.workbench.outputs.sheets import Drawing, Row, heading, sheet
+from slipcircle.workbench.outputs.pictures.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BEYOND
 

@@ -12,9 +12,9 @@ import numpy as np
 from slipcircle.base.kinds import Floats, Pair
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
-from slipcircle.workbench.outputs.plotstyle import SOILS
-from slipcircle.workbench.outputs.scenery import Line, lines
-from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
+from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
+from slipcircle.workbench.outputs.pictures.scenery import Line, lines
+from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, Mass, View, mass_of
 
 WIDTH = 1000.0  # width of the drawing in its own unit
 _LOWEST = 0.42  # least height over width

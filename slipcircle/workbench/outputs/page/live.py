@@ -22,7 +22,7 @@ from slipcircle.workbench.common.markup import Raw, document, escaped, tag, term
 from slipcircle.workbench.common.quantities import Interval
 from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.livemodel import (
+from slipcircle.workbench.outputs.page.model import (
     MOST_COEFFICIENTS,
     Slider,
     default_sliders,
@@ -30,10 +30,10 @@ from slipcircle.workbench.outputs.livemodel import (
     model,
     unsolvable,
 )
-from slipcircle.workbench.outputs.livesection import Section as Drawn
-from slipcircle.workbench.outputs.livesection import axes, frame_around, section
-from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
-from slipcircle.workbench.outputs.sectionplot import magnified
+from slipcircle.workbench.outputs.page.section import Section as Drawn
+from slipcircle.workbench.outputs.page.section import axes, frame_around, section
+from slipcircle.workbench.outputs.pictures.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
+from slipcircle.workbench.outputs.pictures.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
 
 _SAMPLES = 241  # number of samples of the solved motion

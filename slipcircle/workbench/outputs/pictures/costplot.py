@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.workbench.cost.rows import BEATEN, RECOMMENDED, Row
-from slipcircle.workbench.outputs.plotstyle import MARKS, MEASURED, SERIES, axis, label, legend
+from slipcircle.workbench.outputs.pictures.plotstyle import MARKS, MEASURED, SERIES, axis, label, legend
 
 SIZE = (8.6, 5.0)  # inches
 _LEAST, _NONE = 1e-17, 1.0  # ends of the axis of errors; errors beyond are drawn there

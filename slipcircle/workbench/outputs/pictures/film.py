@@ -8,8 +8,8 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import printed
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import area, axis, number, pace
-from slipcircle.workbench.outputs.sectionplot import set_stage
+from slipcircle.workbench.outputs.pictures.plotstyle import area, axis, number, pace
+from slipcircle.workbench.outputs.pictures.sectionplot import set_stage
 
 _FRAMES = 60
 

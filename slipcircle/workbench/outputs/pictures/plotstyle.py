@@ -11,8 +11,8 @@ from slipcircle.base.optional import optional
 from slipcircle.base.text import measured, printed, shown
 from slipcircle.core import Motion, Status
 from slipcircle.messages import standing, swings_back
+from slipcircle.workbench.common.trace import drawn
 from slipcircle.workbench.files.numbers import Number
-from slipcircle.workbench.outputs.trace import drawn
 
 FIRST = "first standstill"  # end of a motion that is computed to its first standstill
 WIDTH = 8.6  # inches of a picture of several panels, about the width of a page, where texts have at least 8 points
@@ -143,7 +143,7 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
 
 def label(ax: Any, words: str, anchors: Any, colour: str = "black", inside: bool = False, **more: Any) -> None:
     """Add a label beside the best of its anchors, which are points (n, 2), where it covers least."""
-    from slipcircle.workbench.outputs.labels import Label
+    from slipcircle.workbench.outputs.pictures.labels import Label
 
     Label(ax, words, anchors, colour, inside, **more)
 

@@ -6,7 +6,7 @@ from textwrap import shorten
 from typing import Any, NamedTuple
 
 from slipcircle.base.kinds import Function, Pair
-from slipcircle.workbench.outputs.plotstyle import WIDTH, letter
+from slipcircle.workbench.outputs.pictures.plotstyle import WIDTH, letter
 
 _TITLE = 0.4  # inches
 _COLUMNS = 2

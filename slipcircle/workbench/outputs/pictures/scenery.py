@@ -13,7 +13,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.text import printed, shown
 from slipcircle.core import Arc
 from slipcircle.ground import free_water
-from slipcircle.workbench.outputs.shapes import Mass, View
+from slipcircle.workbench.outputs.pictures.shapes import Mass, View
 
 _ACROSS = 400  # number of points of a boundary
 _ON_CIRCLE = 100  # number of points of the ground along a circle

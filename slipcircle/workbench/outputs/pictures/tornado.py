@@ -9,7 +9,7 @@ import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
-from slipcircle.workbench.outputs.plotstyle import (
+from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     amount,
     axis,
@@ -23,7 +23,7 @@ from slipcircle.workbench.outputs.plotstyle import (
     title,
     unit_of,
 )
-from slipcircle.workbench.outputs.sheets import Drawing, sheet
+from slipcircle.workbench.outputs.pictures.sheets import Drawing, sheet
 
 if TYPE_CHECKING:
     from slipcircle.derivatives import Sensitivity

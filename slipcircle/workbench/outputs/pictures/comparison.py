@@ -11,7 +11,9 @@ import numpy as np
 
 from slipcircle.core import Motion
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.outputs.plotstyle import (
+from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.cost.ladder import Rung
+from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     REST,
@@ -29,11 +31,9 @@ from slipcircle.workbench.outputs.plotstyle import (
     points_of,
     title,
 )
-from slipcircle.workbench.outputs.sectionplot import surroundings
-from slipcircle.workbench.outputs.shapes import mass_of
-from slipcircle.workbench.outputs.sheets import Drawing, sheet
-from slipcircle.workbench.outputs.trace import drawn
-from slipcircle.workbench.studies.ladder import Rung
+from slipcircle.workbench.outputs.pictures.sectionplot import surroundings
+from slipcircle.workbench.outputs.pictures.shapes import mass_of
+from slipcircle.workbench.outputs.pictures.sheets import Drawing, sheet
 
 _MOST_BARS = 24  # greatest number; the other run-outs are summarised in text
 STILL = "does not move"

@@ -12,9 +12,10 @@ from slipcircle.ground import Section
 from slipcircle.layers import LayeredSection
 from slipcircle.messages import OUTSIDE, range_words, swings_back
 from slipcircle.workbench.common.starting import start_words, starts
+from slipcircle.workbench.common.trace import toe_words
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.outputs.layerplot import draw_stretches
-from slipcircle.workbench.outputs.plotstyle import (
+from slipcircle.workbench.outputs.pictures.layerplot import draw_stretches
+from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     SCENERY,
@@ -28,9 +29,8 @@ from slipcircle.workbench.outputs.plotstyle import (
     title,
     to_scale,
 )
-from slipcircle.workbench.outputs.scenery import lines
-from slipcircle.workbench.outputs.shapes import ON_ARC, Mass, View, mass_of
-from slipcircle.workbench.outputs.trace import toe_words
+from slipcircle.workbench.outputs.pictures.scenery import lines
+from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, Mass, View, mass_of
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
 

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.workbench.outputs.plotstyle import SCENERY, area, label, title, to_scale
-from slipcircle.workbench.outputs.sectionplot import factors_in_words, name_circle, scenery
-from slipcircle.workbench.outputs.shapes import View, mass_of
-from slipcircle.workbench.outputs.sheets import Drawing, heading, sheet
+from slipcircle.workbench.outputs.pictures.plotstyle import SCENERY, area, label, title, to_scale
+from slipcircle.workbench.outputs.pictures.sectionplot import factors_in_words, name_circle, scenery
+from slipcircle.workbench.outputs.pictures.shapes import View, mass_of
+from slipcircle.workbench.outputs.pictures.sheets import Drawing, heading, sheet
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS

@@ -11,11 +11,11 @@ from slipcircle.base.kinds import Function, Pair
 from slipcircle.base.optional import optional
 from slipcircle.base.progress import track
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.plotstyle import described
+from slipcircle.workbench.outputs.pictures.plotstyle import described
 
 if TYPE_CHECKING:
-    from slipcircle.workbench.outputs.film import Film
-    from slipcircle.workbench.outputs.sheets import Drawing
+    from slipcircle.workbench.outputs.pictures.film import Film
+    from slipcircle.workbench.outputs.pictures.sheets import Drawing
 
 KINDS = ("png", "svg", "pdf", "jpg")
 _FRAMES = 12  # frames per second
@@ -23,7 +23,7 @@ _HOLD = 2000  # milliseconds, duration of the last frame of a GIF
 _COLOURS = 64  # number of colours of each frame
 
 
-def check(command: str, path: str = "", scenes: int = 1) -> None:
+def check_picture(command: str, path: str = "", scenes: int = 1) -> None:
     """Raise an error if a command cannot draw a picture in the format of a path for this number of scenes.
 
     Requires matplotlib. Only ``run`` can write a .gif, and only for one scene.
@@ -91,8 +91,7 @@ def _played(film: "Film") -> bytes:
 
 def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
     """Return the functions that make a `Drawing` of a result, by kind of picture; modules are loaded on first use."""
-    from slipcircle.workbench.cost.costplot import frontier
-    from slipcircle.workbench.outputs import (
+    from slipcircle.workbench.outputs.pictures import (
         comparison,
         layerplot,
         plots,
@@ -102,7 +101,8 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
         suiteplots,
         tornado,
     )
-    from slipcircle.workbench.outputs.sheets import sheet
+    from slipcircle.workbench.outputs.pictures.costplot import frontier
+    from slipcircle.workbench.outputs.pictures.sheets import sheet
 
     def alone(draw: Callable[..., Any], height: float) -> Callable[[Any], "Drawing"]:
         return lambda result: sheet([(height, [partial(draw, result)])])
@@ -137,6 +137,6 @@ def picture(what: str, result: Any, path: str) -> bytes:
 
 def slide(motion: Motion, seconds: float = 5.0) -> bytes:
     """Return a GIF that plays a motion in ``seconds``."""
-    from slipcircle.workbench.outputs.film import film
+    from slipcircle.workbench.outputs.pictures.film import film
 
     return render(lambda figure: film(motion, figure, max(2, round(_FRAMES * seconds)), seconds), (7.0, 4.6), ".gif")

@@ -1,0 +1,1 @@
+"""Live page of a slide: Python modules, and the page's HTML, CSS and JavaScript."""
