@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 442251f0cd60e996cb5e8db7fef9af57a66add9247f847cc19d0c7bd94e08a98
+# sha256 of the text below: 54b9b6533914d7612e0487c8410fb0c2c244df298809c9cfbfa0a8e7ce0930b3
 """Selection of the compiled loops or of NumPy for a kernel, and of its tier of accuracy.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -255,7 +255,7 @@ def _clipped(text: Text, alpha: Array) -> Array:
 
 # --- arrays of other libraries ---------------------------------------------------------------------------------------
 
-# Libraries whose arrays stay what they are; of several arguments, the first library here decides.
+# Libraries whose arrays keep their type; of several arguments, the first library here decides.
 LIBRARIES = ("xarray", "pandas", "pint", "dask", "jax", "jaxlib")
 
 

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "afc2fc3defdcbb0360fa00eb4f82db0fe926046fc55af95e2beafff3ec56f4a7"
+#define DIGEST "b2182afae946d739cadc0796983c6c4c15207463a3fd5dbebfe2e9d786ef773f"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1713,8 +1713,8 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Compute the series of all registers, where states have one order more than rates, and return the highest order.
- * If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+/* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
+ * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
  * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
  * `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
@@ -2141,7 +2141,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
+/* Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
  * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
 INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 79afba2e67f625127fe3ec307672379c098a1f9cace126b79d90efddc7905ecd
+# sha256 of the text below: 1742c82ea276ab2d099444a2ee6c56ca7c249a9be20fe1a3359ce97acc9b3be3
 """Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
@@ -313,9 +313,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             lambda value, scales: value, True, 'rotation'),
         Parameter('normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'layered_normal_slope',
             lambda value, scales: value, True, 'rotation'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+        Parameter('inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity', '', 1.0,
             'layered_inertia', lambda value, scales: value, True, 'rotation'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
+        Parameter('lift', '', -INFINITY, INFINITY, 'its decrease by water', '', 1.0, 'layered_lift', lambda value,
             scales: value, True, 'rotation'),
         Parameter('remaining', '', -INFINITY, INFINITY,
             'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
@@ -326,11 +326,11 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             'layered_remaining', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('remaining_normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0,
             'layered_remaining_slope', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
-        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
+        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity',
             '', 1.0, 'layered_remaining_inertia', lambda value, scales: scales['strength_factor']*value, True,
             'rotation'),
-        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0,
-            'layered_remaining_lift', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
+        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'its decrease by water', '', 1.0, 'layered_remaining_lift',
+            lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
             lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'each soil along the arc has its strength, with the normal stress from the weight above it (2.23)', False,
@@ -350,9 +350,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             1.0, 'soil_turning', lambda value, scales: value, True, 'number'),
         Parameter('slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'soil_slope', lambda value,
             scales: value, True, 'number'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+        Parameter('inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity', '', 1.0,
             'soil_inertia', lambda value, scales: value, True, 'number'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from the normal force', '', 1.0, 'soil_lift',
+        Parameter('lift', '', -INFINITY, INFINITY, 'decrease of the normal force by water', '', 1.0, 'soil_lift',
             lambda value, scales: value, True, 'rotation'),
     ), (), 'a soil has a friction law of its own, and its part of the normal force; strength moves with the mass',
         False, (), ('adds Theta soil_lift soil_mu/(lambda slip_mu) to u',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bdf4f55f2158bee557723382411959ea83f13b13b95e7076eb746dc47b5111d3
+# sha256 of the text below: 9cc1b2a27a9dd4708c52bdc19bb7e47ba790f7d078a6bf0071e02b8a2712cb49
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ __all__ = [
 
 @np.errstate(all="ignore")
 def polar_moment(alpha: Any) -> Any:
-    """(2.19), as printed: float64 arrays, no domain check.
+    """Return (2.19), as printed; float64 arrays, no domain check.
 
     Operations: 6 mul, 1 add, 2 sub, 2 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
 
@@ -37,7 +37,7 @@ def polar_moment(alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def moment_of_inertia(alpha: Any) -> Any:
-    """(3.15), as printed: float64 arrays, no domain check.
+    """Return (3.15), as printed; float64 arrays, no domain check.
 
     Operations: 5 mul, 1 add, 1 sub, 1 div, 1 cos, 1 sin.
 
@@ -51,7 +51,7 @@ def moment_of_inertia(alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def radial_weight_amplitude(alpha: Any) -> Any:
-    """Appendix I in one line, as printed: float64 arrays, no domain check.
+    """Return Appendix I in one line, as printed; float64 arrays, no domain check.
 
     Operations: 2 mul, 1 sub, 1 arctanh, 1 cos, 1 sin.
 
@@ -66,7 +66,7 @@ def radial_weight_amplitude(alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def weight_moment_amplitude(alpha: Any) -> Any:
-    """(3.13), integrated, as printed: float64 arrays, no domain check.
+    """Return (3.13), integrated, as printed; float64 arrays, no domain check.
 
     Operations: 3 mul, 1 sub, 1 cos, 1 sin.
 
@@ -81,7 +81,7 @@ def weight_moment_amplitude(alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def resistance_factor(alpha: Any) -> Any:
-    """(3.14), as printed: float64 arrays, no domain check.
+    """Return (3.14), as printed; float64 arrays, no domain check.
 
     Operations: 2 mul, 1 sub, 1 cos.
 
@@ -94,7 +94,7 @@ def resistance_factor(alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def dynamic_coefficient(alpha: Any) -> Any:
-    """(2.24) with (2.19), as printed: float64 arrays, no domain check.
+    """Return (2.24) with (2.19), as printed; float64 arrays, no domain check.
 
     Operations: 8 mul, 1 add, 3 sub, 3 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
 
@@ -107,7 +107,7 @@ def dynamic_coefficient(alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def appendix_I(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
-    """Appendix I, brackets repaired, as printed: float64 arrays, no domain check.
+    """Return Appendix I, brackets repaired, as printed; float64 arrays, no domain check.
 
     Operations: 83 mul, 14 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
 
@@ -160,7 +160,7 @@ def appendix_I(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
 
 @np.errstate(all="ignore")
 def appendix_II(theta_1: Any, theta_2: Any, alpha: Any) -> Any:
-    """Appendix II, brackets repaired, as printed: float64 arrays, no domain check.
+    """Return Appendix II, brackets repaired, as printed; float64 arrays, no domain check.
 
     Operations: 86 mul, 19 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
 
