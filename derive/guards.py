@@ -224,15 +224,7 @@ def _check_law(law: Law) -> list[str]:
     used = _check_formula(law, "coefficient", formula, MOTION | _units({p.name: p.unit for p in law.parameters}))
     if MOTION.keys() <= used:
         refuse(law, "coefficient", "slip and speed", "slip or speed: in a scene two laws multiply each other")
-    for function in sorted(formula.atoms(sp.Min, sp.Max), key=str):
-        if [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
-            refuse(law, "coefficient", function, "min and max of two polynomials of the slip")
-    for kink in law.kinks:
-        if kink not in by_symbol:
-            refuse(law, "coefficient", f"a branch that changes at a slip of {kink}", "at a parameter")
-    if len(law.kinks) > 1:
-        places = " and ".join(map(str, law.kinks))
-        refuse(law, "coefficient", f"branches that change at {places}", "one slip: the order of two varies")
+    _check_kinks(law, formula, by_symbol)
     fault, undecided = domain.fault(formula, _box(law, by_symbol))
     if fault:
         refuse(law, "coefficient", fault, "numbers that are not negative")
@@ -243,6 +235,19 @@ def _check_law(law: Law) -> list[str]:
     if law.kinks:
         fragments.pieces(law)
     return [p.name for x, p in by_symbol.items() if x not in used]
+
+
+def _check_kinks(law: Law, formula: sp.Expr, by_symbol: Mapping[sp.Symbol, Parameter]) -> None:
+    """Check that minima and maxima are of polynomials and change branch at one parameter."""
+    for function in sorted(formula.atoms(sp.Min, sp.Max), key=str):
+        if [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
+            refuse(law, "coefficient", function, "min and max of two polynomials of the slip")
+    for kink in law.kinks:
+        if kink not in by_symbol:
+            refuse(law, "coefficient", f"a branch that changes at a slip of {kink}", "at a parameter")
+    if len(law.kinks) > 1:
+        places = " and ".join(map(str, law.kinks))
+        refuse(law, "coefficient", f"branches that change at {places}", "one slip: the order of two varies")
 
 
 def _box(law: Law, by_symbol: Mapping[sp.Symbol, Parameter]) -> dict[sp.Symbol, domain.Ends]:

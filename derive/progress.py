@@ -4,8 +4,10 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import chain
 from typing import TypeVar
 
 T = TypeVar("T")
@@ -37,10 +39,15 @@ def track(items: Iterable[T], task: str, total: int) -> Iterator[T]:
             say(f"{task}: {done} of {total}{estimate}")
 
 
-def parallel(function: Callable[[S], T], items: Sequence[S], task: str) -> Iterator[T]:
-    """Yield the results of a function in order: of several items from two processes, of a single item from this one."""
-    if len(items) < 2:
-        yield from map(function, items)
+def parallel(function: Callable[[S], T], groups: Sequence[Sequence[S]], task: str) -> Iterator[T]:
+    """Yield the results for all items of groups in order: of several groups from two processes, otherwise from here."""
+    each = partial(_results, function)
+    if len(groups) < 2:
+        yield from chain.from_iterable(map(each, groups))
         return
     with ProcessPoolExecutor(2) as pool:
-        yield from track(pool.map(function, items), task, len(items))
+        yield from chain.from_iterable(track(pool.map(each, groups), task, len(groups)))
+
+
+def _results(function: Callable[[S], T], items: Iterable[S]) -> list[T]:
+    return list(map(function, items))

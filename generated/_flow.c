@@ -1,9 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-<<<<<<< HEAD
-#define DIGEST "b2182afae946d739cadc0796983c6c4c15207463a3fd5dbebfe2e9d786ef773f"
-=======
-#define DIGEST "104c931c71497437b8a6c24f70ef1e54f0030f23be58b942abfe27d325a3586d"
->>>>>>> main
+#define DIGEST "c3ffb4f0e1aba51825749a8c206e63ddaa7f9ad51177bfdb04aae75a178076cc"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.

@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: 08ebadee703b8ce837bd4b3926e272e5b5680be7da1e2beb2f1549d1c396498d
-=======
-# sha256 of the text below: 4fafeb24117bb9127d4b707cab7218287a72947510aafd5c6b5242dd24c6ccad
->>>>>>> main
+# sha256 of the text below: fc35fa2f4ded846cd36803553a22daaa5ba034d7de952e2eef123c1b596732d4
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of

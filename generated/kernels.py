@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 169176f9ceaf5a6286ee179f91f7025fc6a25af1e09465068b6cb02886d53e27
+# sha256 of the text below: 162615408b0d8956d5e72db95c5344f2a58037c923b90a2477ed9dd764a8c03e
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from __future__ import annotations
@@ -607,8 +607,7 @@ _call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coeffic
 
 
 def dynamic_coefficient(alpha, out=None, *, where=True, accuracy=None):
-    """Return A, the coefficient of the square of the angular velocity in the mean normal stress (2.20),
-    dimensionless.
+    """Return A, the coefficient of omega*^2 in the mean normal stress (2.20), dimensionless.
 
     A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish.
 

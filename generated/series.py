@@ -1,9 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-<<<<<<< HEAD
-# sha256 of the text below: ad0a8688c681503215cd7b5077fcdbecbee65b2d683aee5d91fd6ad42e40457b
-=======
-# sha256 of the text below: 6c4517379fcb8b4a359e14ccc9a653d17298827093f3d68a5ca484fa956e0675
->>>>>>> main
+# sha256 of the text below: 70df0c5bd3daf0395fe420f193d23171b8a67c0322fff6fe9187d462d93e6e3b
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -19,11 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-<<<<<<< HEAD
-DIGEST = "b2182afae946d739cadc0796983c6c4c15207463a3fd5dbebfe2e9d786ef773f"  # of the compiled integrator's source
-=======
-DIGEST = "104c931c71497437b8a6c24f70ef1e54f0030f23be58b942abfe27d325a3586d"  # of the compiled integrator's source
->>>>>>> main
+DIGEST = "c3ffb4f0e1aba51825749a8c206e63ddaa7f9ad51177bfdb04aae75a178076cc"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6bd3d57979e98be4c5d891ba39deb9bbe842a42deebc6aea6399e6c161c80ab9
+# sha256 of the text below: 40e49a2353671207b16580dfd675e99bd0a2a6232bd6979ba9b44c25915b8346
 """The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."""
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def closed(x: Any, y: Any, e_x: Any, e_y: Any, angle: Any) -> tuple[Any, Any, An
     Notes
     -----
     Accurate where the edge is longer than 1/4 (r1 + r2); `rings` elsewhere.
-    Operations: 53 mul, 17 add, 16 sub, 25 div, 1 min, 1 arctanh, 3 sqrt. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -112,7 +112,7 @@ def rings(g: Any) -> tuple[Any, Any, Any, Any, Any]:
     -----
     With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of 10 nodes: accurate however thin the ring, where the
     edge is at most 1/4 (r1 + r2) long.
-    Operations: 10 mul, 2 add, 3 sub, 5 div, 1 sqrt. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -156,7 +156,7 @@ def head(angle: Any, sine: Any, cosine: Any, height: Any, slope: Any) -> Any:
     Notes
     -----
     Over at most pi; accurate however near the line and however steep.
-    Operations: 24 mul, 15 add, 1 sub, 1 sin. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -197,7 +197,7 @@ def drive(sine: Any, cosine: Any, height: Any, k_h: Any) -> Any:
 
     Notes
     -----
-    Operations: 7 mul, 2 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -233,7 +233,7 @@ def ordinary_normal(sine: Any, cosine: Any, height: Any, pressure: Any, k_h: Any
 
     Notes
     -----
-    Operations: 3 mul, 1 add, 1 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -269,7 +269,7 @@ def bishop_strength(cosine: Any, height: Any, pressure: Any, cohesion: Any, mu: 
 
     Notes
     -----
-    Operations: 2 mul, 1 add, 1 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -303,7 +303,7 @@ def bishop_lever(sine: Any, cosine: Any, mu: Any, factor: Any) -> Any:
 
     Notes
     -----
-    Operations: 1 mul, 1 sub, 1 div. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -343,7 +343,7 @@ def bishop_normal(sine: Any, cosine: Any, height: Any, pressure: Any, cohesion: 
 
     Notes
     -----
-    Operations: 3 mul, 1 add, 2 sub, 3 div. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -373,7 +373,7 @@ def radial_weight(cosine: Any, distance: Any) -> Any:
 
     Notes
     -----
-    Operations: 1 mul, 1 sub. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------
@@ -408,7 +408,7 @@ def radial_tilt(sine: Any, cosine: Any, height: Any, distance: Any) -> Any:
 
     Notes
     -----
-    Operations: 2 mul, 2 add, 1 sub, 1 div, 1 log. No domain check; shapes broadcast.
+    No domain check; shapes broadcast.
 
     Examples
     --------

@@ -6,7 +6,7 @@ The proof itself is the checker's (`derive.check.certify`), which reads the reco
 import json
 from collections.abc import Callable, Iterable
 from decimal import ROUND_CEILING, Context
-from itertools import chain, groupby
+from itertools import groupby
 from operator import attrgetter, itemgetter
 
 import numpy as np
@@ -116,17 +116,13 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
     return alpha, error
 
 
-def _certified_together(variants: list[Variant]) -> list[Record]:
-    return list(map(certified, variants))
-
-
 def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
     """Return the record of every variant: the known record if its operations and seal are right, or a new one."""
     proved = {record["sha256"]: record for record in known if record == seal(record)}
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
     new = (variant for digest, variant in by_digest.items() if digest not in proved)
     by_kernel = [list(group) for _, group in groupby(new, attrgetter("kernel"))]  # which share hard inputs
-    for record in chain.from_iterable(parallel(_certified_together, by_kernel, "kernels certified")):
+    for record in parallel(certified, by_kernel, "kernels certified"):
         proved[record["sha256"]] = record
     return [proved[digest] for digest in by_digest]
 

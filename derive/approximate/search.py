@@ -323,7 +323,7 @@ def search(kernel: Kernel) -> Shape:
 def complete() -> str:
     """Search for the shapes of kernels without a record, record them for this run, and return their names."""
     missing = {k.definition: k for k in shapes.kernels() if k.definition not in records()}
-    searched = parallel(search, list(missing.values()), "shapes searched")
+    searched = parallel(search, [[x] for x in missing.values()], "shapes searched")
     records().update(zip(missing, searched, strict=True))
     names = [" / ".join(definition) for definition in missing]
     return ", ".join(names) or "none"

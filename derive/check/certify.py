@@ -15,7 +15,7 @@ An operation that computes the rounding error of another operation *is* that n_i
 import heapq
 import math
 import time
-from itertools import chain, groupby
+from itertools import groupby
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -227,11 +227,6 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
     return bound
 
 
-def checked_together(records: list[Record]) -> list[tuple[str, bool]]:
-    """Return `checked` for records that may share hard inputs."""
-    return list(map(checked, records))
-
-
 def checked(record: Record) -> tuple[str, bool]:
     """Return the outcome and the time of a record's proof as a line, and whether the record is accepted."""
     start = time.perf_counter()
@@ -260,7 +255,7 @@ def prove_all() -> bool:
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
     grouped = groupby(records, itemgetter("kernel"))
     by_kernel = [list(those) for _, those in grouped]
-    for line, proved in chain.from_iterable(parallel(checked_together, by_kernel, "kernels checked")):
+    for line, proved in parallel(checked, by_kernel, "kernels checked"):
         print(line, flush=True)
         accepted &= proved
     outcome = "all proved" if accepted else "NOT all proved"

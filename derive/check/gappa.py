@@ -91,7 +91,8 @@ def compare() -> bool:
     records = read()
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'ours':>9} {'by Gappa':>9} {'rounding':>9}")
     proved = []
-    for record, (line, is_proved) in zip(records, parallel(compared, records, "certificates compared"), strict=True):
+    rows = parallel(compared, [[x] for x in records], "certificates compared")
+    for record, (line, is_proved) in zip(records, rows, strict=True):
         print(line, flush=True)
         proved += [is_proved] * (record["tier"] != "best")
     print(f"{sum(proved)} of {len(proved)} proved beside tier best; below 2**-320 and for two angles nothing is asked")

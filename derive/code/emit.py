@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from derive.code.program import Program, operations
+from derive.code.program import Program
 from derive.code.text import WIDTH, Language, Part, Reader, statements
 
 
@@ -231,7 +231,6 @@ def raw_module(docstring: str, programs: Sequence[tuple[Program, str]], place: s
     for p, source in programs:
         lines = [
             f'"""Return {source}; float64 arrays, no domain check.',
-            f"Operations: {operations(p.operations())}.",
             "\n    ".join(example(p, place, [_GIVEN[x] for x in p.inputs])) + '\n    """\n',
         ]
         documented.append((p, "    " + "\n\n    ".join(lines)))

@@ -221,21 +221,29 @@ def parameters(effects: Sequence[Effect], moving: Sequence[str]) -> dict[Symbol,
     return values | {x: now(str(x)) for effect in effects for x in effect.states}
 
 
+def components(laws: Sequence[Law], phi: Expr) -> dict[Symbol, Expr]:
+    """Return the components of the weight after a rotation, also of each soil with a law."""
+    values = {}
+    for number in ("", *map(soil_of, laws)):
+        names = {x: numbered(x, number) for x in BY_PSI}
+        at_start = {x: positive(str(named)) for x, named in names.items()}
+        for q, slope in BY_PSI.items():
+            turned = q * cos(phi) - slope * sin(phi)
+            values[names[q]] = expand_trig(turned.xreplace(at_start))
+    return values
+
+
 def symbols_at(
     effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str], known: Cells
 ) -> dict[Symbol, Expr]:
-    """Return the values of all symbols in declared terms at a moment, except normal stress; mu is that of the laws."""
-    turns = any(effect.turns for effect in effects)
+    """Return the values of all symbols in declared terms at a moment, except normal stress.
+
+    mu is the sum of the laws of soils, or else the law of slip, multiplied by the law of speed if there is one.
+    """
     phi = ZERO
-    if turns:
+    if any(effect.turns for effect in effects):
         phi = known["ROTATION"] + known["DIRECTION"] * now("x")
-    values = parameters(effects, moving)
-    for q, slope in BY_PSI.items():
-        for number in ("", *map(soil_of, laws)):
-            names = {x: numbered(x, number) for x in BY_PSI}
-            turned = q * cos(phi) - slope * sin(phi)
-            at_start = turned.xreplace({x: positive(str(named)) for x, named in names.items()})
-            values[names[q]] = expand_trig(at_start)
+    values = parameters(effects, moving) | components(laws, phi)
     values |= {J_THETA: values[DRIVING_MOMENT], J_R: values[NORMAL_LOAD], symbols.LAMBDA: LAMBDA, THETA: ONE}
     omega = now("omega")
     slip = known["SLIP"] + now("x")
@@ -266,9 +274,8 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
         terms = (effect.terms[quantity] for effect in others)
         return Add(*terms).xreplace(values)
 
-    mu = values[MU]
     load = values[J_R] + total("J_r") + LAMBDA * (total("sigma") - total("u"))
-    mobilised = mu * (1 - known["LIFTED"])
+    mobilised = values[MU] * (1 - known["LIFTED"])
     terms = {
         dynamics.j_theta: known["DIRECTION"] * (values[J_THETA] + total("J_theta")) - total("resistance"),
         dynamics.j_r: load,
@@ -282,7 +289,7 @@ def motion(effects: Sequence[Effect], laws: Sequence[Law], moving: Sequence[str]
     stress = normal / LAMBDA
     for effect in effects:
         growth = effect.growth.subs(MU * EFFECTIVE, mobilised * stress)
-        by_rotation = growth.xreplace({**values, MU: mu, EFFECTIVE: stress})
+        by_rotation = growth.xreplace(values | {EFFECTIVE: stress})
         rates |= {str(x): by_rotation * values[OMEGA] for x in effect.states}
     return rates
 

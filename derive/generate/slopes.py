@@ -3,7 +3,7 @@
 from derive.algebra import slopes
 from derive.algebra.slopes import NODES, REACH, WEIGHTS
 from derive.code import emit
-from derive.code.program import operations, program
+from derive.code.program import program
 
 TITLE = "The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."
 _WORDS = {
@@ -102,9 +102,9 @@ def module() -> str:
         summary, formula, returned, *notes = _TEXTS[name]
         inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
         returns = "tuple of ndarray" if len(outputs) > 1 else "float or ndarray", returned
-        cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
+        note = "No domain check; shapes broadcast."
         examples = emit.example(p, "generated.slopes", [_GIVEN[n] for n in p.inputs])
-        text = emit.numpydoc(summary, formula, inputs, returns, *notes, cost, examples=examples, width=114)
+        text = emit.numpydoc(summary, formula, inputs, returns, *notes, note, examples=examples, width=114)
         functions.append((p, text))
     constants = (
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
