@@ -98,18 +98,6 @@ def softening_by_friction(known: Any, name: str, turns: bool) -> list[Any]:
     return [known["constant"]._replace(adds={"cohesion_law#c": known["constant"].adds["mu"]})]
 
 
-def second_soil_as_first(known: Any, shared_name: str, number: str) -> Any:
-    """The second soil with the numbers of the first."""
-    return NUMBERED(known, shared_name, number.replace("1", "0"))
-
-
-def layers_without_pressure(known: Any, name: str, turns: bool) -> list[Any]:
-    """Layers whose pore pressure is lost."""
-    parts = OF_SOILS(known, name, turns)
-    return [p._replace(adds=p.adds | {"lifting": p.adds["pressing"]}) for p in parts] if name in LAYERS else parts
-
-
-LAYERS = ("layered_strength",)
 NUMBERED = soils._numbered
 OF_SOILS = soils.fragments_of
 FLAT, PLACED, SIMPLIFIED = linker.Linker._flat, program._placed, linker._simplified
@@ -128,8 +116,19 @@ FAULTS = {
         "_define_sum",
         lambda made, name, addends: made.cells.update({name: ("set", (*addends, ZERO)[0])}),
     ),
-    "soils have the numbers of one": (soils, "_numbered", second_soil_as_first),
-    "layers lose their pore pressure": (link, "fragments_of", layers_without_pressure),
+    "soils have the numbers of one": (
+        soils,
+        "_numbered",
+        lambda known, name, number: NUMBERED(known, name, number.replace("1", "0")),
+    ),
+    "layers lose their pore pressure": (
+        link,
+        "fragments_of",
+        lambda known, name, turns: [
+            part._replace(adds=part.adds | {"lifting": part.adds["pressing"]}) if name == "layered_strength" else part
+            for part in OF_SOILS(known, name, turns)
+        ],
+    ),
     "the term of a softening cohesion is lost": (link, "fragments_of", softening_without_term),
     "cohesion follows the law of friction": (link, "fragments_of", softening_by_friction),
 }

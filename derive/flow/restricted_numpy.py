@@ -4,7 +4,6 @@ An ``if`` by lane selects the lanes where its condition is true from the index a
 """
 
 import ast
-import textwrap
 from collections.abc import Iterator, Sequence
 
 from derive.flow.restricted import Function, Text
@@ -188,8 +187,9 @@ class NumPy(Writer):
             if kind == "LANE":
                 parameters.append("i: Index")
         yield f"def {f.name}({', '.join(parameters)}) -> {TYPES[f.returns]}:"
-        words = textwrap.wrap(f.words.split("\n\n")[0].replace("\n", " "), 110)
-        yield '    """' + "\n    ".join(words) + '"""'
+        words = f.words.split("\n\n")[0].replace("\n", " ")
+        closing = "" if len(words) <= 110 else "\n    "
+        yield f'    """{words}{closing}"""'
         if f.of and any("c[" in line for line in body):
             yield f"    c = {self.state}.cells"
         for line in body:
