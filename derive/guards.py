@@ -9,13 +9,30 @@ from types import UnionType
 from typing import Any, NoReturn, get_args, get_origin
 
 import numpy as np
-import sympy as sp
+from sympy import Expr, Function, I, Max, Min, Symbol, diff, nan, oo, sqrt, srepr, tanh, zoo
 
 from derive.check.proof import ProofError
 from derive.code import emit
 from derive.declare import domain
-from derive.declare import effects as declared
-from derive.declare.effects import GRAVITY, RADIUS, SLIP, VALUE, Effect, Law, Parameter
+from derive.declare.effects import (
+    BY_PSI,
+    COHESION_LAW,
+    DEGREE,
+    GRAVITY,
+    K_H,
+    K_V,
+    OMEGA,
+    OMEGA_2,
+    RADIUS,
+    SECTION_EFFECTS,
+    SLIP,
+    SLIP_MU,
+    SOIL_MU,
+    VALUE,
+    Effect,
+    Law,
+    Parameter,
+)
 from derive.declare.limits import LIMITS
 from derive.declare.quantities import QUOTIENTS, Moment
 from derive.declare.units import Units, dimension, of_unit, shown
@@ -43,14 +60,14 @@ UNITS_OF_LAWS = ("", "m", "m/s", "s")
 NUMBERS = ("number", "series", "rotation")
 KINDS = (*NUMBERS, "list", "text", "name", "flag", "fixed")
 # Functions of series, beside powers and minima; tanh consists of exponentials.
-OF_SERIES = {sp.tanh, *(type(f) for o in OPERATIONS.values() for e in o.means for f in e.atoms(sp.Function))}
+OF_SERIES = {tanh, *(type(f) for o in OPERATIONS.values() for e in o.means for f in e.atoms(Function))}
 NEVER_NEGATIVE = ("resistance", "mu")
 FARTHEST = 1e6  # slip and speed, relative to the scales of the law
 STEEPEST = 10.0  # coefficient
 
 
-def _units(by_name: Mapping[str, str]) -> dict[sp.Symbol, sp.Expr]:
-    return {sp.Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
+def _units(by_name: Mapping[str, str]) -> dict[Symbol, Expr]:
+    return {Symbol(name, real=True): of_unit(unit) for names, unit in by_name.items() for name in names.split()}
 
 
 # Units of symbols in the formulas of laws, in conversions of parameters to dimensionless numbers, and in the balance.
@@ -59,10 +76,10 @@ NUMBER = of_unit("")
 MOTION = _units({"slip": "m", "speed": "m/s"})
 SCALES = _units({"half_angle cover Theta strength_factor": "", "radius": "m", "gravity": "m/s^2"})
 SCALES |= _units({"density": "kg/m^3", "reference_stress": "Pa"})
-LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sp.sqrt(GRAVITY * RADIUS): of_unit("m/s")}
+LIKE_MOTION = {VALUE / RADIUS: of_unit("m"), VALUE / sqrt(GRAVITY * RADIUS): of_unit("m/s")}
 OF_WEIGHT = "Theta J_r J_theta lambda A driving_moment driving_moment_slope normal_load normal_load_slope"
 BALANCE = MOTION | _units({OF_WEIGHT: "", "omega omega_2 k_h k_v": ""})
-OF_SECTIONS = dict.fromkeys((*declared.BY_PSI, declared.SLIP_MU, declared.SOIL_MU, declared.COHESION_LAW), NUMBER)
+OF_SECTIONS = dict.fromkeys((*BY_PSI, SLIP_MU, SOIL_MU, COHESION_LAW), NUMBER)
 OF_GROWTH = _units({"mu effective_stress": ""})
 
 
@@ -84,9 +101,10 @@ def check(every: Sequence[Declaration]) -> None:
     in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, *emit.IMPORTS)))
     in_scenes = {*balance, "frozen", *TABLES.split()}
     in_modules = {*in_text, *dir(builtins), *dir(np), *(q.name for q in QUOTIENTS)}
-    symbols = {str(x) for x in {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {declared.K_H, declared.K_V}}
+    of_formulas = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {K_H, K_V}
+    symbols = set(map(str, of_formulas))
     symbols.update(re.findall(r"\w+", repr(balance)))
-    weights: dict[sp.Expr, str] = {}
+    weights: dict[Expr, str] = {}
     for e in every:
         _check_source(e)
         _check_name(e, "name", e.name, in_modules if isinstance(e, Moment) else in_scenes)
@@ -125,7 +143,7 @@ def _fits(value: object, kind: Any) -> bool:
     if get_origin(kind) is UnionType:
         return any(_fits(value, x) for x in get_args(kind))
     if get_origin(kind) is not tuple:
-        return kind is sp.Expr or isinstance(value, int | float if kind is float else kind)
+        return kind is Expr or isinstance(value, int | float if kind is float else kind)
     first, *others = get_args(kind)
     kinds = [first, *others]
     if others == [...] and isinstance(value, tuple):
@@ -155,14 +173,14 @@ def _check_symbols(effect: Effect, taken: set[str]) -> None:
     for x in (*effect.symbols, *effect.states):
         name = str(x)
         names = {name, f"{name}_0", f"d{name}"}
-        if x != sp.Symbol(name, real=True) or not name.isidentifier():
-            refuse(effect, "symbols", sp.srepr(x), "sp.Symbol('name', real=True)")
-        if x not in declared.BY_PSI and names & taken:
+        if x != Symbol(name, real=True) or not name.isidentifier():
+            refuse(effect, "symbols", srepr(x), "sp.Symbol('name', real=True)")
+        if x not in BY_PSI and names & taken:
             refuse(effect, "symbols", x, "each for one quantity of one effect")
         taken |= names
 
 
-def _check_parameters(e: Law | Effect, units: Collection[str]) -> dict[sp.Symbol, Parameter]:
+def _check_parameters(e: Law | Effect, units: Collection[str]) -> dict[Symbol, Parameter]:
     """Check names, kinds, bounds, units and keys, and return parameters by the symbols of their names."""
     taken = {*KEYS.split()}
     in_formula: Sequence[str] = NUMBERS
@@ -182,7 +200,7 @@ def _check_parameters(e: Law | Effect, units: Collection[str]) -> dict[sp.Symbol
         if allowed := _fault_of_key(p, taken):
             refuse(e, f"{what}, key", repr(p.key), allowed)
         taken |= {p.key}
-    return {sp.Symbol(p.name, real=True): p for p in e.parameters}
+    return {Symbol(p.name, real=True): p for p in e.parameters}
 
 
 def _fault_of_key(p: Parameter, taken: set[str]) -> str:
@@ -196,11 +214,11 @@ def _fault_of_key(p: Parameter, taken: set[str]) -> str:
     return "another key, as this key is in use" if p.key in taken - {p.name} else ""
 
 
-def _check_formula(e: Declaration, what: str, formula: sp.Expr, units: Units) -> set[sp.Symbol]:
+def _check_formula(e: Declaration, what: str, formula: Expr, units: Units) -> set[Symbol]:
     """Check the functions and symbols of a formula that must be dimensionless, and return its symbols."""
-    if not isinstance(formula, sp.Expr) or formula.has(sp.I, sp.nan, sp.oo, sp.zoo):
+    if not isinstance(formula, Expr) or formula.has(I, nan, oo, zoo):
         refuse(e, what, repr(formula), "an expression of SymPy in real numbers")
-    for function in sorted(formula.atoms(sp.Function), key=str):
+    for function in sorted(formula.atoms(Function), key=str):
         if type(function) not in OF_SERIES:
             refuse(e, what, function, KNOWN)
     found = dimension(formula, units, _place(e, what))
@@ -216,8 +234,8 @@ def _check_law(law: Law) -> list[str]:
     if formula is None:
         if [(p.name, p.unit, p.kind) for p in law.parameters] not in TABLES_OF:
             refuse(law, "coefficient", "none", "a formula, or two lists: slip, speed or time, and coefficient")
-        if not 0 <= law.degree <= declared.DEGREE:
-            refuse(law, "degree", law.degree, f"0 to {declared.DEGREE}")
+        if not 0 <= law.degree <= DEGREE:
+            refuse(law, "degree", law.degree, f"0 to {DEGREE}")
         return []
     if law.degree:
         refuse(law, "degree", law.degree, "none, as it follows from the formula")
@@ -237,9 +255,9 @@ def _check_law(law: Law) -> list[str]:
     return [p.name for x, p in by_symbol.items() if x not in used]
 
 
-def _check_kinks(law: Law, formula: sp.Expr, by_symbol: Mapping[sp.Symbol, Parameter]) -> None:
+def _check_kinks(law: Law, formula: Expr, by_symbol: Mapping[Symbol, Parameter]) -> None:
     """Check that minima and maxima are of polynomials and change branch at one parameter."""
-    for function in sorted(formula.atoms(sp.Min, sp.Max), key=str):
+    for function in sorted(formula.atoms(Min, Max), key=str):
         if [x.is_polynomial(SLIP) for x in function.args] != [True, True]:
             refuse(law, "coefficient", function, "min and max of two polynomials of the slip")
     for kink in law.kinks:
@@ -250,7 +268,7 @@ def _check_kinks(law: Law, formula: sp.Expr, by_symbol: Mapping[sp.Symbol, Param
         refuse(law, "coefficient", f"branches that change at {places}", "one slip: the order of two varies")
 
 
-def _box(law: Law, by_symbol: Mapping[sp.Symbol, Parameter]) -> dict[sp.Symbol, domain.Ends]:
+def _box(law: Law, by_symbol: Mapping[Symbol, Parameter]) -> dict[Symbol, domain.Ends]:
     """Return the domain of a law within plausible numbers, where the first parameter of a unit is 1."""
     box = {x: (0.0, FARTHEST) for x in MOTION if str(x) in law.depends_on}
     first = {p.unit: p for p in reversed(law.parameters)}
@@ -274,7 +292,7 @@ def _check_effect(effect: Effect) -> list[str]:
     if strange:
         refuse(effect, "any_of", strange, "names of its parameters")
     scales = SCALES | _units({p.name: p.unit for p in effect.parameters})
-    used = set[sp.Symbol]()
+    used = set[Symbol]()
     for p in effect.symbols.values():
         what = f"parameter {p.name!r}, dimensionless"
         found = _check_formula(effect, what, p.dimensionless, scales | {VALUE: of_unit(p.unit)})
@@ -282,7 +300,7 @@ def _check_effect(effect: Effect) -> list[str]:
             refuse(effect, what, p.dimensionless, "a formula of the value")
         used |= found
     used |= _check_terms(effect)
-    if effect not in declared.SECTION_EFFECTS:
+    if effect not in SECTION_EFFECTS:
         _check_values(effect, by_symbol)
     if not (used or effect.turns):
         refuse(effect, "terms", "none", "a term of the balance")
@@ -292,13 +310,13 @@ def _check_effect(effect: Effect) -> list[str]:
     return [p.name for x, p in by_symbol.items() if (p.symbol or not of_functions) and (p.symbol or x) not in used]
 
 
-def _check_terms(effect: Effect) -> set[sp.Symbol]:
+def _check_terms(effect: Effect) -> set[Symbol]:
     """Check the symbols in the terms of an effect, and return them."""
     units = BALANCE | dict.fromkeys(effect.states, NUMBER)
     units |= {x: LIKE_MOTION.get(p.dimensionless, NUMBER) for x, p in effect.symbols.items()}
-    if effect in declared.SECTION_EFFECTS:
+    if effect in SECTION_EFFECTS:
         units |= OF_SECTIONS
-    used = set[sp.Symbol]()
+    used = set[Symbol]()
     for quantity, term in effect.terms.items():
         used |= _check_formula(effect, quantity, term, units)
     if not used >= {*effect.states} or bool(effect.states) != (effect.growth != 0):
@@ -306,22 +324,22 @@ def _check_terms(effect: Effect) -> set[sp.Symbol]:
     return used | _check_formula(effect, "growth", effect.growth, units | OF_GROWTH)
 
 
-def _check_values(effect: Effect, by_symbol: Mapping[sp.Symbol, Parameter]) -> None:
+def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None:
     """Check that resistance and friction are nowhere negative, that no term has a pole, and that states are bounded."""
     box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST)) | {x: _range(p) for x, p in by_symbol.items()}
-    box |= dict.fromkeys((*MOTION, declared.OMEGA, declared.OMEGA_2, *effect.states), (0.0, STEEPEST))
+    box |= dict.fromkeys((*MOTION, OMEGA, OMEGA_2, *effect.states), (0.0, STEEPEST))
     formulas = dict(effect.terms)
     for x, p in effect.symbols.items():
-        value = sp.Symbol(p.name, real=True)
+        value = Symbol(p.name, real=True)
         box[x] = box[value]
         formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
 
-    def fault(e: sp.Expr) -> str:
+    def fault(e: Expr) -> str:
         return domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in sorted(e.free_symbols, key=str)})[0]
 
     for what, e in formulas.items():
         if place := fault(e if what in NEVER_NEGATIVE else e**2 + 1):
             refuse(effect, what, place, "finite numbers, of resistance and friction none below 0")
     for state in effect.states:
-        if fault(-sp.diff(effect.growth, state)):
+        if fault(-diff(effect.growth, state)):
             refuse(effect, "growth", f"{effect.growth}, which rises with {state}", "a bounded state")

@@ -188,8 +188,7 @@ class NumPy(Writer):
                 parameters.append("i: Index")
         yield f"def {f.name}({', '.join(parameters)}) -> {TYPES[f.returns]}:"
         words = f.words.split("\n\n")[0].replace("\n", " ")
-        closing = "" if len(words) <= 110 else "\n    "
-        yield f'    """{words}{closing}"""'
+        yield f'    """{words}"""'
         if f.of and any("c[" in line for line in body):
             yield f"    c = {self.state}.cells"
         for line in body:

@@ -168,8 +168,11 @@ def between(swing: Swing, tolerance: arb) -> Standstill:
     ends = []
     for more, less in (("upper", "lower"), ("lower", "upper")):
         extremes = dict.fromkeys(GREATER, more) | dict.fromkeys(LESS, less)
-        extreme = swing._replace(**{name: getattr(getattr(swing, name), end)() for name, end in extremes.items()})
-        ends.append(standstill(extreme, tolerance))
+        coefficients = {}
+        for name, end in extremes.items():
+            ball = getattr(swing, name)
+            coefficients[name] = getattr(ball, end)()
+        ends.append(standstill(swing._replace(**coefficients), tolerance))
     longest, shortest = ends
     return stand._replace(
         rest=stand.rest.intersection(shortest.rest.union(longest.rest)),
