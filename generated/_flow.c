@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c3ffb4f0e1aba51825749a8c206e63ddaa7f9ad51177bfdb04aae75a178076cc"
+#define DIGEST "39201b74883663f6dd19a614a3818cf51538425c080e2a24dd57b72a890aa747"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2698,9 +2698,8 @@ static V peak_of_swing(V *e, V end, M which)
     return x;
 }
 
-/* Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
- * turn. A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is
- * there. */
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
+ * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
 INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
     V sine_end = sine * (f[0] - f[3]);

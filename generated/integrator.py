@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c7efa416a73a3f9e4875edb55b2d7ccfa04b557d63271cc1f1448dc805f0ecad
+# sha256 of the text below: 3543ce432d902ab2392be11b8a40a43269caf9ca6707bd43e8b0cfa1983a98b0
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1701,8 +1701,7 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
 
 
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a turn.
-    """
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
     sine_end = sine * (f[0] - f[3])
     at_end = start + (sine_end + vers * f[2])
     cosine = 1.0 - f[2]

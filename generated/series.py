@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 70df0c5bd3daf0395fe420f193d23171b8a67c0322fff6fe9187d462d93e6e3b
+# sha256 of the text below: c548147610b553caeb6af359584202e3008c9362a4a65d94e467f8b7dcde4b86
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "c3ffb4f0e1aba51825749a8c206e63ddaa7f9ad51177bfdb04aae75a178076cc"  # of the compiled integrator's source
+DIGEST = "39201b74883663f6dd19a614a3818cf51538425c080e2a24dd57b72a890aa747"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
