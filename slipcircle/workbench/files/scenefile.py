@@ -213,7 +213,8 @@ def _read(content: Values, moving: bool) -> _Input:
             layers = profile(given, keys, given.get("slip.rate"), not {"soils", "layers", "slip"} & {*document.wrong})
             mistakes += layers.mistakes
         loads, of_loads = surcharges(given)
-        slope, wrong = SlopeInput(given, {}, layers, loads), mistakes + of_loads
+        slope = SlopeInput(given, {}, layers, loads)
+        wrong = mistakes + of_loads
     elif "arc" not in document.wrong:
         arc, wrong = _arc(given, keys)
     friction = None if layout.layered else _friction(given)
@@ -235,15 +236,18 @@ def _parts(content: ValueDict, file: str, tell: Tell = lambda _: None, moving: b
     if mistakes:
         raise ValueError("\n".join(f"{file}: {mistake}" for mistake in mistakes))
     effects = _effects(document.arguments, Path(file).parent)
-    constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
-    parts = {
+    parts: ValueDict = {
         "arc": arc,
-        "friction": (friction["coefficient"] if friction is not None and constant else friction),
+        "friction": friction,
         "effects": effects,
         "uncertain": document.uncertain,
+        "observed": document.arguments.get("observed", {}),
+        "stability": None,
+        "remarks": (),
+        "name": Path(file).stem,
     }
-    parts["observed"] = document.arguments.get("observed", {})
-    parts |= {"stability": None, "remarks": (), "name": Path(file).stem}
+    if friction is not None and friction["law"] == "constant" and "rate" not in friction:
+        parts["friction"] = friction["coefficient"]
     if slope is not None:
         strength = {} if friction is None else soil(friction, effects)
         parts["arc"], parts["stability"] = _along_slope(replace(slope, strength=strength), keys, tell, file, moving)
