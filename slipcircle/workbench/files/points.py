@@ -16,12 +16,17 @@ from slipcircle.workbench.common.textfiles import decoded
 from slipcircle.workbench.common.units import LENGTH, unit_of
 
 _PLACES = {"ground": "points", "water": "level", "layers": "top"}
-_COLUMNS = {"x": "x|station|chainage|distance|offset", "y": "y|z|elevation|level|height"}
+_COLUMNS = {  # in English, German, French, Italian and Spanish
+    "x": "x|station|chainage|distance|offset|sta|abstand|abscisse|distanza|progressiva|distancia",
+    "y": "y|z|elevation|level|height|elev|altitude|höhe|hoehe|quota|cota|altitud",
+}
 _MOST_BYTES = 10**7
 _NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?", re.IGNORECASE)
-_TYPES = "LINE LWPOLYLINE POLYLINE"
+_STATION = re.compile(r"(\d+)\+(\d{2,3})([.,]\d+)?")  # 1+25 is 125 ft, 1+250 is 1250 m
+_TYPES = {"LINE", "LWPOLYLINE", "POLYLINE", "SPLINE", "ARC", "ELLIPSE"}
 _DRAWING_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 21: "us_ft"}  # $INSUNITS
 _TOGETHER = 1e-6  # relative to the size of a drawing: ends of lines at most this far apart are joined
+_CURVED = 1e-5  # relative to the size of a curve, its distance from the edges that replace it
 Points = list[Pair]
 
 
@@ -106,16 +111,26 @@ def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, s
 def _sheet(text: str) -> tuple[Points, str]:
     """Return the points of a spreadsheet and the unit that its header states."""
     filled = [line for line in text.splitlines() if line.strip()]
-    separator = next((mark for mark in ";\t" if mark in "".join(filled[-1:])), ",")
+    last = "".join(filled[-1:])
+    separator = next((mark for mark in ";\t," if mark in last), " ")
+    if separator == " ":  # columns of any number of blanks
+        text = "\n".join(" ".join(line.split()) for line in text.splitlines())
     sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
     lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
     rows = [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")]
     either = "|".join(_COLUMNS.values())
-    head = next((k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row)), -1)
+    named = (k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row))
+    no_numbers = rows and not any(_NUMBER.match(cell) for cell in rows[0][1])
+    head = next(named, 0 if no_numbers else -1)
     columns = (0, 1)
     unit = ""
     if head >= 0:
         columns, unit = _columns(rows[head][1])
+        below = {cells[k].strip("()[]") for _, cells in rows[head + 1 : head + 2] for k in columns if k < len(cells)}
+        of_row = {unit_of(cell, LENGTH) for cell in below}
+        if not unit and len(of_row) == 1 and (stated := of_row.pop()):
+            unit = stated
+            head += 1
     else:
         width = max((k for _, row in rows for k, cell in enumerate(row, 1) if cell), default=0)
         if width != 2:
@@ -128,6 +143,9 @@ def _sheet(text: str) -> tuple[Points, str]:
 def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> Pair:
     """Return the x and y of a row of a spreadsheet."""
     cells = [row[k] if k < len(row) else "" for k in columns]
+    station = _STATION.fullmatch(cells[0])
+    if station:
+        cells[0] = "".join(part or "" for part in station.groups())
     for cell in cells:
         marks = set(cell) & {".", ","}
         if not _NUMBER.fullmatch(cell) or not marks <= {decimal}:
@@ -165,18 +183,24 @@ def _columns(head: Sequence[str]) -> tuple[tuple[int, int], str]:
 # --- drawings --------------------------------------------------------------------------------------------------------
 
 
-def _drawing(path: Path, layer: str) -> tuple[Points, str]:
+def _drawing(file: Path, layer: str) -> tuple[Points, str]:
     """Return the points of the connected lines on a layer of a drawing, from left to right, and the drawing's unit."""
     ezdxf = optional("ezdxf", "profiles from drawings")
     make_path = optional("ezdxf.path", "profiles from drawings").make_path
+    recursive_decompose = optional("ezdxf.disassemble", "profiles from drawings").recursive_decompose
     try:
-        drawing = ezdxf.readfile(path)
+        drawing = ezdxf.readfile(file)
     except (OSError, ezdxf.DXFError, ValueError) as error:
         raise ValueError(f"is not a drawing in DXF: {error}") from error
     lines: dict[str, list[Points]] = {}
-    for entity in drawing.modelspace().query(_TYPES):
-        vertices = make_path(entity).flattening(_TOGETHER)
-        lines.setdefault(entity.dxf.layer, []).append([(float(v.x), float(v.y)) for v in vertices])
+    for entity in recursive_decompose(drawing.modelspace()):
+        if entity.dxftype() not in _TYPES:
+            continue
+        path = make_path(entity)
+        corners = np.array([corner.xyz for corner in path.control_vertices()])
+        x_y_z = np.array([v.xyz for v in path.flattening(_CURVED * float(np.ptp(corners, axis=0).max()))])
+        axis = 2 if np.ptp(x_y_z[:, 1]) == 0.0 and np.ptp(x_y_z[:, 2]) > 0.0 else 1  # sections drawn upright
+        lines.setdefault(entity.dxf.layer, []).append([(x, y) for x, y in x_y_z[:, [0, axis]].tolist()])
     chosen = [name for name in lines if name.lower() == layer.lower()] if layer else [*lines]
     if len(chosen) != 1:
         fault = f"has no lines on layer {layer}" if layer else "needs the name of a layer"
