@@ -110,14 +110,7 @@ def read_points(folder: Path, file: str, unit: str, key: str) -> tuple[Points, s
 
 def _sheet(text: str) -> tuple[Points, str]:
     """Return the points of a spreadsheet and the unit that its header states."""
-    filled = [line for line in text.splitlines() if line.strip()]
-    last = "".join(filled[-1:])
-    separator = next((mark for mark in ";\t," if mark in last), " ")
-    if separator == " ":  # columns of any number of blanks
-        text = "\n".join(" ".join(line.split()) for line in text.splitlines())
-    sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
-    lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
-    rows = [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")]
+    rows, separator = _rows(text)
     either = "|".join(_COLUMNS.values())
     named = (k for k, (_, row) in enumerate(rows) if any(_column(cell, either) for cell in row))
     no_numbers = rows and not any(_NUMBER.match(cell) for cell in rows[0][1])
@@ -126,8 +119,8 @@ def _sheet(text: str) -> tuple[Points, str]:
     unit = ""
     if head >= 0:
         columns, unit = _columns(rows[head][1])
-        below = {cells[k].strip("()[]") for _, cells in rows[head + 1 : head + 2] for k in columns if k < len(cells)}
-        of_row = {unit_of(cell, LENGTH) for cell in below}
+        below = [row for _, row in rows[head + 1 : head + 2]]
+        of_row = {unit_of(cell.strip("()[]"), LENGTH) for row in below for cell in row if cell}
         if not unit and len(of_row) == 1 and (stated := of_row.pop()):
             unit = stated
             head += 1
@@ -138,6 +131,18 @@ def _sheet(text: str) -> tuple[Points, str]:
     numbers = [cell for _, row in rows for cell in row if _NUMBER.fullmatch(cell)]
     decimal = "," if separator != "," and any("," in cell for cell in numbers) else "."
     return [_point(line, row, columns, decimal) for line, row in rows[head + 1 :]], unit
+
+
+def _rows(text: str) -> tuple[list[tuple[int, Texts]], str]:
+    """Return the filled rows of a spreadsheet as cells, with the numbers of their lines, and the separator."""
+    filled = [line for line in text.splitlines() if line.strip()]
+    last = "".join(filled[-1:])
+    separator = next((mark for mark in ";\t," if mark in last), " ")
+    if separator == " ":  # columns of any number of blanks
+        text = "\n".join(" ".join(line.split()) for line in text.splitlines())
+    sheet = reader(StringIO(text.replace("\N{MINUS SIGN}", "-"), newline=""), delimiter=separator)
+    lines = [(sheet.line_num, [cell.strip() for cell in row]) for row in sheet]
+    return [(k, row) for k, row in lines if any(row) and not row[0].startswith("#")], separator
 
 
 def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str) -> Pair:
