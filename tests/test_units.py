@@ -265,7 +265,7 @@ def test_drawings_with_blocks_curves_and_upright_sections(tmp_path: Path) -> Non
     np.testing.assert_allclose(lines["block"], np.add(LINE, [100, 5]), atol=1e-12)
     np.testing.assert_allclose(lines["upright"], LINE, atol=1e-12)
     curve = lines["round"][1:]
-    np.testing.assert_allclose(np.hypot(*(curve - 20.0).T), 10.0, rtol=1e-4)
+    np.testing.assert_allclose(np.hypot(*(curve - 20.0).T), 10.0, rtol=1e-7)
     assert 20 < len(curve) < 500
     middles = (curve[1:] + curve[:-1]) / 2
     assert np.hypot(*(middles - 20.0).T).min() > 10.0 - 1e-3

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from csv import reader
 from io import StringIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -27,6 +28,7 @@ _TYPES = {"LINE", "LWPOLYLINE", "POLYLINE", "SPLINE", "ARC", "ELLIPSE"}
 _DRAWING_UNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 21: "us_ft"}  # $INSUNITS
 _TOGETHER = 1e-6  # relative to the size of a drawing: ends of lines at most this far apart are joined
 _CURVED = 1e-5  # relative to the size of a curve, its distance from the edges that replace it
+_PARTS = 8  # of a quarter of a circle, each a cubic curve
 Points = list[Pair]
 
 
@@ -201,11 +203,7 @@ def _drawing(file: Path, layer: str) -> tuple[Points, str]:
     for entity in recursive_decompose(drawing.modelspace()):
         if entity.dxftype() not in _TYPES:
             continue
-        path = make_path(entity)
-        corners = np.array([corner.xyz for corner in path.control_vertices()])
-        x_y_z = np.array([v.xyz for v in path.flattening(_CURVED * float(np.ptp(corners, axis=0).max()))])
-        axis = 2 if np.ptp(x_y_z[:, 1]) == 0.0 and np.ptp(x_y_z[:, 2]) > 0.0 else 1  # sections drawn upright
-        lines.setdefault(entity.dxf.layer, []).append([(x, y) for x, y in x_y_z[:, [0, axis]].tolist()])
+        lines.setdefault(entity.dxf.layer, []).append(_vertices(make_path(entity, segments=_PARTS)))
     chosen = [name for name in lines if name.lower() == layer.lower()] if layer else [*lines]
     if len(chosen) != 1:
         fault = f"has no lines on layer {layer}" if layer else "needs the name of a layer"
@@ -214,6 +212,15 @@ def _drawing(file: Path, layer: str) -> tuple[Points, str]:
     joined = _joined(lines[chosen[0]])
     unit = _DRAWING_UNITS.get(drawing.header.get("$INSUNITS", 0), "")
     return joined if joined[0][0] <= joined[-1][0] else joined[::-1], unit
+
+
+def _vertices(path: Any) -> Points:
+    """Return the points of a path of ``ezdxf``, with edges in the place of curves; an upright section has y = z."""
+    corners = np.array([corner.xyz for corner in path.control_vertices()])
+    near = _CURVED * float(np.ptp(corners, axis=0).max())
+    x, y, z = np.array([vertex.xyz for vertex in path.flattening(near)]).T
+    is_upright = np.ptp(y) == 0.0 and np.ptp(z) > 0.0
+    return list(zip(x.tolist(), (z if is_upright else y).tolist(), strict=True))
 
 
 def _joined(lines: Iterable[Points]) -> Points:
