@@ -60,7 +60,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     ax = axis(ax)
     ax.set(ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
     measure(ax.xaxis, OBSERVABLE[output].label, OBSERVABLE[output].unit)
-    title(ax, f"{OUTCOMES[output].label}{', logarithmic' * rare}")
+    title(ax, f"{OUTCOMES[output].label}{', log scale' * rare}")
     ax.grid(alpha=0.3)
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
