@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2d7603ab08c01dcd047402ee6e53189cd28c2ab8bad184789f7e4b7c72bab584"
+#define DIGEST "91b1c5da8b20a238fa16a5d4e17757adf31e70aaa949d39903be482cf4dc23ca"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -3001,7 +3001,10 @@ static int load_neighbours(Batch *b, int64_t first)
     if (b->held || job->end - first < LANES) return 0;
     for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
     const double *from = job->all + first;
-    for (int i = 0; i < job->made; i++, from += job->count) memcpy(b->c + i, from, sizeof(V));
+    for (int i = 0; i < job->made; i++, from += job->count) {
+        memcpy(b->c + i, from, sizeof(V));
+        __builtin_prefetch(from + LANES); /* too many rows for the processor to foresee the next neighbours */
+    }
     for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
     b->held = ALL;
     return 1;

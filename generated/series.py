@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d65891c4af5b9fb6e08a2f036c0ad50deb9e2b8fbf0ed932a46ff455a5390f65
+# sha256 of the text below: 0a706812b65d6983de96fc8c500dfa1b67b69042b79b21158e6c91291a699e77
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "2d7603ab08c01dcd047402ee6e53189cd28c2ab8bad184789f7e4b7c72bab584"  # of the compiled integrator's source
+DIGEST = "91b1c5da8b20a238fa16a5d4e17757adf31e70aaa949d39903be482cf4dc23ca"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
