@@ -1,30 +1,46 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 79afba2e67f625127fe3ec307672379c098a1f9cace126b79d90efddc7905ecd
+# sha256 of the text below: 27dc34aaeb5039f17a8f5ad1276bb1a99de5d5d85896c3c6fd0977c62dcdb40a
 """Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from numpy import sqrt
 
 INFINITY = float("inf")
 
 
+def _unscaled(value: float, scales: Mapping[str, float]) -> float:
+    """Return the value of a parameter that has no place in the balance."""
+    return value
+
+
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """Parameter of an effect or a law: SI unit, open bounds, key in scene files, and symbol in the balance."""
+    """Number of a scene: name, SI unit, open bounds, meaning, key in scene files, and symbol in the balance.
+
+    The key has a unit of ``per_unit`` SI units. ``kind`` is "number" or another kind of `derive.declare.effects`,
+    ``allowed`` states the allowed values in messages, and ``axes`` is the number of axes of one value, 2 for points.
+    """
 
     name: str
-    unit: str
-    lower: float
-    upper: float
-    help: str
-    key: str
-    per_unit: float
-    symbol: str
-    dimensionless: Callable[[float, Mapping[str, float]], float]
-    optional: bool
-    kind: str
+    unit: str = ""
+    lower: float = -INFINITY
+    upper: float = INFINITY
+    help: str = ""
+    key: str = ""
+    per_unit: float = 1.0
+    symbol: str = ""
+    dimensionless: Callable[[float, Mapping[str, float]], float] = _unscaled
+    optional: bool = False
+    kind: str = "number"
+    allowed: str = ""
+    axes: int = 0
+
+    def allows(self, values: Any) -> Any:
+        """Return whether values in SI units are finite and within the bounds."""
+        return (abs(values) < INFINITY) & (values > self.lower) & (values < self.upper)
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,7 +48,7 @@ VALUES = {"points": [[1, 2], [3, 4.5]], "pair": [1, 2], "list": [1, 2.5], "line"
 def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Table, str, Key]]:
     """Yield every key of a scene file that has a unit: path of its table, table with its law, and name."""
     for law in table.laws.values() if table.laws else [table]:
-        yield from ((path, law, name, key) for name, key in law.keys.items() if key.number.si in SIZES)
+        yield from ((path, law, name, key) for name, key in law.keys.items() if key.unit in SIZES)
         for name, inner in law.tables.items():
             yield from keys_of(inner, (*path, *([name, "1"] if inner.repeats else [name])))
 
@@ -67,13 +67,12 @@ def test_every_key_in_every_unit(whole: Table) -> None:
     found = list(keys_of(whole))
     assert len(found) > 40
     for path, table, name, key in found:
-        number = key.number
-        middle = min(max(number.low, 0.5), number.high / 2) if number.low > -math.inf else 0.5
+        middle = min(max(key.low, 0.5), key.high / 2) if key.low > -math.inf else 0.5
         value = VALUES.get(key.kind, 1.5 * middle)
-        stem = name.removesuffix(PUBLISHED[number.si])
+        stem = name.removesuffix(PUBLISHED[key.unit])
         published = argument(whole, path, table, key, name, value)
         assert published is not None, (path, name)
-        for unit, size in SIZES[number.si].items():
+        for unit, size in SIZES[key.unit].items():
             typed = (np.array(value) / size).tolist()
             other = argument(whole, path, table, key, stem + unit, typed)
             np.testing.assert_allclose(other, published, rtol=2e-7, err_msg=f"{path} {stem}{unit}")
