@@ -115,9 +115,9 @@ def leaves(node: Any, kind: Any = None, path: str = "", key: str = "") -> Iterat
     for name, (value, what) in parts(node, kind).items():
         at = path
         if name or kind is None:
-            at = _joined(path, name)
+            at = joined(path, name)
         if not isinstance(what, Parameter):
-            yield from leaves(value, what, at, _joined(key, name))
+            yield from leaves(value, what, at, joined(key, name))
         elif what.kind not in _POSSIBLE:
             continue
         elif not what.axes:
@@ -229,5 +229,6 @@ def _places(shape: Shape) -> dict[str, Shape]:
     return places
 
 
-def _joined(path: str, name: str) -> str:
+def joined(path: str, name: str) -> str:
+    """Return the path of a part of a node, or of a key or a table inside a table."""
     return f"{path}.{name}" if path else name

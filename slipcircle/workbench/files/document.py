@@ -13,10 +13,11 @@ from itertools import chain
 from typing import Any
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
+from slipcircle.core import joined
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
-from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
+from slipcircle.workbench.files.keys import VARYING, Key, Table
 
 _UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 

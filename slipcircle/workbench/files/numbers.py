@@ -17,7 +17,7 @@ from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
 from slipcircle.base.text import printed
-from slipcircle.core import Scene, leaves
+from slipcircle.core import Scene, joined, leaves
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
@@ -27,7 +27,7 @@ from slipcircle.workbench.common.distributions import (
 )
 from slipcircle.workbench.common.units import published, suffix
 from slipcircle.workbench.files.keys import Key as Key
-from slipcircle.workbench.files.keys import joined, keys_of
+from slipcircle.workbench.files.keys import keys_of
 
 _POINTS = ("circle.centre_m", "ground.points_m", "water.level_m")
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
