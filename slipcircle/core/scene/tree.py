@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import INFINITY, LAWS, Parameter
-from slipcircle.base.checks import Bounds, InputError, raise_all
+from slipcircle.base.checks import EMPTY, Bounds, InputError, raise_all
 from slipcircle.base.kinds import MAPPING, Shape, ValueDict, Values
 from slipcircle.core.lazy import lazy_import
 
@@ -124,11 +124,18 @@ def _of_law(law: Any, laws: Mapping[str, Any]) -> Parts:
     return found
 
 
-def walked(node: Any, visit: Callable[[Leaf], Any], kind: Any = None, path: str = "", key: str = "") -> Any:
-    """Return a node whose leaves have the values that a function returns; the node itself if none has changed."""
+def walked(
+    node: Any, visit: Callable[[Leaf], Any], absent: bool = True, kind: Any = None, path: str = "", key: str = ""
+) -> Any:
+    """Return a node whose leaves have the values that a function returns; the node itself if none has changed.
+
+    Unless ``absent``, numbers and effects without a value are not visited.
+    """
     known = parts(node, kind)
     new: ValueDict = {}
     for name, (value, what) in known.items():
+        if not absent and (value is None or value is EMPTY):
+            continue
         is_anonymous = not name and kind is not None
         at = path if is_anonymous else joined(path, name)
         if isinstance(what, Parameter):
@@ -137,15 +144,17 @@ def walked(node: Any, visit: Callable[[Leaf], Any], kind: Any = None, path: str 
             inside = ".".join(keys)
         else:
             inside = joined(key, name)
-        is_leaf = isinstance(what, Parameter) and not what.axes
-        changed = visit(Leaf(at, inside, what, value)) if is_leaf else walked(value, visit, what, at, inside)
+        if isinstance(what, Parameter) and not what.axes:
+            changed = visit(Leaf(at, inside, what, value))
+        else:
+            changed = walked(value, visit, absent, what, at, inside)
         if changed is not value:
             new[name] = changed
     return _with_parts(node, new, known) if new else node
 
 
-def leaves(node: Any) -> list[Leaf]:
-    """Return the numbers below a node, each coordinate of points by itself, including numbers without a value."""
+def leaves(node: Any, absent: bool = True) -> list[Leaf]:
+    """Return the numbers below a node, with each coordinate of points; if ``absent``, also numbers without a value."""
     found: list[Leaf] = []
 
     def visit(leaf: Leaf) -> Any:
@@ -153,14 +162,14 @@ def leaves(node: Any) -> list[Leaf]:
             found.append(leaf._replace(value=None) if callable(leaf.value) else leaf)
         return leaf.value
 
-    walked(node, visit)
+    walked(node, visit, absent)
     return found
 
 
 def numbers(node: Any) -> ValueDict:
     """Return the values of the numbers below a node by path, without unlisted ones."""
     found: ValueDict = {}
-    for path, _, p, value in leaves(node):
+    for path, _, p, value in leaves(node, absent=False):
         if value is not None and p.kind in _LISTED:
             found[path] = value
     return found
@@ -179,10 +188,10 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
 
     def visit(leaf: Leaf) -> Any:
         value = leaf.value
-        is_stored = leaf.number.kind in _STORED and value is not None
-        return change(value) if is_stored and not callable(value) else value
+        is_changed = leaf.number.kind in _STORED and not callable(value)
+        return change(value) if is_changed else value
 
-    return walked(node, visit)
+    return walked(node, visit, absent=False)
 
 
 def _with_parts(node: Any, new: Values, known: Parts) -> Any:
