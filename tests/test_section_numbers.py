@@ -94,7 +94,7 @@ def in_two_layers(scene: Scene) -> Scene:
 @pytest.mark.parametrize(("index", "layered"), [(0, False), (1, False), (1, True), (4, False)])
 def test_derivatives_against_thirty_digits(index: int, layered: bool) -> None:
     """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
-    given = section_references.row(index)["scene"]
+    given = json.loads(section_references.FILE.read_text("utf-8"))[index]["scene"]
     scene = section_references.scene(given)
     motion = solve(in_two_layers(scene) if layered else scene)
     found, own = motion.sensitivity(), numbers(motion.plan.scene.arc)
