@@ -107,29 +107,32 @@ def amount(value: float, unit: str) -> str:
 
 def measure(line: Any, words: str, unit: str, more: str = "") -> None:
     """Label an axis line of a plot, of values in an SI unit, with numbers in the unit of output."""
-    from matplotlib.ticker import AutoLocator, FuncFormatter
+    from matplotlib.ticker import AutoLocator, FuncFormatter, LogLocator
 
     factor, name = printed(unit)
     line.set_label_text(f"{words} ({name or '–'}){more}")
     if factor == 1.0:
         return
 
-    class Scaled(AutoLocator):
+    is_log = line.get_scale() == "log"
+    base: Any = LogLocator if is_log else AutoLocator
+
+    class Scaled(base):
         """Round values in the unit of output."""
 
         def tick_values(self, low: float, high: float) -> Any:
             return np.divide(super().tick_values(factor * low, factor * high), factor)
 
-    if line.get_scale() == "linear":
+    if is_log or line.get_scale() == "linear":
         line.set_major_locator(Scaled())
     line.set_major_formatter(FuncFormatter(lambda value, _: f"{factor * value:.6g}"))
 
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
-    """Add the legend above the axis, where it covers nothing, and return it."""
+    """Add the legend above the right end of the axis, beside the title, and return it."""
     return ax.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
+        loc="lower right",
+        bbox_to_anchor=(1.0, 1.0),
         ncols=columns,
         frameon=False,
         fontsize="small",

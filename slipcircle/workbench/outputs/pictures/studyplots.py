@@ -5,6 +5,7 @@ Every function of a single outcome draws on the given matplotlib axis, or on a n
 
 from collections.abc import Iterable, Sequence
 from functools import partial
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 DRAWN = ("run_out", "peak_velocity")
+_WRAPPED = 18  # characters of names of inputs on a line
 _POINTS = 801  # number of points of a curve, from 0 to the largest value
 
 
@@ -60,7 +62,7 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     ax = axis(ax)
     ax.set(ylabel="exceedance probability (–)", ylim=(-0.02, 1.02))
     measure(ax.xaxis, OBSERVABLE[output].label, OBSERVABLE[output].unit)
-    title(ax, f"{OUTCOMES[output].label}{', logarithmic' * rare}")
+    title(ax, "log scale" if rare else OUTCOMES[output].label)
     ax.grid(alpha=0.3)
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
@@ -136,7 +138,7 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
     name = OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
     ax.set_xlabel(f"share of the variance of {name} (–)", fontsize="small")
     title(ax, f"influence on {name}")
-    lines(ax, [keys[k] for k in order])
+    lines(ax, [fill(keys[k], _WRAPPED) for k in order])
     first = np.array(by_kind.first)[order].T
     total = np.array(by_kind.total)[order].T
     if not np.all(np.isfinite([first[0], total[0]])):

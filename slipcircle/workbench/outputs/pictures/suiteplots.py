@@ -100,7 +100,7 @@ def fragility(study: "Study", ax: Any = None) -> Any:
     some do not.
     """
     ax = axis(ax)
-    title(ax, "fragility", [interval_note(len(study.suite))])
+    title(ax, "fragility")
     levels = np.median(study.pga, axis=0)
     greatest = levels.max() if levels.size > 1 else study.pga.max()
     pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
@@ -119,7 +119,8 @@ def fragility(study: "Study", ax: Any = None) -> Any:
             steep = off <= max(0.3, off.min())
             anchors = (pga[steep], probability[steep])
         label(ax, f"D > {amount(curve.threshold, 'm')}", points_of(*anchors), colour)
-    ax.set(xlabel="peak acceleration (g)", ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
+    ax.set(ylabel="exceedance probability (–)", xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
+    ax.set_xlabel(f"peak acceleration (g)\n{interval_note(len(study.suite))}")
     ax.grid(alpha=0.3)
     return ax
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.keys import Key
-from slipcircle.workbench.files.numbers import by_name, lengths, uncertain_numbers
+from slipcircle.workbench.files.numbers import by_name, in_output_unit, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     amount,
@@ -76,9 +76,9 @@ def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Key, f
         value = float(key.from_si(table.at[name]))
         per_si = table.derivative(output, name)
         change = per_si * key.slope(value) * step
-        quantity = quantity_words(key)
-        unit = unit_of(key)
-        words = f"{quantity} {number(value)} ± {step:.3g} {unit}"
+        drawn = in_output_unit(key)
+        value = float(drawn.from_si(table.at[name]))
+        words = f"{quantity_words(key)} {number(value)} ± {step * key.per_unit / drawn.per_unit:.3g} {unit_of(drawn)}"
         if np.isfinite(change):
             bars.append((change, words.rstrip(), name))
     return sorted(bars, key=lambda bar: -abs(bar[0]))
