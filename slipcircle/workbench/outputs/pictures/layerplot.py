@@ -9,7 +9,7 @@ from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.outputs.pictures.plotstyle import LINES, SOILS, axis, label, measure, points_of, title
-from slipcircle.workbench.outputs.pictures.scenery import key_of, numbers_of
+from slipcircle.workbench.outputs.pictures.scenery import numbers_of
 from slipcircle.workbench.outputs.pictures.shapes import Mass
 
 _ACROSS = 400  # number of points of the stress curve
@@ -32,7 +32,7 @@ def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence
             from_below = facing * np.linspace(start, end, 40)
             angles = 1.5 * np.pi + from_below
             x, y = mass.on_circle(angles).T
-            number = numbers.get(key_of(section.soils[soil]), -1)  # a foreland may be of another soil
+            number = numbers.get(section.soils[soil].name, -1)  # a foreland may be of another soil
             _, colour = SOILS[number % len(SOILS)]
             ax.plot(x, y, color=colour, lw=width, zorder=4, solid_capstyle="butt")
 
@@ -77,7 +77,7 @@ def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
     shortest = _NAMED * sum(row.length for row in rows)
     start = 0.0
     for row in rows:
-        band, strong = SOILS[numbers[key_of(row.soil)] % len(SOILS)]
+        band, strong = SOILS[numbers[row.soil.name] % len(SOILS)]
         end = start + row.length
         ax.axvspan(start, end, color=band, lw=0)
         if row.soil.name and row.length > shortest:

@@ -148,7 +148,7 @@ def _soils(mass: Mass, soil: Any, view: View, outlines: Sequence[Floats]) -> Ite
         places = _thick_places(x, free_top, free_bottom, view)
         name = of_layer.name if len(places) else ""
         line = np.stack([x, top], axis=-1)
-        number = numbers[key_of(of_layer)]
+        number = numbers[of_layer.name]
         yield Line("soil", line, name, places, number)
 
 
@@ -211,15 +211,10 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
     return x, tops
 
 
-def key_of(soil: Any) -> str:
-    """Return the identifier of a soil: its name if it has one."""
-    return soil.name or str(id(soil))
-
-
 def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
-    """Return the numbers of the soils of layers, from the ground down, by `key_of`."""
-    keys = dict.fromkeys(key_of(soil) for soil, _ in layers)
-    return {key: number for number, key in enumerate(keys)}
+    """Return the numbers of the soils of layers by name, from the ground down."""
+    names = dict.fromkeys(soil.name for soil, _ in layers)
+    return {name: number for number, name in enumerate(names)}
 
 
 # --- surcharges ------------------------------------------------------------------------------------------------------
