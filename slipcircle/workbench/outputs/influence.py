@@ -8,7 +8,8 @@ import numpy as np
 from slipcircle.base.text import printed, shown
 from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import words
-from slipcircle.workbench.files.numbers import Number, by_name, lengths
+from slipcircle.workbench.files.numbers import Number, by_name
+from slipcircle.workbench.outputs.pictures.tornado import size_of
 from slipcircle.workbench.outputs.tables import Part
 
 _MOST = 10  # rows
@@ -27,17 +28,8 @@ def important(table: Sensitivity) -> dict[str, float]:
     depth of the mass, of an end of the arc half the opening angle, and otherwise the value itself. Among all
     coordinates of the geometry, only the most important is listed.
     """
-    arc: Any = table.scene.arc
-    effects = dict[str, float]()
-    sizes = dict[str, float]()
-    for name in table.parameters:
-        sizes[name] = abs(table.at[name]) or 1.0
-        if name in lengths(arc):
-            sizes[name] = float(arc.depth)
-        elif name.startswith("theta_"):
-            sizes[name] = float(arc.half_angle)
-        slope = np.nan_to_num(table.derivative("run_out", name))
-        effects[name] = abs(slope) * sizes[name]
+    sizes = {name: size_of(table, name) for name in table.parameters}
+    effects = {name: abs(np.nan_to_num(table.derivative("run_out", name))) * size for name, size in sizes.items()}
     ranked = sorted(effects, key=lambda name: -effects[name])
     points = [name for name in ranked if _is_point(name)]
     rows = [name for name in ranked if name not in points[1:]]

@@ -30,8 +30,7 @@ from slipcircle.workbench.outputs.page.model import (
     model,
     unsolvable,
 )
-from slipcircle.workbench.outputs.page.section import Section as Drawn
-from slipcircle.workbench.outputs.page.section import axes, frame_around, section
+from slipcircle.workbench.outputs.page.section import DrawnSection, axes, frame_around, section
 from slipcircle.workbench.outputs.pictures.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
 from slipcircle.workbench.outputs.pictures.sectionplot import magnified
 from slipcircle.workbench.studies.ensemble import varied_number
@@ -124,7 +123,7 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
     return Raw(Template(text("live.html")).substitute(texts))
 
 
-def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_not: str) -> ValueDict:
+def _data(motion: Motion, drawn: DrawnSection, sliders: Sequence[Slider] | None, why_not: str) -> ValueDict:
     """Return the data of the script: the solved motion, the observations, and the inputs of the engine."""
     scene = motion.plan.scene
     duration = _duration(motion)

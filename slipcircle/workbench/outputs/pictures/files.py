@@ -89,10 +89,11 @@ def _played(film: "Film") -> bytes:
     return content.getvalue()
 
 
-def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
-    """Return the functions that make a `Drawing` of a result, by kind of picture; modules are loaded on first use."""
+def drawing(what: str, result: Any) -> "Drawing":
+    """Return the drawing of a result by the kind of picture; modules are loaded on first use."""
     from slipcircle.workbench.outputs.pictures import (
         comparison,
+        costplot,
         layerplot,
         plots,
         searchplot,
@@ -101,33 +102,33 @@ def _drawings() -> Mapping[str, Callable[[Any], "Drawing"]]:
         suiteplots,
         tornado,
     )
-    from slipcircle.workbench.outputs.pictures.costplot import frontier
     from slipcircle.workbench.outputs.pictures.sheets import sheet
 
-    def alone(draw: Callable[..., Any], height: float) -> Callable[[Any], "Drawing"]:
-        return lambda result: sheet([(height, [partial(draw, result)])])
-
-    return {
-        "motions": lambda motions: plots.overview(*motions) if len(motions) == 1 else comparison.overview(motions),
-        "section": alone(plots.section, 5.0),
+    of_one_panel: Mapping[str, tuple[Function, float]] = {  # with the height in inches
+        "section": (plots.section, 5.0),
+        "phase plane": (plots.phase_plane, 4.0),
+        "shaking": (plots.shaking, 3.0),
+        "stress along the arc": (layerplot.stress_along, 3.0),
+        "slope": (sectionplot.slope, 5.0),
+        "cost": (costplot.frontier, 5.0),
+    }
+    if what in of_one_panel:
+        draw, height = of_one_panel[what]
+        return sheet([(height, [partial(draw, result)])])
+    if what == "ladder":
+        return sheet([(1.2 + 0.4 * len(result), [partial(plots.ladder, result)])])
+    if what == "motions" and len(result) == 1:
+        return plots.overview(*result)
+    of_several: Mapping[str, Callable[[Any], Drawing]] = {
+        "motions": comparison.overview,
         "histories": plots.histories,
-        "phase plane": alone(plots.phase_plane, 4.0),
-        "shaking": alone(plots.shaking, 3.0),
-        "stress along the arc": alone(layerplot.stress_along, 3.0),
         "suite": suiteplots.overview,
         "study": studyplots.overview,
         "sensitivity": tornado.panels,
         "backanalysis": studyplots.explained,
-        "slope": alone(sectionplot.slope, 5.0),
-        "search": lambda named: searchplot.overview(*named),
-        "ladder": lambda rungs: alone(plots.ladder, 1.2 + 0.4 * len(rungs))(rungs),
-        "cost": alone(frontier, 5.0),
+        "search": searchplot.overview,
     }
-
-
-def drawing(what: str, result: Any) -> "Drawing":
-    """Return the drawing of a result; ``what`` is a key of `_drawings`."""
-    return _drawings()[what](result)
+    return of_several[what](result)
 
 
 def picture(what: str, result: Any, path: str) -> bytes:

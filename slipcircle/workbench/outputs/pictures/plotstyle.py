@@ -77,9 +77,27 @@ SCENERY: Mapping[str, Values] = {
 }
 
 
-def axis(ax: Any = None, size: Pair = (7.0, 4.5)) -> Any:
-    """Return the given axis, or the axis of a new figure of a size in inches."""
-    return new_figure(size).add_subplot() if ax is None else ax
+_NO_WORDS = ("",)
+
+
+def panel(
+    ax: Any,
+    words: str,
+    across: Sequence[str] = _NO_WORDS,
+    up: Sequence[str] = _NO_WORDS,
+    notes: Iterable[str] = (),
+    size: Pair = (7.0, 4.5),
+) -> Any:
+    """Return the given axis, or the axis of a new figure of a size in inches, with a title, notes and a grid.
+
+    ``across`` and ``up`` are the arguments of `measure` for both directions.
+    """
+    ax = new_figure(size).add_subplot() if ax is None else ax
+    title(ax, words, notes)
+    ax.grid(alpha=0.3)
+    measure(ax.xaxis, *across)
+    measure(ax.yaxis, *up)
+    return ax
 
 
 def new_figure(size: Pair) -> Any:
@@ -105,12 +123,12 @@ def amount(value: float, unit: str) -> str:
     return f"{number(factor * value)} {name}"
 
 
-def measure(line: Any, words: str, unit: str, more: str = "") -> None:
-    """Label an axis line of a plot, of values in an SI unit, with numbers in the unit of output."""
+def measure(line: Any, words: str, unit: str | None = None, more: str = "") -> None:
+    """Label an axis line of a plot; if its values have an SI unit, with numbers in the unit of output."""
     from matplotlib.ticker import AutoLocator, FuncFormatter
 
-    factor, name = printed(unit)
-    line.set_label_text(f"{words} ({name or '–'}){more}")
+    factor, name = (1.0, "") if unit is None else printed(unit)
+    line.set_label_text(words if unit is None else f"{words} ({name or '–'}){more}")
     if factor == 1.0:
         return
 
@@ -126,10 +144,10 @@ def measure(line: Any, words: str, unit: str, more: str = "") -> None:
 
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
-    """Add the legend above the axis, where it covers nothing, and return it."""
+    """Add the legend above the axis, to the right of the title, and return it."""
     return ax.legend(
-        loc="lower left",
-        bbox_to_anchor=(0.0, 1.0),
+        loc="lower right",
+        bbox_to_anchor=(1.0, 1.0),
         ncols=columns,
         frameon=False,
         fontsize="small",
@@ -158,12 +176,9 @@ def points_of(x: Any, y: Any, count: int = 12) -> Any:
 def note(ax: Any, words: Iterable[str]) -> None:
     """Write lines of text at the emptiest place of an axis."""
     inside = np.arange(1, 14) / 14
-    left, right = ax.get_xlim()
-    bottom, top = ax.get_ylim()
-    across = left + inside * (right - left)
-    up = bottom + inside * (top - bottom)
-    places = np.stack(np.meshgrid(across, up), axis=-1)
-    label(ax, "\n".join(words), places, "0.25", inside=True)
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    places = np.meshgrid(left + inside * (right - left), bottom + inside * (top - bottom))
+    label(ax, "\n".join(words), np.stack(places, axis=-1), "0.25", inside=True)
 
 
 def quantity_words(quantity: Number) -> str:
@@ -211,7 +226,6 @@ def to_scale(ax: Any, origin: str = "") -> None:
     measure(ax.xaxis, f"$x${origin}", "m")
     measure(ax.yaxis, f"$y${origin}", "m")
     ax.set_aspect("equal", adjustable="datalim")
-    ax.grid(alpha=0.3)
 
 
 def title(ax: Any, words: str, notes: Iterable[str] = ()) -> None:
@@ -234,11 +248,11 @@ def mark(ax: Any, x: Any, y: Any, role: str, words: str = "") -> None:
         label(ax, words, (x, y), "black")
 
 
-def lines(ax: Any, names: Sequence[str]) -> None:
+def name_rows(ax: Any, names: Sequence[str]) -> None:
     """Prepare an axis for one bar per name, from the top down."""
     ax.set_yticks(range(len(names)), names, parse_math=False)
     ax.set_ylim(len(names) - 0.5, -0.5)
-    ax.grid(axis="x", alpha=0.3)
+    ax.grid(visible=False, axis="y")
 
 
 def empty(words: str, ax: Any, *sides: str) -> Any:
@@ -251,19 +265,13 @@ def empty(words: str, ax: Any, *sides: str) -> Any:
 def described(figure: Any) -> list[str]:
     """Return the texts of titles, axes, legends and labels of a figure, except labels with measured values."""
     texts = [part.get_suptitle() for part in (figure, *figure.subfigs)]
-    legends = list(figure.legends)
+    legends = [*figure.legends, *filter(None, (ax.get_legend() for ax in figure.axes))]
     for ax in figure.axes:
         texts += [ax.get_title(), ax.get_title("left"), ax.get_xlabel(), ax.get_ylabel()]
-        texts += [" ".join(text.get_text().split()) for text in ax.texts if _is_fixed(text)]
-        legends += filter(None, [ax.get_legend()])
-    for explained in legends:
-        texts += [text.get_text() for text in explained.get_texts()]
+        labels = (text for text in ax.texts if hasattr(text, "anchors") and text.get_gid() != MEASURED)
+        texts += [" ".join(text.get_text().split()) for text in labels]
+    texts += [text.get_text() for legend in legends for text in legend.get_texts()]
     return [text for text in texts if text]
-
-
-def _is_fixed(text: Any) -> bool:
-    """Return whether a text is a label without measured values."""
-    return hasattr(text, "anchors") and text.get_gid() != MEASURED
 
 
 def curve(ax: Any, motion: Motion, x: Any, y: Any, **style: Any) -> None:
