@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c1b641941727fb271bc187efcbbf6cfc50812a4492356282158049b9d06b1c14"
+#define DIGEST "afc2fc3defdcbb0360fa00eb4f82db0fe926046fc55af95e2beafff3ec56f4a7"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, STRIDE = 42, CELLS = 32, PARTS = 9, REGISTER_ROLES = 5, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
+enum { HIGHEST = 40, STRIDE = 42, CELLS = 33, PARTS = 9, REGISTER_ROLES = 5, CELL = -2, MOST_TABLES = 16, MOST_STATES = 16, MOST_WORKING = 24 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct { int32_t cell, series, rate; } State;
@@ -389,7 +389,7 @@ enum { LANES = SPAN / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(SPAN / 8)));
 typedef int64_t M __attribute__((vector_size(SPAN / 8))); /* true is -1, false is 0 */
 
-enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
+enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_REST, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, NEGLIGIBLE, X, OMEGA };
 enum { PENDING = -17, FACED, SUDDEN, RATE_BEFORE, DRIVE_BEFORE, SCALE_BEFORE, SERIES_ORDER, LARGEST_X, LARGEST_OMEGA, STEP, EVENT, STRETCH, START_AHEAD, START_DIRECTION, LIFT_AHEAD, QUIET_FROM, QUIET_TO };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, RISE, Q1 };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
@@ -1936,6 +1936,8 @@ static void resolve_stick_or_slip(Batch *b, unsigned lane)
     int may = may_start(b, lane);
     double terms = fabs(c[job->role->driving][lane]) + c[job->role->resisting][lane];
     double unsure = EPS * (terms + (c[job->role->mu][lane] * fabs(c[job->role->normal0][lane])));
+    int of_weight = (c[job->role->driving][lane] == c[job->role->driving_moment][lane]) && (c[job->role->normal0][lane] == c[job->role->normal_load][lane]) && (c[job->role->resisting][lane] == 0.0);
+    unsure = (((c[LIMIT_REST][lane] * c[job->role->drive][lane]) != 0.0) && of_weight) ? c[job->role->drive_scale][lane] : unsure;
     if (may) {
         c[CLOSE][lane] = fmin(c[CLOSE][lane], fabs(c[job->role->drive][lane]) / fmax(unsure, CLOSEST));
     }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: aba797a35f12ddea89d61bdb5b93f1f5860eef79d2ad36626acf56a6a330ac00
+# sha256 of the text below: 6e2bf151b493e6555f59c5992f92920deafab1222c94f570bdb0e131429f6c0a
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -931,6 +931,10 @@ def resolve_stick_or_slip(lane: Lanes, i: Index) -> None:
     may = may_start(lane, i)
     terms = np.abs(c[lane.roles.driving, i]) + c[lane.roles.resisting, i]
     unsure = EPS * (terms + c[lane.roles.mu, i] * np.abs(c[lane.roles.normal0, i]))
+    of_weight = (c[lane.roles.driving, i] == c[lane.roles.driving_moment, i]) & (c[lane.roles.normal0,
+        i] == c[lane.roles.normal_load, i]) & (c[lane.roles.resisting, i] == 0.0)
+    unsure = np.where((c[ix.LIMIT_REST, i] * c[lane.roles.drive, i] != 0.0) & of_weight, c[lane.roles.drive_scale, i],
+        unsure)
     holds_2 = may
     i_2, may_2, unsure_2 = (i, may, unsure)
     i, may, unsure = among(holds_2, i_2, may_2, unsure_2)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: dd51344d7242e22ff467835efcf352748d05666f8cd423359579a05741c27a66
+# sha256 of the text below: 4f2f244c845887d2aeee1630692e2f2aeff9c9b88abb9e8a0db5b74ce7301004
 """Places and meanings of the numbers of a lane, the same in NumPy and in C."""
 
 # Cells of a lane, first in every program.
@@ -17,24 +17,25 @@ END_TIME = 10  # latest end, t*
 ONE_WAY = 11  # 1 if shaking may start it down-slope only
 FIRST_ONLY = 12  # 1 if the first standstill ends it
 LIMIT = 13  # limit friction of weight alone at the start
-PEAK_TIME = 14  # t* of the greatest speed
-PEAK_ROTATION = 15  # rotation then, signed
-PEAK_OMEGA = 16  # omega* then, signed
-PEAK_RATE = 17  # d omega*/dt* then, signed
-REACH_TIME = 18  # t* of the greatest rotation from the start
-REACH_ROTATION = 19  # that rotation, signed
-END_ROTATION = 20  # rotation at the end, signed
-END_OMEGA = 21  # omega* then, signed
-END_RATE = 22  # d omega*/dt* then, signed
-CLOSE = 23  # least margin of a decision at rest, over its terms
-LIFT_TIME = 24  # t* of the first lift-off
-PASSED = 25  # event at which the phase began
-REST_SINCE = 26  # t* of the standstill since which it rests
-TURNS = 27  # phases against the direction of the preceding phase
-LAST_WAY = 28  # direction of the last phase
-NEGLIGIBLE = 29  # last terms of the series of a step that is cut short, over the largest
-X = 30  # rotation since the phase began, in the direction of travel
-OMEGA = 31  # its rate, omega*
+LIMIT_REST = 14  # exact limit friction minus LIMIT where the friction is close to it, otherwise 0
+PEAK_TIME = 15  # t* of the greatest speed
+PEAK_ROTATION = 16  # rotation then, signed
+PEAK_OMEGA = 17  # omega* then, signed
+PEAK_RATE = 18  # d omega*/dt* then, signed
+REACH_TIME = 19  # t* of the greatest rotation from the start
+REACH_ROTATION = 20  # that rotation, signed
+END_ROTATION = 21  # rotation at the end, signed
+END_OMEGA = 22  # omega* then, signed
+END_RATE = 23  # d omega*/dt* then, signed
+CLOSE = 24  # least margin of a decision at rest, over its terms
+LIFT_TIME = 25  # t* of the first lift-off
+PASSED = 26  # event at which the phase began
+REST_SINCE = 27  # t* of the standstill since which it rests
+TURNS = 28  # phases against the direction of the preceding phase
+LAST_WAY = 29  # direction of the last phase
+NEGLIGIBLE = 30  # last terms of the series of a step that is cut short, over the largest
+X = 31  # rotation since the phase began, in the direction of travel
+OMEGA = 32  # its rate, omega*
 
 # Cells of a lane while it is integrated, in front of these.
 PENDING = -17  # action required before its next step
@@ -115,9 +116,9 @@ NOTE_LIFTS = 3  # off
 NOTE_LANDS = 4  # again
 
 CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', 'PHASES', 'ORDER', 'FACTOR', 'END_TIME',
-    'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME',
-    'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED', 'REST_SINCE', 'TURNS',
-    'LAST_WAY', 'NEGLIGIBLE', 'x', 'omega')
+    'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'LIMIT_REST', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE',
+    'REACH_TIME', 'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED',
+    'REST_SINCE', 'TURNS', 'LAST_WAY', 'NEGLIGIBLE', 'x', 'omega')
 TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'RISE', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0',

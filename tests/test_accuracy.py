@@ -58,7 +58,7 @@ WORK = {
 @needs_binary
 @pytest.mark.parametrize("group", WORK)
 def test_motions_take_the_work_that_they_took(group: str) -> None:
-    """To a fiftieth: more is slower, and less may well be another step than the one that was meant."""
+    """Work grows by a fiftieth at most, and does not fall by more, which would be a different step."""
     if group == "that ship":
         motions = [solve(load(name)) for name in shipped()]
     elif group == "sections":
@@ -71,7 +71,7 @@ def test_motions_take_the_work_that_they_took(group: str) -> None:
 
 @pytest.fixture
 def implicit(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What stiff lanes get is got from the first step on: another method on the same program."""
+    """Solve by implicit steps from the first step on, with the same program."""
     begun = Problem.cells
 
     def spent(problem: Problem, *which: Any) -> Any:
@@ -130,17 +130,18 @@ def test_other_accuracies(accuracy: float) -> None:
         assert motion.error_estimate <= accuracy or (motion.warnings and k in NUMBERS), f"scene {k}"
 
 
-@pytest.mark.parametrize("near", [0.0, 1e-15, -1e-15])
-def test_a_decision_that_rounding_makes_is_not_silent(near: float) -> None:
+@pytest.mark.parametrize(("near", "ratio"), [(0.0, 0.0), (1e-15, 0.1), (-1e-15, 0.1)])
+def test_a_decision_that_rounding_makes_is_not_silent(near: float, ratio: float) -> None:
     arc = Arc(100.0, np.radians(190.0), np.radians(280.0), 2e4)
-    limit = slipcircle.solve(Scene(arc, 1.0, {"rotation": {}})).limit_friction
-    motion = slipcircle.solve(Scene(arc, limit * (1.0 + near), {"rotation": {}}))
+    effects: dict[str, Any] = {"rotation": {}, "pore_pressure": {"ratio": ratio}}
+    limit = slipcircle.solve(Scene(arc, 1.0, effects)).limit_friction
+    motion = slipcircle.solve(Scene(arc, limit * (1.0 + near), effects))
     assert motion.error_estimate > 0.01
     assert any("ill-conditioned" in w for w in motion.warnings)
 
 
 def test_six_references_are_derived_again() -> None:
-    """To their last digits."""
+    """Six references are reproduced to their last digits."""
     rng = np.random.default_rng(int.from_bytes(hashlib.sha256(DATA).digest()[:8]))
     few = [k for k in NUMBERS if ROWS[k]["reference"]["phases"] < MANY // 5]
     for k in [*rng.choice(few, 4, False).tolist(), *rng.choice([*TIMED], 2, False).tolist()]:
@@ -169,7 +170,7 @@ def test_a_callable_with_any_length_at_its_start_is_seen(length: float) -> None:
 
 @pytest.mark.parametrize("radius", [vaiont.RADIUS, np.array([500.0, 1500.0, 6000.0])])
 def test_a_callable_is_known_wherever_the_mass_is(radius: Any) -> None:
-    """Its first table ends at R/256; friction beyond is that of the function, on the way and at once."""
+    """Friction beyond the first table, which ends at R/256, is the function's, on the way and at once."""
     named, free = both(arc=replace(vaiont.ARC, radius=radius))
     times = np.linspace(0.0, 25.0, 6)
     assert free.peak.normal_stress == pytest.approx(named.peak.normal_stress, rel=1e-12)
@@ -179,7 +180,7 @@ def test_a_callable_is_known_wherever_the_mass_is(radius: Any) -> None:
 
 
 def test_a_callable_of_a_creeping_mass_goes_on(implicit: None) -> None:
-    """Also where implicit steps pass the end of its table."""
+    """Implicit steps pass the end of a table, too."""
     slow = {"viscosity": {"viscosity": 1e9, "thickness": 0.5}}
     named, free = both(effects={**load("vaiont").called, **slow}, end_time=1e5)
     assert free.run_out > 4 * vaiont.RADIUS / 256

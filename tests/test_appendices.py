@@ -41,7 +41,7 @@ PAPER = arc("215.2", "276.9")  # Table 2-1
 
 
 def evaluate(form: sp.Expr, first: mp.mpf, half: mp.mpf) -> Any:
-    """A form in the angles of the arc, as a complex number."""
+    """Return a form in the angles of the arc, as a complex number."""
     function = sp.lambdify((theta_1, theta_2, alpha, theta_m), form, "mpmath")
     with mp.workdps(DIGITS + 15):
         return mp.mpc(function(first, first + 2 * half, half, first + half))
@@ -71,7 +71,7 @@ def test_proof(appendix: Appendix) -> None:
     ],
 )
 def test_print_one_line_and_quadrature_agree(appendix: Appendix, start: str, end: str, branch: int) -> None:
-    """Each arctanh is real on [-1, 1] and has the imaginary part +pi/2 or -pi/2 outside.
+    """Compare the print, its one line and quadrature; arctanh outside [-1, 1] has the imaginary part +pi/2 or -pi/2.
 
     Both leave [-1, 1] together, and their product is -tan(theta_1/2) tan(theta_2/2): so the imaginary parts cancel,
     unless the arc passes the level of its centre, theta_1 < pi < theta_2, where mpmath's principal values leave -i pi.
@@ -89,7 +89,7 @@ def test_print_one_line_and_quadrature_agree(appendix: Appendix, start: str, end
 
 
 def test_the_integrand_is_found() -> None:
-    """With r^3, a sine and a cosine at once; the appendices have r and each alone."""
+    """The integrand is found also with r^3, a sine and a cosine at once; the appendices have r and either alone."""
     sine, cosine = sp.sin(alpha), sp.cos(alpha)
     # Of r^3 cos(u) about the bisector, where sin(u) integrates to nothing.
     amplitude = (2 * sine - cosine**4 * (sine / cosine**2 + sp.atanh(sine))) / 4

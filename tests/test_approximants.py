@@ -42,7 +42,7 @@ def test_exponent_and_significand_are_exact() -> None:
 
 @pytest.fixture(scope="module")
 def factor() -> Kernel:
-    """The kernel whose search takes least."""
+    """Return the kernel whose search takes least."""
     return next(kernel for kernel in kernels() if kernel.name == "resistance_factor")
 
 

@@ -33,7 +33,7 @@ HEAVY = {"sympy", "scipy", "mpmath", "flint", "matplotlib", "dask", "distributed
 
 
 def succeed(*command: str | Path, cwd: Path = ROOT) -> str:
-    """The output of a command that must succeed; what it says is the failure's text."""
+    """Return the output of a command that must succeed; what it says is the failure's text."""
     done = subprocess.run(command, cwd=cwd, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
     if done.returncode:
         pytest.fail(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}", pytrace=False)
@@ -47,13 +47,13 @@ def python(code: str, *argv: str | Path, cwd: Path = ROOT) -> str:
 
 @cache
 def parsed(path: Path) -> tuple[str, list[ast.AST]]:
-    """The text of a module, and all its syntax nodes."""
+    """Return the text of a module, and all its syntax nodes."""
     text = path.read_text("utf-8")
     return text, [*ast.walk(ast.parse(text))]
 
 
 def sources(package: str) -> list[Path]:
-    """Its modules; the texts among the templates are those of `generated`, and judged there."""
+    """Return the modules of a package; templates are parts of `generated` and are checked there."""
     return sorted(path for path in (ROOT / package).rglob("*.py") if "templates" not in path.parts)
 
 
@@ -80,7 +80,7 @@ def test_mypy_is_silent() -> None:
 
 
 def test_no_test_module_imports_another() -> None:
-    """What two of them share is in `tests.support`."""
+    """Shared parts of test modules are in `tests.support`."""
     modules = {path.stem for path in (ROOT / "tests").glob("*.py")} - {"__init__"}
     for path in (ROOT / "tests").rglob("*.py"):
         for node in parsed(path)[1]:
@@ -99,7 +99,7 @@ def test_scripts_are_posix_shell_and_executable(script: str) -> None:
 
 
 def imported(path: Path) -> Iterator[tuple[str, set[str]]]:
-    """All modules that a file imports, anywhere in it, and the names from each; relative imports stay at home."""
+    """Return all modules that a file imports anywhere, and the names from each, with relative imports resolved."""
     for node in parsed(path)[1]:
         match node:
             case ast.Import(names=names):
@@ -163,7 +163,7 @@ LAYERS = {
 
 
 def graph(package: str) -> dict[str, set[str]]:
-    """What each module of a package imports of it; a folder's own are its contents."""
+    """Return the imports of each module within its package; a folder's own modules are its contents."""
     names = (".".join(path.relative_to(ROOT).with_suffix("").parts) for path in sources(package))
     paths = dict(zip((name.removesuffix(".__init__") for name in names), sources(package), strict=True))
     found: dict[str, set[str]] = {}
@@ -206,6 +206,7 @@ CREEP = {"rotation": {}, "viscosity": {"viscosity": 1e9, "thickness": 0.5}}
 USES: dict[str, tuple[str, dict[str, Any], Callable[[Motion], object]]] = {
     "tabulated": ("vaiont-as-printed", {}, bool),
     "arc": ("vaiont", {}, lambda motion: replace(motion.plan.scene.arc, theta_2=0.0)),
+    "decimals": ("vaiont", {"friction": 0.419}, bool),
     "forcing": ("vaiont-shaken", {}, bool),
     "tables": ("newmark-pulse", {}, bool),
     "functions": ("vaiont", {"friction": lambda slip: 0.17 + 0.1 / (1.0 + slip)}, bool),
@@ -245,7 +246,7 @@ def test_each_lazy_module_is_imported_by_a_scene(name: str, monkeypatch: pytest.
 
 
 def loaded(scene: str, question: str = "") -> set[str]:
-    """The folders of `slipcircle` that solving a scene and a question about its motion load."""
+    """Return the folders of `slipcircle` that solving a scene and a question about its motion load."""
     code = f"""
 import sys
 import numpy as np

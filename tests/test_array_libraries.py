@@ -183,6 +183,6 @@ def test_types_as_a_checker_sees_them() -> None:
 
 @pytest.mark.skipif(find_spec("jax") is None, reason="no JAX")
 def test_jax() -> None:
-    """In a process of its own: a process with JAX's threads in it must not be forked."""
+    """JAX traces the kernels; in a process of its own, as a process with JAX's threads must not be forked."""
     done = subprocess.run([sys.executable, "-m", "tests.support.traced"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -55,7 +55,7 @@ def test_what_moved_the_mass_is_found_again(name: str, output: str, field: str, 
      ("vaiont", "radius", "peak_velocity", "found")],
 )  # fmt: skip
 def test_a_motion_gives_back_the_numbers_of_its_scene(scene: str, number: str, observed: str, how: str) -> None:
-    """Of `tests.campaigns.round_trips`. The first end of a layer is at a corner of the ground, where durations jump."""
+    """Numbers are found from their motions; a sample of `tests.campaigns.round_trips`."""
     shipped = load(scene)
     assert outcome(shipped, number, observed, float(solve(shipped).outcomes[observed])) == how
 
@@ -179,7 +179,7 @@ def test_a_misfit_is_told() -> None:
 
 
 def test_what_scipy_integrates() -> None:
-    """All four solutions, the weakest friction with five swings back; creeping frictions in the range take no time."""
+    """Four solutions are found, the weakest friction with five swings back; creeping frictions cost no time."""
     scene = load("vaiont-rate")
     found = backanalyse(scene, end_displacement=400.0, field="friction.residual")
     assert [len(s.motion.phases) for s in found.solutions] == [1, 2, 4, 6]
@@ -188,7 +188,7 @@ def test_what_scipy_integrates() -> None:
 
 
 def observed_of_vaiont(motion: Any) -> dict[str, float]:
-    """Its outcomes, and how far the second end of the arc has risen by its rotation."""
+    """Return the outcomes, and the rise of the second end of the arc from its rotation."""
     second, turned = math.radians(276.9), motion.run_out / 1492.6
     return {**motion.outcomes, "toe_rise": 1492.6 * (math.sin(second + turned) - math.sin(second))}
 
@@ -218,7 +218,7 @@ def test_intervals_count_as_uniform_distributions() -> None:
     [(10.0, {"run_out", "toe_rise"}, 348, 229), (13.6, set[str](), 249, 135), (14.0, set[str](), 238, 126)],
 )
 def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str], slow: int, climb: int) -> None:
-    """Which of the reported ranges it misses by more than a tenth."""
+    """Reported ranges that a friction angle misses by more than a tenth."""
     motion = solve(replace(VAIONT, friction=math.tan(math.radians(degrees))))
     outcomes = observed_of_vaiont(motion)
     outside = {n for n, (low, high) in VAIONT.observed.items() if not 0.9 * low <= outcomes[n] <= 1.1 * high}
@@ -294,7 +294,7 @@ def test_a_factor_of_safety_by_a_method_is_met_by_strengths_as_entered(method: s
 
 
 def test_a_limit_is_met_by_the_least_friction_beyond_which_it_always_is() -> None:
-    """At the root of a continuous outcome; where it jumps, at the friction of limit equilibrium."""
+    """A limit is met at the root of a continuous outcome; at a jump, at the friction of limit equilibrium."""
     known = SLOPE.friction["residual"]
     toe = solve(SLOPE).journey.toe_x  # it slides to the left
     found = backanalyse(SLOPE, toe_x=Interval(toe, math.inf), field="friction.residual")
@@ -312,7 +312,7 @@ def test_a_limit_is_met_by_the_least_friction_beyond_which_it_always_is() -> Non
 
 
 def test_numbers_at_which_a_mass_would_stay_have_a_factor_of_one(said: Any) -> None:
-    """By the closed form of an arc, and by the slices of statics on the circle; not where it is shaken or pushed."""
+    """Limits are an arc's closed form and the slices of statics on the circle; shaken or pushed masses have none."""
     arc: Any = VAIONT.arc
     stops = standstills(VAIONT, {"friction": 0.2, "gravity": 9.81}.items())
     assert stops == {"friction": pytest.approx(arc.dimensionless.limit_friction, rel=1e-7)}
@@ -379,7 +379,7 @@ def test_mistakes(asked: dict[str, Any], words: str) -> None:
 
 
 def test_a_value_at_the_end_of_its_range_says_so() -> None:
-    """Of an exact root and of a fit."""
+    """A warning names a value at the end of its range, of an exact root and of a fit."""
     root = backanalyse(VAIONT, run_out=400.0).value
     at_end = backanalyse(VAIONT, run_out=400.0, bounds=(root - 1e-6, 20.0))
     fitted = backanalyse(VAIONT, run_out=(400.0, 5.0), duration=(38.0, 1.0), bounds=(17.0, 20.0))

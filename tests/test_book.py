@@ -15,7 +15,7 @@ pytest.importorskip("furo")
 
 
 class Links(HTMLParser):
-    """Where a page's links and pictures lead, and the places in it that links may name."""
+    """Links and pictures of a page, and the places in it that links may name."""
 
     def __init__(self, text: str) -> None:
         super().__init__()

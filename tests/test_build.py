@@ -33,7 +33,7 @@ QUICKLY = ("-O0", *build.FLAGS[1:])  # to compile, where it does not matter how 
 
 
 def compiler() -> list[str]:
-    """The machine's, or that of the package index."""
+    """Return the machine's, or that of the package index."""
     with contextlib.suppress(build.NoBinaryError):
         return build.c_compiler()
     return []
@@ -53,7 +53,7 @@ def loops_in(binary: Path) -> Iterator[tuple[str, list[str]]]:
 @needs_binary
 @pytest.mark.skipif(not shutil.which("objdump"), reason="objdump is missing")
 def test_loops_are_wide_and_call_nothing() -> None:
-    """Every one is a vector loop of its width, without a call into a library; the plain ones do without fma."""
+    """Loops are vector loops of their width without a call into a library; plain loops contain no fma."""
     binary = build.build()
     found = dict(loops_in(binary))
     if "avx2" in LEVELS:
@@ -72,7 +72,7 @@ def test_loops_are_wide_and_call_nothing() -> None:
 
 
 def small(folder: Path, change: Callable[[str], str] = str) -> Path:
-    """The package with one kernel to compile, of a source that may be changed."""
+    """Return the package with one kernel to compile, of a source that may be changed."""
     if not folder.exists():
         shutil.copytree(ROOT / "generated", folder, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.c"))
     text = change(emit_c.source([v for v in variants() if v.kernel == "resistance_factor"]))
@@ -83,7 +83,7 @@ def small(folder: Path, change: Callable[[str], str] = str) -> Path:
 
 
 def served(place: Path, **environment: str) -> tuple[str, list[str]]:
-    """What serves in a fresh interpreter that finds the package there, and its warnings; the numbers must be right."""
+    """Return the engine and the warnings of a fresh interpreter with this package; its numbers must be correct."""
     code = """
 import sys, warnings
 sys.path.insert(0, sys.argv[1])
@@ -107,7 +107,7 @@ print(_compiled.LEVEL, *(str(w.message) for w in caught), sep="\\n")
 
 @needs_compiler
 def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
-    """With one warning that says what to do; NumPy serves. So it does, silently, when asked to."""
+    """One warning names the remedy, and NumPy is used; silently if NumPy was requested."""
     folder = small(tmp_path / "generated")
     binary = build.build(folder, QUICKLY)
     level, warned = served(tmp_path)
@@ -132,7 +132,7 @@ def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_binary_that_cannot_be_read_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As one of another machine is: with one warning, and NumPy serves."""
+    """An unreadable binary, such as one for another machine, causes one warning, and NumPy is used."""
 
     def refuse(*_: Any) -> None:
         raise PermissionError(13, "Permission denied", "_kernels.so")
@@ -145,7 +145,7 @@ def test_a_binary_that_cannot_be_read_is_refused(monkeypatch: pytest.MonkeyPatch
 
 
 def test_free_threaded_python_is_recognised(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By its version text, as sysconfig would take a tenth of the time of an import."""
+    """Free-threaded Python is recognised by its version text; sysconfig would take a tenth of the time of an import."""
     assert _compiled.is_free_threaded() == bool(sysconfig.get_config_var("Py_GIL_DISABLED"))
     monkeypatch.setattr(sys, "version", "3.14.0 free-threading build (main, Oct  7 2025) [GCC 14.2.0]")
     assert _compiled.is_free_threaded()
@@ -289,7 +289,7 @@ def test_every_processor_shows_the_same_digits(name: str) -> None:
 
 @needs_compiler
 def test_a_binary_stands_for_its_source(tmp_path: Path) -> None:
-    """As in a wheel of a platform: nothing is compiled, and only this text counts as present."""
+    """A binary in a wheel of a platform is not compiled again, and only the text of its source is compared."""
     folder = small(tmp_path / "generated")
     binary = build.build(folder, QUICKLY)
     source = folder / "_kernels.c"
@@ -306,7 +306,7 @@ def test_a_binary_stands_for_its_source(tmp_path: Path) -> None:
 
 
 def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:
-    """Of a copy with one kernel and no integrator; with one, `test_architecture` builds it."""
+    """The wheel of a copy with one kernel and no integrator is pure; `test_architecture` builds the complete wheel."""
     checkout, nothing = tmp_path / "checkout", tmp_path / "nothing"
     nothing.mkdir()
     small(checkout / "generated")

@@ -32,7 +32,7 @@ ANGLES = (1e-3, 0.01, 0.2, 0.25, 0.6, 1.0, 1.4, 1.57, TOP - 2.0**-40, TOP - 2.0*
 
 
 def find(kernel: str, tier: str = "best", form: str = "fused") -> Record:
-    """A certificate as it was written."""
+    """Return a certificate as it was written."""
     (found,) = [r for r in RECORDS if (r["kernel"], r["tier"], r["form"]) == (kernel, tier, form)]
     return deepcopy(found)
 
@@ -78,7 +78,7 @@ def test_segments_cover_the_domain() -> None:
 
 
 def random_program(rng: random.Random) -> list[list[Any]]:
-    """Some operations on alpha and constants, among them the patterns that compensate."""
+    """Return random operations on alpha and constants, with compensated sums and products among them."""
     operations: list[list[Any]] = [["input", [], "alpha"]]
 
     def put(kind: str, *args: int, value: Any = None) -> int:
@@ -119,7 +119,7 @@ REAL: dict[str, Callable[..., arb]] = {"add": add, "sub": sub, "mul": mul, "div"
 
 
 def errors(operations: list[list[Any]], alpha: list[float]) -> Iterator[arb]:
-    """What rounding each operation costs, exactly."""
+    """Yield the exact rounding error of each operation."""
     ops = (Op(kind, tuple(args), float.fromhex(x) if kind == "const" else x) for kind, args, x in operations)
     program = Program("random", ("alpha",), tuple(ops), (len(operations) - 1,))
     values = np.broadcast_to(program.run(np.array(alpha)), len(alpha))  # it may be a constant
@@ -132,7 +132,7 @@ def errors(operations: list[list[Any]], alpha: list[float]) -> Iterator[arb]:
 
 @pytest.mark.parametrize("window", [False, True])
 def test_rounding_of_random_programs_stays_within_its_bound(window: bool) -> None:
-    """In a window alpha**3 (1 + anything), for all small powers of two at once."""
+    """Bounds contain the rounding errors, also in a window alpha**3 (1 + x) for all small powers of two."""
     rng, sharp = random.Random(5 + window), 0  # the bounds are not just huge
     for _ in range(300):
         operations = random_program(rng)
@@ -214,12 +214,12 @@ def test_bounds_reach_the_goals(r: Record) -> None:
 
 
 def sealed(record: Record) -> Record:
-    """With the digest and the seal of what it says now, so that no other check can lean on them."""
+    """Return the record with a new digest and seal, so that no other check refuses it first."""
     return seal(record | {"sha256": digest(record)})
 
 
 def refused(record: Record) -> str:
-    """The name of the check that refuses a record."""
+    """Return the name of the check that refuses a record."""
     with pytest.raises(ProofError) as refusal:
         certify.prove(record)
     return refusal.value.check
@@ -270,7 +270,7 @@ def limit(r: Record) -> int:
 
 
 def smallest(r: Record) -> int:
-    """The highest coefficient."""
+    """Return the highest coefficient."""
     return min(constants(r), key=lambda i: abs(float.fromhex(r["operations"][i][2])))
 
 
@@ -349,7 +349,7 @@ def test_a_refusal_passes_between_processes() -> None:
 
 
 def hard_inputs(record: Record) -> tuple[float, ...]:
-    """The significands that a certificate lists, with every exponent."""
+    """Return the significands that a certificate lists, with every exponent."""
     significands = [int(s, 16) * 2.0**-23 for s in record["hard"]]
     return tuple(x for s in significands for k in range(-51, 1) if (x := s * 2.0**k) < TOP)
 
@@ -374,7 +374,7 @@ def test_no_input_near_a_midpoint_is_missed(start: int, monkeypatch: pytest.Monk
 
 @pytest.mark.parametrize("kernel", BASES)
 def test_hard_inputs_are_rounded_correctly(kernel: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """By the checker, at the inputs that certificates list; `python -m derive prove` looks for them again."""
+    """The checker accepts the hard inputs that certificates list; `python -m derive prove` searches for them again."""
     for record in (find(kernel, "float32", form) for form in ("fused", "plain")):
         monkeypatch.setattr(midpoints, "hard_inputs", cache(lambda _, record=record: hard_inputs(record)))
         midpoints.prove(record)
@@ -382,13 +382,13 @@ def test_hard_inputs_are_rounded_correctly(kernel: str, monkeypatch: pytest.Monk
 
 
 def higher(record: Record) -> Record:
-    """The limit at 0 one unit higher, and no longer leaning to the side of the next term."""
+    """Return the limit at 0 one unit higher, and no longer leaning to the side of the next term."""
     place = max(constants(record), key=lambda i: float.fromhex(record["operations"][i][2]) in (2 / 3, 1.0))
     return retouch(record, place, lambda c: math.nextafter(c, 9.0))
 
 
 def upright(record: Record) -> Record:
-    """Without the lean: midpoints stay, and are rounded to even."""
+    """Remove the lean of a program: midpoints stay, and are rounded to even."""
     place = min(constants(record), key=lambda i: abs(float.fromhex(record["operations"][i][2])))
     return retouch(record, place, lambda _: 0.0)
 
@@ -423,7 +423,7 @@ def of_ends(kernel: str = "radial_weight", tier: str = "best", form: str = "plai
 
 @pytest.mark.parametrize("direction", WAYS)
 def test_directions_are_what_they_say(direction: str) -> None:
-    """Of either sign, all around and turned ten thousand times, by the operations that certificates list."""
+    """Directions of either sign and after ten thousand turns are correct, by the operations that certificates list."""
     turned = ends.result(("r^1 cos u", direction), "best", "")
     part = Program("one", ("alpha",), (Op("input", (), "alpha"), Op("const", (), 1.0)), (1,))
     program = programs.inlined("direction", [turned], part)
@@ -445,7 +445,7 @@ def test_both_ends_have_their_certificates_and_the_checker_proves_them() -> None
 
 @pytest.mark.parametrize("tier", ["1e-10", "1e-6"])
 def test_a_part_at_its_goal_serves_both_ends(tier: str) -> None:
-    """As one of a moment of one's own may be; the run must not stop for what the sine adds."""
+    """A part at its goal, such as a user's moment, does not stop the run for the error that the sine adds."""
     part = find("radial_weight_amplitude", tier, "plain") | {"bound": records.TIERS[tier].other}
     turned = losses.certificate("radial_weight", ("r^1 cos u", "cos psi"), tier, "plain", part)
     assert turned["bound"] > part["bound"]

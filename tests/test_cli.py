@@ -39,7 +39,7 @@ SLOPE = "[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 280\nunit_weight
 
 
 def fresh(*argv: str, **changes: Any) -> subprocess.CompletedProcess[str]:
-    """A fresh interpreter in which every warning is an error, without what would change the tables' look."""
+    """Return a fresh interpreter in which every warning is an error, without what would change the tables' look."""
     kept = {k: v for k, v in os.environ.items() if k not in LOOK}
     given: dict[str, Any] = {"env": kept, "stdout": subprocess.PIPE} | changes
     done = subprocess.run([sys.executable, "-W", "error", *argv], cwd=ROOT, stdin=subprocess.DEVNULL, text=True,
@@ -82,7 +82,7 @@ toe_rise_m = [126, 154]
 
 @pytest.mark.parametrize("name", ["vaiont", "vaiont-rate", "real-slope", "shaken-slope", "layered-slope"])
 def test_a_motion_is_printed_on_twelve_lines(name: str, tmp_path: Path, said: Any) -> None:
-    """With every observation, of a slide that swings back, one of a searched circle, one that leaves the range."""
+    """Twelve lines suffice with every observation, for a swing, a searched circle and a slide that leaves the range."""
     scene = tmp_path / "a.toml"
     text = find(name).read_text("utf-8").partition("[observed]")[0]
     for more in ("", OBSERVED):
@@ -114,17 +114,6 @@ def test_json_has_full_precision(records: Any) -> None:
                                        "sweep vaiont --grid friction.angle_deg=8,10"])  # fmt: skip
 def test_json_is_a_list_in_every_command(asked_for: str, records: Any) -> None:
     assert [next(iter(record)) for record in records(asked_for)] == ["format"]
-
-
-def test_scenes_of_different_lengths_stand_side_by_side(asked: Any) -> None:
-    """With a friction that falls with the speed the slide of Vaiont swings back; the table says so."""
-    _, out, err = asked("run --verbose vaiont-rate wet-slope")
-    cells = columns(out)
-    assert cells["friction angle"] == ["10 deg, rate_weakening", "24 deg"]
-    assert cells["run-out along the arc"] == ["953 m, then back to 573.8 m", "7.708 m"]
-    assert cells["displacement at the end"] == ["573.8 m"]
-    assert "swings back" not in err
-    assert "frozen geometry" not in out
 
 
 def test_times_of_the_rows(tmp_path: Path, said: Any, refused: Any, asked: Any) -> None:
@@ -215,7 +204,7 @@ def test_no_command_prints_a_negative_zero(name: str, tmp_path: Path, asked: Any
 
 @pytest.mark.parametrize(("width", "more"), [(80, {}), (160, {"NO_COLOR": "1"})], ids=["colour", "NO_COLOR"])
 def test_in_a_terminal(width: int, more: dict[str, str]) -> None:
-    """As wide as the terminal, up to 120 columns; in colour, but not where none is wanted."""
+    """Output is as wide as the terminal, up to 120 columns, and coloured unless NO_COLOR is set."""
     reader, writer = pytest.importorskip("pty").openpty()
     look = {k: v for k, v in os.environ.items() if k not in LOOK} | {"TERM": "xterm-256color", "COLUMNS": str(width)}
     shown = b""
@@ -305,7 +294,7 @@ def test_a_reader_that_stops_reading(words: str, reads: str, told: str) -> None:
     ("run vaiont >&-", 0), ("run vaiont 2>&-", 0), ("run viaont 2>&-", 1), ("--help >&- 2>&-", 0), ("ruin >&- 2>&-", 2),
 ])  # fmt: skip
 def test_closed_streams(words: str, status: int) -> None:
-    """What is printed there is lost, and nothing of it goes to the other stream."""
+    """Output to a closed stream is lost, and nothing of it goes to the other stream."""
     command = f"{sys.executable} -m slipcircle {words}"
     done = subprocess.run(["bash", "-c", command], cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
     assert (done.returncode, done.stderr.replace(COMPUTING, "")) == (status, "")
@@ -314,7 +303,7 @@ def test_closed_streams(words: str, status: int) -> None:
 
 @pytest.mark.parametrize("stream", [None, SimpleNamespace(write=lambda text: None, flush=lambda: None)])
 def test_streams_that_are_absent_or_know_no_terminal(stream: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As in windowed programs and some editors."""
+    """Commands run without streams or with plain ones, as in windowed programs and some editors."""
     monkeypatch.setattr(sys, "stdout", stream)
     monkeypatch.setattr(sys, "stderr", stream)
     for words in ("run vaiont", "sweep vaiont --grid friction.angle_deg=8,10", "run viaont"):
@@ -338,13 +327,13 @@ command()
 
 @pytest.mark.parametrize("module", ["numpy", "argparse", "slipcircle.workbench.common.trace"])
 def test_ctrl_c_while_modules_load(module: str) -> None:
-    """Of the package, of the program and of the command."""
+    """Ctrl-C ends imports of the package, of the program and of the command with one line."""
     done = fresh("-c", LOADING.format(module))
     assert (done.returncode, done.stdout, done.stderr.strip()) == (130, "", "slipcircle: interrupted")
 
 
 def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
-    """Every command has its own help and a sentence; scenes and exit status stand in the first; within 100 columns."""
+    """Commands have their own help with a sentence; the first help lists scenes and exit status, in 100 columns."""
     commands = [
         "new",
         "run",
@@ -490,7 +479,7 @@ HELPS = [("slipcircle", ["", *COMMANDS]), ("derive", ["", *derive_line.COMMANDS]
 
 @pytest.mark.parametrize(("program", "name"), [(program, name) for program, names in HELPS for name in names])
 def test_every_command_has_help(program: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """In full words, of its options too."""
+    """Commands of both programs print their help."""
     main = {"slipcircle": line.main, "derive": derive_line.main}[program]
     with pytest.raises(SystemExit) as leaving:
         main([*filter(None, [name]), "--help"])

@@ -1,4 +1,4 @@
-"""Every combination of effects with every kind of law, against Taylor series in ball arithmetic.
+"""Motions of every combination of effects with every kind of law, against Taylor series in ball arithmetic.
 
 Scenes are plain data; `taylor` solves them from quadrature of the definitions and the equation of motion as it
 stands, with its sign of omega, its clamp, and a rest test at every standstill.
@@ -15,7 +15,7 @@ from tests.support.motions import residual
 
 @pytest.mark.parametrize("law", LAWS)
 def test_every_combination_of_effects(law: str) -> None:
-    """Each law with a twentieth of all; `python -m tests.campaigns.references` draws others."""
+    """Laws are solved with a twentieth of all combinations; `python -m tests.campaigns.references` draws others."""
     part = ALL[LAWS.index(law) :: 2 * len(LAWS)]
     solved = 0
     for effects in part:

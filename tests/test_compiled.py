@@ -32,7 +32,7 @@ each_level = pytest.mark.parametrize("level", list(LEVELS))
 
 @cache
 def fitted() -> dict[tuple[str, str, str], Variant]:
-    """Every program by its kernel, tier and form."""
+    """Return every program by its kernel, tier and form."""
     return {(v.kernel, v.tier, v.form): v for v in (*variants(), *variants_of_ends())}
 
 
@@ -58,7 +58,7 @@ def bits(x: NDArray[Any]) -> NDArray[Any]:
 @needs_binary
 @each_variant
 def test_the_same_bits_as_exact_arithmetic(key: tuple[str, str, str]) -> None:
-    """On 1e4 points, at every level that runs the program."""
+    """Results have the bits of exact arithmetic on 1e4 points, at every level that runs the program."""
     variant = fitted()[key]
     single = variant.tier == "float32"
     alpha = points().astype(np.float32) if single else points()
@@ -79,7 +79,7 @@ def test_the_same_bits_as_exact_arithmetic(key: tuple[str, str, str]) -> None:
 @needs_binary
 @of_both_ends
 def test_the_same_bits_of_both_ends(key: tuple[str, str, str]) -> None:
-    """At every level that runs the program, also with one end for all; NumPy's plain one too."""
+    """Results have the same bits at every level, also with one end for all arcs, and by NumPy's plain program."""
     variant = fitted()[key]
     single = variant.tier == "float32"
     kind = np.float32 if single else np.float64
@@ -105,7 +105,7 @@ def test_the_same_bits_of_both_ends(key: tuple[str, str, str]) -> None:
 
 
 def kernel(name: str, level: str) -> Callable[..., Any]:
-    """A kernel as the public function calls it, at one level."""
+    """Return a kernel as the public function calls it, at one level."""
     return _compiled.kernel(name, kernels.TEXTS[name], level)
 
 
@@ -209,7 +209,7 @@ def proved(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("proved")
 @pytest.mark.parametrize("name", FITTED)
 def test_accuracy_takes_the_cheapest_tier_that_is_proved(name: str, level: str) -> None:
-    """By the proof of the program that would run, fused, plain or NumPy's; a ValueError where none meets it."""
+    """The cheapest tier is selected by the proof of the program that would run; a ValueError if none suffices."""
     form, loops = LEVELS[level]
     function, alpha = kernel(name, level), points()
     known = {

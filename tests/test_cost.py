@@ -1,4 +1,4 @@
-"""What accuracy costs: errors against ball arithmetic and Taylor series of 24 digits; verdicts. No timings."""
+"""Errors, verdicts and recommendations of the command `cost`, without timings."""
 
 import json
 import math
@@ -41,7 +41,7 @@ def _quick() -> Iterator[None]:
 
 
 def digits(name: str, point: float) -> Any:
-    """The exact value by quadrature of the double integral."""
+    """Return the exact value by quadrature of the double integral."""
     with mpmath.workdps(70):
         return mpf(oracle.kernel(name, Fraction(point)).str(60, radius=False))
 
@@ -49,7 +49,7 @@ def digits(name: str, point: float) -> Any:
 @pytest.mark.parametrize("kind", ["float64", "float32"])
 @pytest.mark.parametrize("name", kernels.KERNELS)
 def test_references_are_the_definitions(name: str, kind: str) -> None:
-    """Of each format the ends and some points between; two doubles are 100 bits."""
+    """References at both ends of each format and between are exact; two doubles are 100 bits."""
     exact = kernels.reference(name, kind)
     chosen = {int(np.searchsorted(exact.points, x)) for x in SEEN if exact.points[0] <= x <= exact.points[-1]}
     with mpmath.workdps(90):
@@ -148,7 +148,7 @@ def test_everything_is_timed_in_turns() -> None:
 
 
 def test_errors_of_an_ensemble_are_true_errors() -> None:
-    """Of each case against its Taylor series in ball arithmetic, of 24 digits."""
+    """Errors of an ensemble equal the differences from Taylor series of 24 digits."""
     scene: Scene[Any] = load("vaiont")
     frictions = float(np.tan(np.radians(10.0))) * np.linspace(0.8, 1.2, 10)
     given = {"arc": oracle.plain(scene.arc), "effects": dict(scene.called), "initial_velocity": 0.0, "end_time": None}
@@ -166,7 +166,7 @@ def test_errors_of_an_ensemble_are_true_errors() -> None:
 
 
 def odd_scenes() -> dict[str, Scene]:
-    """A record, a law in Python, and arrays in a scene."""
+    """Return a record, a law in Python, and arrays in a scene."""
     vaiont: Scene[Any] = load("vaiont")
     time = np.linspace(0.0, 20.0, 400)
     record = Series(time, 0.05 * np.sin(7 * time))

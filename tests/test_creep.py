@@ -28,7 +28,7 @@ STIFFNESS = mpmath.hypot(FALL, MU * PRESS)  # of FALL sin(psi) - MU PRESS cos(ps
 
 
 def brake(damping: float) -> dict[str, float]:
-    """The viscous layer with this damping d: d Theta* = 2 alpha eta/(rho h sqrt(g R))."""
+    """Return the viscous layer with this damping d: d Theta* = 2 alpha eta/(rho h sqrt(g R))."""
     inertia = float(ARC.dimensionless.moment_of_inertia)
     viscosity = damping * inertia * (2e4 / 9.81) * 0.1 * SPEED_UNIT / (2 * 1.201)
     return {"viscosity": viscosity, "thickness": 0.1}
@@ -54,7 +54,7 @@ CRITICAL = float(2 * mpmath.sqrt(STIFFNESS))
     ],
 )
 def test_a_mass_creeps_if_it_is_overdamped_at_its_equilibrium(damping: float, accuracy: float) -> None:
-    """From rest under constant friction: for every accuracy the same, alone and in an ensemble."""
+    """The status from rest under constant friction is the same for every accuracy, alone and in an ensemble."""
     motion = solve(scene(damping), accuracy)
     lanes = solve(scene(damping, np.array([MU, MU])), accuracy)
     assert {motion.status, *lanes.status} == {Status.CREEPS if damping > CRITICAL else Status.RESTS}
@@ -98,7 +98,7 @@ def test_the_time_to_99_percent_is_that_of_another_integrator(damping: float) ->
 
 
 def test_softening_masses_creep_or_pass_their_equilibrium() -> None:
-    """Beyond the end of a linear law; a mass that arrives fast enough passes its equilibrium and rests behind it."""
+    """Masses creep beyond the end of a linear law, or arrive fast, pass their equilibrium and rest behind it."""
     law = {"law": "linear", "peak": 0.93, "residual": MU, "length": 0.0711}
     creeps = solve(scene(1.5 * CRITICAL, law))
     assert creeps.status is Status.CREEPS
@@ -171,7 +171,7 @@ def test_the_slow_run_out_is_where_ever_stronger_viscosity_lets_it_creep_to() ->
 
 @pytest.mark.parametrize("name", ["valley-side", "weak-toe"])
 def test_a_mass_below_water_or_in_layers_rests_there_if_it_moves_slowly(name: str) -> None:
-    """Their forces are functions of the rotation; integrated in time through a viscous layer until close to rest."""
+    """Slow masses rest where their forces balance, as motions through a viscous layer show."""
     free = load(name)
     layer = {"rotation": {}, "viscosity": {"viscosity": 1e8, "thickness": 0.5}}
     viscous = replace(free, effects=layer, end_time=2e7)

@@ -319,7 +319,7 @@ def test_a_drop_replaces_a_condition_on_two_parameters(monkeypatch: pytest.Monke
 def test_the_page_on_extending_shows_what_is_said(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Each answer of its table is one of those above, word by word."""
+    """Answers in the table of the page are answers above, word by word."""
     page = (Path(__file__).parents[1] / "notebooks" / "extending.md").read_text("utf-8")
     answers = re.findall(r"^\| .* \| `(.*)` \|$", page, re.MULTILINE)
     assert len(answers) == 19
@@ -340,7 +340,7 @@ def digests(folder: Path) -> dict[str, str]:
 
 
 def test_the_command_says_it_and_leaves_every_byte(tmp_path: Path) -> None:
-    """Also of what Python cannot read: its error and the line."""
+    """The command prints the answer and changes no file, also for text that Python cannot read."""
     all_weights.copy(tmp_path)
     file = tmp_path / "derive" / "declare" / "effects.py"
     text = file.read_text("utf-8")

@@ -28,7 +28,7 @@ def test_the_chord_is_the_paper_s() -> None:
 
 
 def test_an_antiderivative_that_jumps_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its derivative is right on both sides of the jump; see issue 24004 of SymPy."""
+    """An antiderivative with a jump is refused though its derivative is correct on both sides (SymPy issue 24004)."""
     x = sp.Symbol("x", real=True)
     jumps = sp.atan(sp.sqrt(2) * sp.tan(x)) / sp.sqrt(2)  # of 1/(1 + sin(x)**2), at pi/2
     monkeypatch.setattr(integrate, "integrate", lambda _integrand, _x: jumps)

@@ -31,7 +31,7 @@ def outputs(scene: golden.Data, free: bool, digits: int) -> list[arb]:
 
 
 def shifted(scene: golden.Data, name: str, by: Fraction) -> golden.Data:
-    """The scene with one number changed, exactly."""
+    """Return the scene with one number changed, exactly."""
     *path, last = name.split(".")
     changed: golden.Data = json.loads(json.dumps(scene))
     box = changed if last in changed else changed["arc"]
@@ -42,7 +42,7 @@ def shifted(scene: golden.Data, name: str, by: Fraction) -> golden.Data:
 
 
 def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
-    """Also far beyond R/256, where its first table ends."""
+    """Derivatives of a function equal the derivatives of its law, also far beyond R/256, where its first table ends."""
     scene: Scene[Any] = load("vaiont")
     law = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": 3.0}
     free = solve(replace(scene, friction=lambda slip: 0.17 + 0.2 * np.exp(-slip / 3.0))).sensitivity()
@@ -104,7 +104,7 @@ def test_a_circle_through_a_vertex_cuts_another_mass_off_beyond_it() -> None:
 def check_motion(
     scene: golden.Data, which: Sequence[str] | slice, digits: int, cap: float = 1e-7, unknown: Sequence[str] = ()
 ) -> None:
-    """Derivatives by some numbers, within the stated errors; these are small beside the outcome by the number's scale.
+    """Check derivatives with respect to some numbers within their error bounds, and that these are small.
 
     By exactly the numbers that are said to be `unknown` there are none.
 

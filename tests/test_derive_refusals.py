@@ -1,4 +1,4 @@
-"""What stops `python -m derive`: each gate, shown by a planted fault to fire with one sentence, and nothing written."""
+"""Refusals of `python -m derive`: each planted fault causes one sentence, and nothing is written."""
 
 import math
 import re
@@ -35,7 +35,7 @@ def kernel(name: str) -> Kernel:
 
 
 def fires(gate: Callable[[], Any], quantity: str, check: str) -> None:
-    """The gate stops the run: one sentence on the quantity and the check, with both numbers."""
+    """Return the gate stops the run: one sentence on the quantity and the check, with both numbers."""
     with pytest.raises(ProofError) as stop:
         gate()
     assert re.fullmatch(SENTENCE.format(re.escape(quantity), check)[1:-1], str(stop.value), re.DOTALL), stop.value
@@ -59,7 +59,7 @@ def test_a_definition_that_is_not_the_checker_s(monkeypatch: pytest.MonkeyPatch)
 
 @pytest.mark.parametrize("tier", TIERS)
 def test_a_bound_above_its_tier_s_goal(tier: str) -> None:
-    """What spoils lambda by a thousandth of alpha**2 is proved 2.5e-3, and refused where 1e-6 is promised."""
+    """A program that is proved to 2.5e-3 is refused where 1e-6 is promised."""
     right = kernel("resistance_factor")
     spoilt = replace(right, closed=(right.closed[0] * (1 + alpha**2 / 1000),))
     (fused, *_) = [v for v in programs.of(spoilt, shapes.records()[right.definition]) if v.tier == tier]
@@ -119,7 +119,7 @@ def test_the_files_stay_as_they_are() -> None:
     ],
 )  # fmt: skip
 def test_without_packages_one_sentence_says_what_to_install(asked: str, missing: tuple[str, ...]) -> None:
-    """All that are missing, and no others; the proofs of the bounds need flint alone."""
+    """Missing packages are named, and no others; the proofs of the bounds need flint alone."""
     hidden = {*missing, "sympy"} if asked == "prove" else missing
     hide = f"import sys; sys.modules.update(dict.fromkeys({sorted(hidden)})); from derive.__main__ import main; "
     ask = [sys.executable, "-c", f"{hide}sys.exit(main({asked.split()}))"]
@@ -129,6 +129,6 @@ def test_without_packages_one_sentence_says_what_to_install(asked: str, missing:
 
 
 def test_a_campaign_of_mutants_says_why_nothing_was_measured(tmp_path: Path) -> None:
-    """Where pytest-cov is missing, or no test can be run."""
+    """A sentence says if pytest-cov is missing or no test can be run."""
     with pytest.raises(SystemExit, match=r"no test was measured: .*\w.*; is pytest-cov installed\?"):
         mutants.measured_tests(tmp_path, 1)

@@ -51,7 +51,7 @@ MANY: dict[str, Any] = {"n": 1500, "rng": 7, "size": 128, "sensitivity": 160}
 
 
 def same(one: Study, two: Study) -> None:
-    """All arrays and sensitivity indices, bit for bit."""
+    """Compare all arrays and sensitivity indices bit for bit."""
     assert repr(one.sensitivity) == repr(two.sensitivity)
     a, b = export.arrays(one), export.arrays(two)
     assert a.keys() == b.keys()
@@ -81,7 +81,7 @@ def test_what_is_no_executor_is_refused() -> None:
 
 @pytest.fixture
 def told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A clock by which each look is a second after the last, so that progress is told from the first block on."""
+    """Return a clock that advances by a second at each look, so that progress is shown from the first block on."""
     seconds = itertools.count()
     monkeypatch.setattr(progress_module, "time", SimpleNamespace(monotonic=lambda: float(next(seconds))))
 
@@ -187,7 +187,7 @@ def _kill_once_started(process: subprocess.Popen[bytes], folder: Path) -> None:
 
 
 def test_a_run_continues(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """From blocks that are missing, damaged by a bit, a block of another study, or cut off; with the seed of before.
+    """A run continues from blocks that are missing, damaged, cut off or of another study, with the seed of before.
 
     Blocks that are whole are not computed again, and the study says how many were damaged.
     """
@@ -224,7 +224,7 @@ def test_a_run_continues(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_a_full_disk_is_said_and_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Before the first block that is missing is computed."""
+    """A full disk is reported before the first missing block is computed."""
     whole = ensemble(SCENE, folder=tmp_path, **MANY)
     (tmp_path / "slips.npy").unlink()
     with monkeypatch.context() as full:
@@ -248,7 +248,7 @@ def test_large_studies_are_in_memory_mapped_files(monkeypatch: pytest.MonkeyPatc
 
 
 def test_another_study_is_refused(tmp_path: Path) -> None:
-    """By what tells studies apart, numbers or not; also one that an older version wrote."""
+    """Studies are told apart by every setting, also in blocks of an older version."""
     ensemble(SCENE, 100, 1, folder=tmp_path)
     held = json.loads((tmp_path / "study.json").read_text("utf-8"))
     assert (held["seed"], stored(tmp_path)) == (1, held)
@@ -269,7 +269,7 @@ def test_another_study_is_refused(tmp_path: Path) -> None:
 
 
 def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
-    """What is no number tells studies apart too."""
+    """Records and laws that are not numbers tell studies apart, too."""
     for amplitude, same in (
         (0.5, nullcontext()),
         (0.5, nullcontext()),
@@ -340,7 +340,7 @@ def exec_import(slip: Any) -> Any:
 
 @pytest.mark.parametrize("kind", KNOWN)
 def test_objects_are_recognised_by_their_content(kind: str) -> None:
-    """Also after they have been used."""
+    """Objects are recognised by their content, also after use."""
     same = KNOWN[kind](0.2)
     first = digest(same)
     for use in ("mean", "std", "standard_deviation", "median", "support"):
@@ -383,7 +383,7 @@ def test_folders_of_other_objects_are_refused(tmp_path: Path, monkeypatch: pytes
 
 @pytest.mark.parametrize("changed", ["entry", "depth"])
 def test_a_folder_of_searches_is_that_of_their_limits(changed: str, tmp_path: Path) -> None:
-    """Also if the circle of the means is the same."""
+    """Folders of searches are told apart by their limits, also if the circle of the means is the same."""
     slope = load("real-slope")
     stability = stability_of(slope)
     assert isinstance(slope, SlopeScene)
@@ -429,7 +429,7 @@ def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("gone", [BrokenExecutor, CancelledError])
 def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.MonkeyPatch, refused: Any) -> None:
-    """Of processes and of Dask; any other failure of a block is an error."""
+    """Lost workers of processes and of Dask are replaced; any other failure of a block is an error."""
 
     def lost(*_: Any) -> Any:
         raise gone
@@ -443,7 +443,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
 
 
 def test_progress(capsys: pytest.CaptureFixture[str], told_at_once: None) -> None:
-    """In a pipe lines ever farther apart; within other work that is counted nothing."""
+    """Progress in a pipe is printed at growing intervals, and not at all inside other counted work."""
     with Progress(100, "scenes") as progress:
         for _ in range(10):
             progress(10)

@@ -166,7 +166,7 @@ def test_peak_and_scale_of_a_record_do_not_vary_together() -> None:
 
 
 def test_names_of_settings_are_checked() -> None:
-    """Also those that a call without records ignored."""
+    """Settings are checked also if the call has no records and ignores them."""
     scene = replace(load("vaiont"), uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 9, "std": 1}})
     settings: list[tuple[dict[str, Any], str]] = [
         ({"scales": [1]}, r"scales = \[1\]: is for records; give records"),
@@ -250,7 +250,7 @@ def test_linear_propagation_of_narrow_inputs(method: str) -> None:
 
 @pytest.mark.parametrize(("mean", "moves"), [(20.0, True), (24.0, False)])
 def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
-    """Of these a part stays where it is, at the means of the second case as well: the derivatives see nothing of it."""
+    """Linear propagation warns if a part of the samples does not move, which derivatives at the means cannot show."""
     study = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(mean, 2.5)}), 4096, 2)
     for name in OUTCOMES:
         linear, std = study.linear[name].std, float(np.std(study.samples[name]))
@@ -260,7 +260,7 @@ def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
 
 
 def test_where_nothing_is_propagated() -> None:
-    """What has no moments says so; a unit weight moves nothing here, and rounding is no disagreement."""
+    """Inputs without moments are named; an input without effect causes no disagreement by rounding."""
     found = ensemble(replace(VAIONT, uncertain={"friction": stats.pareto(2, scale=0.05)}), 20, 1)
     assert dict(found.linear) == {}
     assert "not have a finite mean" in found.no_linear
@@ -273,7 +273,7 @@ def test_where_nothing_is_propagated() -> None:
 
 @pytest.mark.parametrize("method", ["monte-carlo", "sobol"])
 def test_quantiles_of_a_monotone_answer(method: str) -> None:
-    """Of angles below the limit, which have a known share, run-out and peak velocity both fall as friction grows.
+    """Run-out and peak velocity fall as friction grows, so that their quantiles are known.
 
     Sobol sequences in one dimension differ by less than a sample, and have no interval.
     """
@@ -383,7 +383,7 @@ def test_blocks_fill_the_arrays_once(method: str, n: int) -> None:
 
 
 def test_indices_of_a_scene(file: Path) -> None:
-    """By Monte Carlo and by Sobol points alike; the first-order ones against conditional means of plain samples."""
+    """Indices by Monte Carlo and by Sobol points agree with conditional means of plain samples."""
     scene = read(file)
     plain, quasi = (ensemble(scene, 2**13, 1, method=m, sensitivity=2048) for m in ("monte-carlo", "sobol"))
     values = plain.samples["run_out"]

@@ -132,7 +132,7 @@ class Extended(taylor.Problem):
 
 
 def scene_file(law: str, centripetal: bool) -> str:
-    """A scene with this law and suction."""
+    """Return a scene with this law and suction."""
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
     lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}", ""]
@@ -140,7 +140,7 @@ def scene_file(law: str, centripetal: bool) -> str:
 
 
 def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool) -> None:
-    """It uses the new law and the new effect."""
+    """Check that the scene uses the new law and the new effect."""
     (planned,) = json.loads(plan)
     assert planned["law"] == law
     assert {law, "suction"} <= {term["effect"] for term in planned["equation"]["terms"]}
@@ -156,7 +156,7 @@ def check_scene(plan: str, result: str, law: str, power: int, centripetal: bool)
 
 
 def check_schema(schema: str, guide: str) -> None:
-    """What is new is checked and described."""
+    """Check that schema and guide contain the additions."""
     whole = json.loads(schema)
     assert {"required": ["suction_kPa"]} in whole["properties"]["suction"]["allOf"][0]["anyOf"]
     assert "friction_inverse_square" in whole["$defs"]
@@ -166,7 +166,7 @@ def check_schema(schema: str, guide: str) -> None:
 
 
 def check_moment(root: Path) -> None:
-    """The area of a circle's segment, of thin masses and of the half disc, within 5 ulp; certified and priced."""
+    """Check the area of a circle's segment, of thin masses and of the half disc, within 5 ulp, and its certificate."""
     alpha = [0.0, 1e-300, 1e-100, 1e-5, 0.1, 0.5385, 1.0, np.pi / 2]
     code = f"from generated import area; print(*(float(x).hex() for x in area({alpha})))"
     found = [float.fromhex(x) for x in run(root, "-W", "error", "-c", code).split()]
@@ -206,7 +206,7 @@ MOTIONS: dict[str, tuple[str, Friction, Callable[[float], float], float]] = {
 
 
 def motion_file(name: str, keys: str) -> str:
-    """A mass that turns, with this law or this effect."""
+    """Return a mass that turns, with this law or this effect."""
     arc = "\n".join(["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items())])
     effect = f"[friction]\ncoefficient = 0.25\n[{name}]" if f'Effect("{name}"' in MORE["EFFECTS"] else ""
     return "\n".join([arc, "[rotation]", effect or f'[friction]\nlaw = "{name}"', keys])
@@ -247,7 +247,7 @@ def check_height_moment(root: Path) -> None:
 
 
 def check_page(root: Path, scene: str, printed: str) -> None:
-    """Its scene is the one that is solved, its commands print what it shows."""
+    """Check that the page's scene and commands are the ones that are run here."""
     _, _, examples = PAGE.partition("## A result")
     _, shown = blocks(examples, "text")
     assert shown == scene
@@ -274,7 +274,7 @@ print(json.dumps([*said, "area" in KERNELS]))
 
 
 def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
-    """In one test, as the copy takes its time."""
+    """Additions appear everywhere; in one test, as making the copy takes long."""
     *_, why = extended(tmp_path)
     assert why == "the result is denormal"
     (tmp_path / "new.toml").write_text(scene_file("inverse_square", True), "utf-8")

@@ -23,7 +23,7 @@ FIELD = re.compile(r"^(Arc|Scene)?( \w+)?[:, ]*(initial_velocity|end_time|fricti
 
 
 def anything(rng: np.random.Generator) -> dict[str, Any]:
-    """A random combination, every number of which is multiplied by a power of ten, on an arc next to a limit."""
+    """Return a random combination, every number of which is multiplied by a power of ten, on an arc next to a limit."""
     law = str(rng.choice(combinations.SLIP_LAWS))
     effects = combinations.STEADY[rng.integers(len(combinations.STEADY))]
     scene = combinations.drawn(effects, law, int(rng.integers(2**31)))
@@ -46,7 +46,7 @@ def anything(rng: np.random.Generator) -> dict[str, Any]:
 
 
 def run_anything(fields: dict[str, Any]) -> str:
-    """What became of it: an answer that is consistent, or one sentence that begins with a field.
+    """Return a consistent answer, or one sentence that begins with a field.
 
     The energy balances to 1e-12, or to the estimate where the answer says that it is ill-conditioned.
     """

@@ -26,7 +26,7 @@ EXTRA_OF = {
 
 
 def alone(folder: Path, code: str, *hidden: str, module: str = "slipcircle") -> subprocess.CompletedProcess[str]:
-    """What an interpreter says in a folder, in which packages cannot be imported; code, or a command's line."""
+    """Return the output of code or of a command in a folder, with some packages that cannot be imported."""
     line = f"import sys; sys.modules.update(dict.fromkeys({list(hidden)}))\n"
     if not code.startswith("import"):
         code = (
@@ -63,7 +63,7 @@ def test_from_nothing_to_a_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
 
 @pytest.mark.parametrize("name", shipped())
 def test_every_scene_that_ships_is_one_to_start_from(name: str, tmp_path: Path, said: Any) -> None:
-    """With its comments; it moves as that scene does, under its own name."""
+    """Shipped scenes can be copied with its comments; the copy moves as the scene does, under its own name."""
     path = tmp_path / "my.toml"
     said("new", path, "--like", name)
     scene = load(path)
@@ -74,7 +74,7 @@ def test_every_scene_that_ships_is_one_to_start_from(name: str, tmp_path: Path, 
 
 
 def test_the_tables_in_comments_of_a_new_scene_are_right(tmp_path: Path, said: Any) -> None:
-    """Without their marks they are read, and each has its effect."""
+    """Tables in comments of a new scene are valid without their marks, and each has its effect."""
     path = tmp_path / "my.toml"
     said("new", path)
     bare, text, tables = path.read_text("utf-8").partition("# [water]")
@@ -108,7 +108,7 @@ NEEDED = [
 
 @pytest.mark.parametrize(("package", "extra", "words"), NEEDED, ids=[words[:20] for *_, words in NEEDED])
 def test_a_missing_package_is_one_line(package: str, extra: str, words: str, tmp_path: Path) -> None:
-    """What needs it, and the command; nothing is computed before, and no file is written."""
+    """A missing package is named with the command that installs it, before anything is computed or written."""
     if "q.csv" in words:
         alone(tmp_path, RECORD)
     done = alone(tmp_path, words, package)
@@ -132,7 +132,7 @@ def test_deriving_without_a_package(package: str, tmp_path: Path) -> None:
 
 
 def test_info_says_how_each_missing_package_is_installed(tmp_path: Path) -> None:
-    """Each is one of the extra that its command names."""
+    """Missing packages belong to the extra that its command names."""
     code = "import importlib.metadata as m; real = m.version; "
     code += "m.version = lambda name: real(name) if name == 'numpy' else m.distribution('no-' + name); "
     code += "from slipcircle.__main__ import main; main(['info'])"
@@ -183,7 +183,7 @@ def test_unsupported_versions_are_named(changes: str, message: str, tmp_path: Pa
 
 @pytest.mark.parametrize("text", ["", "__project__ = 'another'\n", "import no_such_module\n", "1 +\n"])
 def test_another_package_called_generated(text: str, tmp_path: Path) -> None:
-    """What lies in the way, where, and what to do."""
+    """The message names the package in the way, its place and the remedy."""
     foreign = tmp_path / "generated" / "__init__.py"
     foreign.parent.mkdir()
     foreign.write_text(text, "utf-8")
@@ -233,7 +233,7 @@ def test_a_law_declared_outside_of_the_package(tmp_path: Path) -> None:
 
 
 def test_a_law_of_ones_own_stops_where_its_work_says() -> None:
-    """Without rotation a mass rests where its mean friction is the limit friction: an integral in closed form."""
+    """A frozen mass rests where its mean friction is the limit friction, an integral in closed form."""
     names: dict[str, Any] = {"__name__": "my_law"}
     exec(OWN.partition("\nlaw = ")[0], names)
     law = names["HardeningSoftening"](start=0.30, residual=0.45, rise=0.10, length=40.0)

@@ -43,7 +43,7 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
 
 
 def alike(one: Any, other: Any, within: float) -> None:
-    """Every entry of the state: counts and decisions exactly, others to rounding beside the largest, rates beside 1."""
+    """Compare the states: counts and decisions exactly, other numbers to rounding."""
     for row, (a, b) in enumerate(zip(one, other, strict=True)):
         same = (a == b) | (np.isnan(a) & np.isnan(b))
         if row in COUNTED:
@@ -60,7 +60,7 @@ def test_the_integrator_in_numpy_is_the_same(name: str) -> None:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_the_registers_are_those_of_numpy(name: str) -> None:
-    """Where a phase begins, and after it, of all lanes at once."""
+    """Registers of all lanes equal NumPy's where a phase begins and after it."""
     bound, found = problem(name), []
     for module in (compiled, in_numpy):
         cells = bound.cells()
@@ -92,7 +92,7 @@ STRAIGHT: dict[str, tuple[str, dict[str, Any]]] = {
 
 
 def interpreted(program: Program) -> bytes:
-    """A program with its last operation twice, which no function has."""
+    """Return a program with its last operation twice, which no function has."""
     code = np.frombuffer(encoded(program), np.int32)
     end = 9 + len(ix.ROLES) + int(code[5:8].sum())
     again = code[end - 8 : end]  # a sum of two terms

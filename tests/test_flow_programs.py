@@ -77,7 +77,7 @@ def flat_without_factors(self: Any, operation: Any, factor: str) -> Iterator[tup
 
 
 def placed_without_pairs(operation: Any, results: Any, places: Any) -> tuple[Any, ...]:
-    """Sums whose registers are sorted without their factors."""
+    """Return sums whose registers are sorted without their factors."""
     kind, *rest = PLACED(operation, results, places)
     if kind == "lin" and rest[2]:
         cells, registers = zip(*rest[2], strict=True)
@@ -86,13 +86,13 @@ def placed_without_pairs(operation: Any, results: Any, places: Any) -> tuple[Any
 
 
 def softening_without_term(known: Any, name: str, turns: bool) -> list[Any]:
-    """A softening cohesion that resists nothing."""
+    """Return a softening cohesion that resists nothing."""
     parts = OF_SOILS(known, name, turns)
     return [part._replace(adds={}) for part in parts] if name.startswith("softening_cohesion") else parts
 
 
 def softening_by_friction(known: Any, name: str, turns: bool) -> list[Any]:
-    """A softening cohesion that follows the law of friction."""
+    """Return a softening cohesion that follows the law of friction."""
     if name != "linear#c":
         return OF_SOILS(known, name, turns)
     return [known["constant"]._replace(adds={"cohesion_law#c": known["constant"].adds["mu"]})]
@@ -138,7 +138,7 @@ def test_programs_are_the_equation_of_motion() -> None:
 
 
 def test_sums_add_terms_in_the_order_in_which_they_are_ready() -> None:
-    """By register, whatever the cells are called: last bits do not depend on names, nor on who integrates."""
+    """Terms are in the order of registers: last bits depend neither on names nor on the integrator."""
     for case in random.Random(8).sample(list(flow_oracle.cases()), 200):
         sums = [op for op in build_program(Recipe(*case), ("energy",)).series if op[0] == "lin"]
         for *_, terms in sums:
@@ -212,7 +212,7 @@ def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, r
 
 
 def test_the_limit_friction_of_a_frozen_slope_stays_that_of_the_start() -> None:
-    """From the balance of a later moment it would lose digits where friction is next to it."""
+    """The limit friction stays the value of the start; the balance of a later moment would lose digits."""
     program = build_program(Recipe((), ("exponential",)))
     given = dict.fromkeys(("DIRECTION", "driving_moment", "normal_load", "resistance_factor", "TIME"), 1.0)
     given |= {f"exponential.{name}": 0.1 for name in ("peak", "residual", "length")}

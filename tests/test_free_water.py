@@ -14,11 +14,9 @@ import pytest
 from slipcircle import LayeredSection, Scene, Section, Slope, Soil, Status, critical, solve
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Floats
-from slipcircle.ground.ponds import Ponds, free_water
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.outputs.page import section as livesection
 from slipcircle.workbench.stability.critical import at_circle
-from slipcircle.workbench.stability.stability import factors_of_safety
 from tests.campaigns import combined
 
 WATER = 9810.0
@@ -44,7 +42,7 @@ class Truth(NamedTuple):
     unit_weight: float = 2e4
 
     def factors(self, count: int = 12_000) -> dict[str, float]:
-        """By the definitions of the methods, with pressures of free water on the ground integrated edge by edge."""
+        """Return factors by the definitions of the methods; pressures of free water are integrated edge by edge."""
         (x_c, y_c), r = self.centre, self.radius
         first, last = (math.asin((x - x_c) / r) for x in self.ends)
         step = (last - first) / count
@@ -91,7 +89,7 @@ class Truth(NamedTuple):
         return np.hypot(x - x_c, low - y_c) - np.hypot(x - x_c, high - y_c)
 
     def moment_of_ponds(self) -> float:
-        """Of the pressure on the ground, positive counterclockwise: minus the integral of p d(rho^2/2)."""
+        """Return the moment of the pressure on the ground, positive counterclockwise: -int p d(rho^2/2)."""
         (x_c, y_c), moment = self.centre, 0.0
         left, right = self.ends
         for a, b, z in self.ponds:
@@ -112,7 +110,7 @@ class Truth(NamedTuple):
 
 
 def through(x: tuple[float, float], ground: Any, radius: float) -> tuple[tuple[float, float], float]:
-    """The circle above two points of the ground."""
+    """Return the circle above two points of the ground."""
     p, q = (np.array([v, np.interp(v, *np.transpose(ground))]) for v in x)
     chord = q - p
     normal = np.array([-chord[1], chord[0]]) / np.hypot(*chord)
@@ -170,7 +168,7 @@ def shifted(value: Any, by: float) -> Any:
 
 @pytest.mark.parametrize("name", CASES)
 def test_factors_are_those_of_plain_slices(name: str) -> None:
-    """On both sides of a dam, each with its level; seen from behind; and in map coordinates."""
+    """Factors on both sides of a dam, each with its level, also seen from behind and in map coordinates."""
     truth, water = CASES[name]
     expected = truth.factors()
     geometry = truth.section()
@@ -185,16 +183,6 @@ def test_factors_are_those_of_plain_slices(name: str) -> None:
             shifted(truth.ground, by), 8e3, 0.5, 2e4, **{key: shifted(value, by) for key, value in water.items()}
         )
         assert at_circle(slope, far).factors_of_safety == pytest.approx(expected, rel=5e-6)
-
-
-def test_lanes_of_levels_have_their_own_ponds() -> None:
-    """Two, one and two; a missing one has no width."""
-    lines = np.array([[(-40.0, low + 9.0), (30.0, low + 9.0), (82.5, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
-    of_lanes = free_water(np.array([DAM]), lines, False, ())
-    assert np.count_nonzero(of_lanes.last > of_lanes.first, axis=0).tolist() == [2, 1, 2]
-    for lane, line in enumerate(lines):
-        alone = free_water(np.array([DAM]), line[None], False, ()).of_one
-        assert Ponds(*(row[:, [lane]] for row in of_lanes)).of_one == alone
 
 
 # --- files -----------------------------------------------------------------------------------------------------------
@@ -244,7 +232,7 @@ top_m = 60.0456
 
 
 def found(text: str, tmp_path: Path) -> Any:
-    """The circle of a file and its warnings."""
+    """Return the circle of a file and its warnings."""
     path = tmp_path / "slope.toml"
     path.write_text(text, "utf-8")
     return critical_of_file(path, None, lambda line: None)[2]
@@ -346,7 +334,7 @@ def test_a_search_in_map_coordinates_is_the_same(by: float) -> None:
 
 @pytest.mark.parametrize("layers", [{}, {"layers": [(Soil(2e4, 2e3, 0.2, name="soil"), None)]}])
 def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> None:
-    """With weight g' = g - g_w and inertia g, E = omega^2 is g'/g times as great everywhere: the same run-out."""
+    """Weight g' = g - g_w and inertia g scale E = omega^2 by g'/g everywhere, so that the run-out is the same."""
     peaks = []
     for weight, level in ((2e4, [(-40, 60), (130, 60)]), (2e4 - WATER, None)):
         if layers:
@@ -362,18 +350,6 @@ def test_a_drowned_slide_is_the_buoyant_one_but_for_its_inertia(layers: Any) -> 
     (run_out, velocity), (buoyant, of_buoyant) = peaks
     assert run_out == pytest.approx(buoyant, rel=1e-12)
     assert velocity == pytest.approx(of_buoyant, rel=1e-12)
-
-
-def test_lanes_in_standing_water_are_their_scenes() -> None:
-    """Radii and levels, one of which leaves the toe dry."""
-    levels = np.array([[(-40.0, low), (0.0, low), (90 - 2.5 * low, low), (130.0, low)] for low in (3.0, -1.0, 1.0)])
-    every = Section(DAM, (82, 44), np.array([44.0, 43.0, 44.0]), 2e4, level=levels)
-    motion = solve(Scene(every, 0.2, TURNING))
-    factors = factors_of_safety(Scene(every, 0.2, TURNING))
-    for lane, radius in enumerate((44.0, 43.0, 44.0)):
-        alone = Scene(Section(DAM, (82, 44), radius, 2e4, level=levels[lane]), 0.2, TURNING)
-        assert motion.run_out[lane] == pytest.approx(solve(alone).run_out, rel=1e-9)
-        assert factors["bishop"][lane] == pytest.approx(factors_of_safety(alone)["bishop"], rel=1e-12)
 
 
 def test_water_that_comes_to_cover_the_whole_mass_is_refused_or_a_status() -> None:

@@ -41,7 +41,7 @@ WHOLE = {"theta_1": 4, "theta_2": 5, "alpha": 1}
 
 @cache
 def texts() -> dict[str, str]:
-    """The package as it is."""
+    """Return the package as it is."""
     return write.present(FOLDER)
 
 
@@ -90,7 +90,7 @@ def check_up_to_date(folder: Path, wanted: dict[str, str]) -> None:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """The package elsewhere."""
+    """Return the package elsewhere."""
     write.write(texts(), tmp_path / "generated")
     return tmp_path / "generated"
 
@@ -136,7 +136,7 @@ def test_check_finds_it_stale(copy: Path, fault: str, monkeypatch: pytest.Monkey
 
 
 def run_main(argv: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch) -> int:
-    """The command, on another folder and with what was derived already."""
+    """Return the command, on another folder and with what was derived already."""
     difference, write_files = write.difference, write.write
     with monkeypatch.context() as m:
         m.setattr("derive.__main__.derive_all", lambda *_: texts())
@@ -162,7 +162,7 @@ def test_binaries_and_caches_do_not_count(copy: Path) -> None:
 def test_a_write_that_fails_leaves_whole_files(
     copy: Path, module: Any, step: str, replaced: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Every file is the old one or the new one, all of them old until the last is written; nothing else is left."""
+    """Files are either old or new, all of them old until the last is written, and nothing else is left."""
     wanted = {name: text + "# later\n" for name, text in texts().items()}
     before, calls, real = bytes_of(copy), iter(range(99)), getattr(module, step)
 
@@ -220,7 +220,7 @@ def test_float32(name: str) -> None:
 
 @each_function
 def test_broadcasting(name: str) -> None:
-    """Every argument broadcasts, also one that the result does not depend on; empty arrays too; no input is aliased."""
+    """Arguments broadcast, also one without effect; empty arrays too; no input is aliased."""
     function = FUNCTIONS[name]
     args = inside(name)
     expected = function(*args)
@@ -241,7 +241,7 @@ def test_broadcasting(name: str) -> None:
 
 @each_function
 def test_out_and_where(name: str) -> None:
-    """As NumPy's ufuncs take them: `out` is returned, lanes not asked for keep what it holds and raise nothing."""
+    """`out` is returned, and lanes left out by `where` keep their values and raise nothing, as in NumPy."""
     function = FUNCTIONS[name]
     arrays = [np.full(3, x) for x in inside(name)]
     expected = function(*arrays)
@@ -310,7 +310,7 @@ def test_an_accuracy_that_is_no_number_is_named(accuracy: Any) -> None:
 
 @each_function
 def test_nan_is_nan_without_a_flag(name: str) -> None:
-    """As of NumPy's functions, beside what is inside; beside what is outside there is one."""
+    """NaN gives NaN without a flag, beside valid arguments; beside arguments outside the domain the flag is set."""
     function = FUNCTIONS[name]
     args = inside(name)
     wrong = next(outside(name))

@@ -3,11 +3,14 @@
 import math
 from fractions import Fraction
 
+import mpmath
 import numpy as np
 import pytest
+import sympy as sp
+from flint import arb, ctx
 
 from derive.__main__ import main
-from derive.judge.hard import Result, cases, drive, measured
+from derive.judge.hard import Result, cases, drive, forms, measured
 from generated import flow, kernels
 from tests.support import oracle
 
@@ -47,16 +50,29 @@ def test_a_wrong_cell_is_seen_next_to_the_limit() -> None:
 
 
 def test_the_naive_form_fails_at_each(results: list[Result]) -> None:
-    """By a factor of five at least, or without a number; the one case where it does not says so."""
+    """Naive forms err by a factor of five at least, or give no number; the one exception is marked."""
     for x in results:
         fails = not x.naive_error <= 5 * x.our_error
         assert fails == ("better here" not in x.naive), x
 
 
-def test_solve_has_the_limit_friction_of_its_kernel(results: list[Result]) -> None:
-    """Within the kernel's proved bound and a rounding, for arcs in either direction; no other output is compared."""
+def test_solve_has_the_limit_friction_of_its_kernel_and_the_exact_run_out(results: list[Result]) -> None:
+    """Within the kernel's proved bound and a rounding, for arcs in either direction; other outputs are not compared."""
+    bounds = {"limit_friction": 2.5e-15, "sine_of_half_run_out": 1e-15}
     for x in results:
-        assert x.solve_error <= 2.5e-15 if x.function == "limit_friction" else math.isnan(x.solve_error), x
+        assert x.solve_error <= bounds[x.function] if x.function in bounds else math.isnan(x.solve_error), x
+
+
+def test_the_exact_run_out_is_twice_the_dip_minus_delta() -> None:
+    case = next(c.arguments for c in cases() if c.function == "sine_of_half_run_out")
+    exact = forms()["sine_of_half_run_out"].exact
+    with ctx.workprec(400):
+        m = oracle.moments({"theta_1": case[0], "theta_2": case[1], "radius": 1.0, "unit_weight": 1.0})
+        expected = (m["dip"] - (oracle.exact(case[2]) * m["press"] / m["fall"]).atan()).sin()
+        found = sp.lambdify(sp.symbols("theta_1 theta_2 mu", real=True), exact, "mpmath")
+        with mpmath.workdps(100):
+            value = found(*map(mpmath.mpf, case))
+        assert abs(arb(mpmath.nstr(value, 80)) / expected - 1) < 1e-25
 
 
 def test_table(capsys: pytest.CaptureFixture[str]) -> None:

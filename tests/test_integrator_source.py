@@ -40,7 +40,7 @@ FAULTS = {
 
 
 def written(module: str, old: str, new: str) -> dict[str, Any]:
-    """The functions in NumPy, written from the text with a fault in a module."""
+    """Return the functions in NumPy, written from the text with a fault in a module."""
     text = restricted.Text()
     for name in TEXT:
         source = (restricted.FOLDER / f"{name}.py").read_text("utf-8")

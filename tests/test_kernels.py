@@ -22,7 +22,7 @@ Floats = NDArray[np.float64]
 
 @cache
 def arcs() -> tuple[tuple[float, float], ...]:
-    """Ends (theta_1, theta_2): thin, level, turned by any angle, given in degrees, half discs, or starting at pi."""
+    """Return ends (theta_1, theta_2): thin, level, turned, in whole degrees, half discs, or starting at pi."""
     rng = np.random.default_rng(20240801)
     turned = np.deg2rad([*product((0.0, 37.0, 123.4, 180.0, 187.3, 200.0), (180.0,)), (359.0, 1.0), (359.999999, 1e-6)])
     level = 3 * np.pi / 2  # a chord of zero dip: theta_m = 3 pi/2
@@ -40,7 +40,7 @@ def arcs() -> tuple[tuple[float, float], ...]:
 @pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 @pytest.mark.parametrize("theta_1", [3.25, 5.0])
 def test_the_oracle_agrees_with_quadrature_over_the_uncentred_chord(moment: Any, theta_1: float) -> None:
-    """In r and theta, no angle centred, nothing turned, by another program: 35 digits."""
+    """The oracle agrees to 35 digits with quadrature in r and theta, without a centred angle, by another program."""
     theta_2 = theta_1 + 1.5
     with mpmath.workdps(50):
         half = (mpmath.mpf(theta_2) - mpmath.mpf(theta_1)) / 2

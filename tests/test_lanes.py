@@ -27,7 +27,7 @@ def factors_of(scene: Scene) -> dict[str, Any]:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_lanes_are_their_scenes(name: str) -> None:
-    """In results, factors of safety, and states at any time, at the end and where fastest."""
+    """Results, factors of safety and states at any time, at the end and where fastest equal the single scene's."""
     many = solve(SCENES[name], accuracy=1e-14)
     table, factors = many.to_dict(), factors_of(many.plan.scene)
     time = 0.4 * float(np.min(many.duration))
@@ -52,7 +52,7 @@ def test_lanes_are_their_scenes(name: str) -> None:
     ],
 )
 def test_lanes_of_loads_and_lines_are_taken(load: Any, line: Any) -> None:
-    """Also where they differ by more than the numbers that have a name: one end's pressure, a line's first height."""
+    """Lanes may differ also in lines and loads that have no named number."""
     (upper, _), (middle, _), lower = CRACKED.layers
 
     def section(k: Any) -> LayeredSection:
@@ -78,7 +78,7 @@ def test_lanes_of_scenes_that_ship_are_scenes(name: str) -> None:
 
 
 def test_lanes_of_profiles_whose_boundaries_meet_are_scenes() -> None:
-    """Where boundaries coincide, touch the circle or each other; 200 by the campaign."""
+    """Boundaries coincide, touch the circle or each other; the campaign draws 200."""
     differences = dict(campaign.of_profiles(20, np.random.default_rng(5)))
     assert max(differences.values()) < campaign.BOUND, differences
 
@@ -86,7 +86,7 @@ def test_lanes_of_profiles_whose_boundaries_meet_are_scenes() -> None:
 @pytest.mark.parametrize("facing", [1, -1])
 @pytest.mark.parametrize("at_toe", [0.0, -1e-13, 1e-13])
 def test_of_boundaries_that_coincide_at_the_exit_the_lowest_soil_goes_on(facing: int, at_toe: float) -> None:
-    """All boundaries leave the ground at the toe, and the circle, flatter there than all of them, too."""
+    """Boundaries leave the ground at the toe, as does the circle, which is flatter there."""
     ground = np.array([[-30.0, 10.0], [0.0, 10.0], [20.0, 0.0], [60.0, 0.0]])
     lines = [ground, [[-30.0, 4.0], [0.0, 4.0], [20.0, 0.0], [60.0, 0.0]], [[-30.0, 2.0], [20.0, 0.0], [60.0, 0.0]]]
     tops = [np.asarray(line)[::facing] * [facing, 1] for line in lines]

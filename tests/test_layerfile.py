@@ -15,7 +15,6 @@ from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.files.loaded import warnings_of
 from slipcircle.workbench.files.scenefile import critical_of_file
 from slipcircle.workbench.files.shipped import find
-from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.stability.critical import at_circle
 from slipcircle.workbench.stability.stability import Slope
 from slipcircle.workbench.studies.ensemble import grid
@@ -146,15 +145,6 @@ def test_each_soil_may_have_a_law_of_its_own(write: Write) -> None:
     assert plan.law == "tabulated, exponential, constant by soil"
     with pytest.raises(ValueError, match=r"with slip\.strength = 'mass' each may have a law of its own"):
         slipcircle.load(write(scene, slip.format("base")))
-
-
-def test_uncertain_soils_slide_along_the_circle_of_the_means(write: Write) -> None:
-    soil = "[soils.clay]\nunit_weight_kN_m3 = 19\nfriction = {{ angle_deg = 10 }}\ncohesion_kPa = {}\n"
-    rest = '[[layers]]\nsoil = "clay"\n[circle]\ncritical = "ordinary"\n'
-    drawn = write(GROUND, soil.format("{ distribution = 'lognormal', mean = 9, std = 4 }"), rest)
-    scene = along_means(slipcircle.load(drawn))
-    at_mean = slipcircle.load(write(GROUND, soil.format(9), rest))
-    assert np.asarray(scene.arc.radius) == pytest.approx(at_mean.arc.radius, rel=1e-12)
 
 
 def test_what_motions_do_not_know_is_searched_and_not_run(write: Write, refused: Any) -> None:
@@ -289,7 +279,7 @@ def test_one_soil_takes_cracks_loads_and_ponds_in_statics(write: Write, refused:
     ],
 )
 def test_odd_numbers_are_questioned(tmp_path: Path, name: str, old: str, new: str, words: str, asked: Any) -> None:
-    """By the keys and in the units of the file."""
+    """Unusual numbers are reported with the keys and units of the file."""
     path = tmp_path / "scene.toml"
     path.write_text(find(name).read_text("utf-8").replace(old, new), "utf-8")
     assert words in asked("run", path)[2]

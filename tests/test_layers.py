@@ -26,7 +26,7 @@ FORELAND = Soil(18e3, 2e3, 0.4, None, 500.0, 8.0, name="foreland")
 
 @pytest.mark.parametrize(("strength", "foreland"), [("base", None), ("base", FORELAND), ("mass", None)])
 def test_a_layered_mass_accelerates_as_its_weight_and_strength_along_the_arc_say(strength: str, foreland: Any) -> None:
-    """With water, pore pressure ratios, cohesion that grows with depth, surcharges, saturated weights; up and down."""
+    """Water, pore pressure ratios, growing cohesion, surcharges and saturated weights act up- and down-slope."""
     rng = np.random.default_rng(2)
     for velocity in [0.0, -5.0] * 3:
         section = random_section(rng, 0.25, strength=strength, foreland=foreland, crack=rng.choice([0.0, 2.0]))
@@ -93,7 +93,7 @@ def test_pore_pressure_that_travels_with_the_soils_lifts_the_mass_where_it_is_th
 
 
 def test_circles_with_other_unit_weights_are_weighed_anew() -> None:
-    """What a section has computed of its geometry is taken over by one with other soils, but for sums of weights."""
+    """A section with other soils reuses the geometry, but no sums of weights."""
     scene = Scene(replace(sloping(RICH), radius=np.array([48.0, 47.5])), effects=TURNING)
     before = solve(scene).run_out
     heavier, _ = with_parameter_arrays(scene, {"soils.b.unit_weight": np.array([25e3, 25e3])})
@@ -133,7 +133,7 @@ def test_stretches_carry_the_means_along_the_arc() -> None:
 
 @pytest.mark.parametrize("strength", ["base", "mass"])
 def test_soils_under_a_turned_mass_are_those_at_its_arc(strength: str) -> None:
-    """Where they stay with the base below the arc in space, else below the arc before it turned."""
+    """Soils stay in space with the base, or turn with the mass."""
     section, rotation = profile("constant friction", strength), 0.2
     soils, ends = soils_under(section, rotation)
     (first,), (last,) = section.arc_strength.span
@@ -191,7 +191,7 @@ def test_motions_beyond_their_tables_have_longer_ones(strength: str, monkeypatch
     ],
 )
 def test_where_a_boundary_touches_the_arc_there_is_no_derivative(soils: Any, tops: Any, crack: Any, name: str) -> None:
-    """As the square root of a step begins there, or the mass cut off is another; that is said, and none is given."""
+    """The derivative has the root of a step there, or another mass is cut off; a warning says that it is absent."""
     constant = [profile("constant friction").soils[k] for k in soils]
     found = solve(Scene(sloping(constant, tops, crack=crack), effects=TURNING)).sensitivity()
     assert found.kind("run_out", name) == "unresolved"
@@ -244,7 +244,7 @@ def test_numbers_of_soils_of_an_odd_size_are_questioned() -> None:
 
 
 def test_soils_that_soften_alike_have_one_law() -> None:
-    """Where each residual is the same share of its peak, what the balance takes beyond that law is rounding alone."""
+    """Terms beyond one law are rounding alone if residuals are the same share of their peaks."""
     rng = np.random.default_rng(4)
     for lost, off in product(10 ** rng.uniform(-3, -0.1, 60), (0.0, 1e-11)):
         soils = []
@@ -262,7 +262,7 @@ def test_soils_that_soften_alike_have_one_law() -> None:
 
 @pytest.mark.parametrize("case", [case for case in CASES if "circle" in case], ids=lambda case: case["name"])
 def test_factors_of_published_circles(case: dict[str, Any]) -> None:
-    """Beside values that are given to four decimals."""
+    """Factors agree with published values of four decimals."""
     for name, difference in differences(case, solved(case)).items():
         assert abs(difference) < 6e-5 / case[name] + 2e-5
 
@@ -273,7 +273,7 @@ def test_factors_of_published_circles(case: dict[str, Any]) -> None:
     ["ACADS 1b crack full of water", "ACADS 1c", "ACADS 3a circles only", "Greco 4 circles", "Low 1989 #24 phi=0"],
 )
 def test_least_factors_of_published_slopes(name: str) -> None:
-    """All by ``python -m tests.campaigns.layered_benchmarks``."""
+    """Least factors agree; all slopes by ``python -m tests.campaigns.layered_benchmarks``."""
     (case,) = (case for case in CASES if case["name"] == name)
     assert abs(differences(case, solved(case))["bishop"]) < 1e-3
 
@@ -291,7 +291,7 @@ def test_a_drowned_slope_is_the_buoyant_one_in_all_methods() -> None:
 
 @pytest.mark.parametrize("facing", [1.0, -1.0])
 def test_cohesion_of_the_exit_goes_on_beyond_it_alone(facing: float) -> None:
-    """Also where a mass has left its arc of 50 m: a foreland of the constant cohesion at the exit is the same scene."""
+    """A foreland with the constant cohesion at the exit is the same scene, also after the mass has left its arc."""
     ends = [(facing * 100.0 * np.sin(t), -100.0 * np.cos(t)) for t in (-0.95, -0.45)]
     beyond = [(ends[0][0] - 40.0 * facing, ends[0][1]), *ends, (ends[1][0] + facing, -140.0), (300.0 * facing, -150.0)]
     ground = beyond[:: int(facing)]

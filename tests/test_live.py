@@ -41,7 +41,7 @@ def page(name: str) -> str:
 
 
 def tree(page: str) -> Any:
-    """The page as XML, which it must be as well."""
+    """Return the page as XML, which it must be as well."""
     return ElementTree.fromstring(page.partition("\n")[2])
 
 
@@ -54,7 +54,7 @@ def data(page: str) -> Any:
 
 
 def browsed(page: str, folder: Path, width: int, state: str = "", until: str = 'class="slide solves"') -> str:
-    """What a browser makes of a page in a window of some width: the text of its document, once it says something.
+    """Return the text of a page's document in a browser window of some width, as soon as it is not empty.
 
     The engine is compiled beside the page's own clock, which may be over before.
     """
@@ -82,7 +82,7 @@ def value(document: str, name: str) -> float:
 
 
 def test_a_browser_solves_the_scene_of_the_address(tmp_path: Path) -> None:
-    """On a phone, the page as it is; the mass is drawn where it is at that time, and the scene as given beside it."""
+    """The page draws the mass at the time of the address, with the given scene beside it, also on a phone."""
     document = browsed(page("vaiont"), tmp_path, 390, "t=17.3&friction.angle_deg=13.6")
     wanted = solve(with_parameters(load("vaiont"), {"friction": math.tan(math.radians(13.6))}))
     state, before = wanted.at(17.3), motion("vaiont").at(17.3)
@@ -99,7 +99,7 @@ def test_a_browser_solves_the_scene_of_the_address(tmp_path: Path) -> None:
 
 
 def asked(scene: Scene, sliders: list[Slider], positions: Any, folder: Path) -> list[Any]:
-    """What the engine in a browser makes of a scene at places of its sliders."""
+    """Return the results of the page's engine in a browser at places of its sliders."""
     script = f"""
     engine().then(async (exports) => {{
       const held = JSON.parse(document.querySelector('.slide script').textContent).model;
@@ -119,7 +119,7 @@ def asked(scene: Scene, sliders: list[Slider], positions: Any, folder: Path) -> 
 
 @pytest.mark.parametrize("name", SOLVED)
 def test_a_browser_solves_as_solve_does(name: str, tmp_path: Path) -> None:
-    """At random positions of all sliders: outcomes, states, stresses and energy; the errors cover the differences."""
+    """Outcomes, states, stresses and energy agree at random positions of all sliders, within the stated errors."""
     scene = load(name)
     sliders = default_sliders(scene)
     ends = np.array([slider.ends for slider in sliders])
@@ -150,7 +150,7 @@ def test_a_browser_solves_as_solve_does(name: str, tmp_path: Path) -> None:
 
 
 def test_where_the_mass_stays_swings_or_has_no_result_the_page_says_so_in_our_words(tmp_path: Path) -> None:
-    """At ends of sliders, also of one that the command asks for."""
+    """The page explains masses that stay, swing or have no result, at the ends of its sliders."""
     vaiont = load("vaiont")
     swings = browsed(page("vaiont"), tmp_path, 800, "friction.angle_deg=5")
     assert ">953 m in 38.44 s, swings back to 573.7 m<" in swings

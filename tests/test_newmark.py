@@ -16,7 +16,7 @@ from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, quake, seri
 
 
 def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC, **more: Any) -> Motion:
-    """A scene that is shaken and has no other effect."""
+    """Return a scene that is shaken and has no other effect."""
     given = {"horizontal": horizontal} | ({} if vertical is None else {"vertical": vertical})
     two_way = {"two_way": more.pop("two_way")} if "two_way" in more else {}
     return solve(Scene(arc, mu, {"shaking": given | two_way}, **more))
@@ -65,7 +65,7 @@ def test_earthquake_against_an_exact_double_integral() -> None:
 @pytest.mark.parametrize("ramp", [1e-9, 1e-6])
 @pytest.mark.parametrize("begin", [0.0, 100.0])
 def test_jumps_given_as_short_ramps(ramp: float, begin: float) -> None:
-    """Each slip begins on a ramp, on which rounding of the time alone is up to 1e-5 of the jump."""
+    """Slips begin on a ramp, where rounding of the time alone is up to 1e-5 of the jump."""
     levels = np.random.default_rng(11).uniform(-0.3, 0.3, 30)
     times = begin + 0.2 * np.arange(1.0, 31.0)
     time = np.column_stack([times, times + ramp]).ravel()
@@ -85,7 +85,7 @@ def test_jumps_given_as_short_ramps(ramp: float, begin: float) -> None:
 @pytest.mark.parametrize("name", ["rectangular", "half-sine", "triangular", "sine"])
 @pytest.mark.parametrize("ulps", [-512, -2, -1, 0, 1, 2, 512])
 def test_next_to_the_yield_coefficient(name: str, ulps: int) -> None:
-    """Where rounding decides, the estimate says so, and all that may be moved is nothing, within the pulse's time."""
+    """The estimate is large where rounding decides, and the displacement is negligible."""
     n = shaken(Pulse(name, 0.1, 0.5, 1.0)).yield_coefficient
     motion = shaken(Pulse(name, n * (1 + ulps * 2.0**-53), 0.5, 1.0))
     assert abs(motion.run_out) < 1e-12

@@ -35,18 +35,18 @@ def reference() -> Reference:
 
 
 def some(run: Run) -> Seen:
-    """What the inputs show."""
+    """Return the errors that the inputs show."""
     return seen.measure(run, reference(), given().even, climbs=3)
 
 
 def find(kernel: str, tier: str = "best", form: str = "plain") -> Run:
-    """A certified program at the first level that runs it."""
+    """Return a certified program at the first level that runs it."""
     return next(r for r in seen.runs(kernel) if (r.record["tier"], r.record["form"]) == (tier, form))
 
 
 @each_kernel
 def test_no_more_is_seen_than_is_proved_and_nothing_leans(kernel: str) -> None:
-    """In every tier and form at every level; no NaN and no warning inside the domain; witnesses are seen."""
+    """Errors of every tier and form at every level are within their bounds, without NaN, warning or bias."""
     for run in seen.runs(kernel):
         found = some(run)
         assert not found.faults, "\n".join(found.faults)
@@ -61,7 +61,7 @@ def test_every_certificate_is_run() -> None:
 
 @pytest.mark.parametrize("tier", ["best", "float32"])
 def test_errors_are_in_ulp_of_the_exact_value(tier: str) -> None:
-    """As the oracle counts them, also where results are subnormal."""
+    """Errors equal the oracle's, also of subnormal results."""
     kind: type[np.floating[Any]] = np.float32 if tier == "float32" else np.float64
     rng = np.random.default_rng(9)
     powers = (-45, 0) if tier == "float32" else (-324, 0)
@@ -100,7 +100,7 @@ def at_level(kernel: str, level: str) -> Callable[..., Any]:
 @each_level
 @each_base
 def test_the_limit_at_a_right_angle(kernel: str, level: str) -> None:
-    """That of float64's pi/2, rounded; also at the numbers above pi/2 that the domain takes in."""
+    """The limit is the value at float64's pi/2, rounded; also for the numbers above pi/2 in the domain."""
     function, limit = at_level(kernel, level), float(oracle.kernel(kernel, TOP))
     for kind in (np.float64, np.float32):
         alpha = [kind(TOP)]
@@ -128,7 +128,7 @@ def test_monotone_across_the_seam(kernel: str, level: str) -> None:
 
 @each_base
 def test_float32_is_rounded_correctly(kernel: str) -> None:
-    """On the last million inputs and a sample, at NumPy, too; `python -m tests.campaigns.float32` takes all of them."""
+    """The last million inputs and a sample are rounded correctly; `tests.campaigns.float32` tests all inputs."""
     rng = np.random.default_rng(32)
     sample = np.sort(rng.integers(0, LAST_SINGLE, 2**18, endpoint=True)).astype(np.uint32).view(np.float32)
     last = float32.inputs(LAST_SINGLE - 2**20)
@@ -137,7 +137,7 @@ def test_float32_is_rounded_correctly(kernel: str) -> None:
 
 @each_base
 def test_float32_is_rounded_correctly_where_that_is_hard(kernel: str) -> None:
-    """At the significands that certificates list, with every exponent, subnormal results among them."""
+    """Listed significands are rounded correctly with every exponent, also to subnormal results."""
     listed = {s for r in seen.records() if r["kernel"] == kernel for s in r.get("hard", ())}
     assert len(listed) > 16
     powers = 2.0 ** np.arange(-51.0, 1.0)
@@ -149,7 +149,7 @@ def test_float32_is_rounded_correctly_where_that_is_hard(kernel: str) -> None:
 
 
 def test_one_wrong_float32_is_seen() -> None:
-    """Of a midpoint's neighbours the wrong one: half a unit from the exact value, to 30 digits."""
+    """One wrong neighbour of a midpoint, half a unit off, is found."""
     middle = np.float32(375 * 2.0**-40)
 
     def tied(x: Numbers) -> Numbers:

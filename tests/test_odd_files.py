@@ -77,7 +77,7 @@ MISTAKES: list[tuple[dict[str, Any], str, str]] = [  # other fields of the secti
 
 
 def document(given: dict[str, Any]) -> dict[str, Any]:
-    """A section as the document of a file; what no file can hold is null."""
+    """Return a section as the document of a file; what no file can hold is null."""
     found: dict[str, Any] = {"ground": {}, "circle": {}, "friction": {"angle_deg": 12.0}}
     for name, value in given.items():
         table, _, key = KEYS[name].partition(".")
@@ -92,7 +92,7 @@ def document(given: dict[str, Any]) -> dict[str, Any]:
 def test_a_malformed_section_is_refused_in_one_sentence(
     changes: dict[str, Any], field: str, words: str, tmp_path: Path
 ) -> None:
-    """That begins with the field, in Python and, where a file can hold the mistake, in a file."""
+    """The sentence begins with the field, in Python and, if a file can contain the mistake, in a file."""
     with pytest.raises(ValueError, match=f"^(Section|Scene): {re.escape(field)}") as refusal:
         Scene(Section(**GOOD | changes), 0.3)
     assert re.search(words, str(refusal.value))

@@ -1,4 +1,4 @@
-"""What is printed and written of a motion: its own numbers, which `test_golden` holds against the definitions."""
+"""Printed and written numbers of motions, which `test_golden` compares with the definitions."""
 
 import json
 import math
@@ -52,7 +52,7 @@ def law(m: Motion, path: float, speed: float) -> float:
 
 
 def holding(m: Motion, rotation: float, pressure: float) -> float:
-    """The friction at which the mass, turned that far, would just stay: the limit friction of the turned arc."""
+    """Return the friction at which the mass, turned that far, would just stay: the limit friction of the turned arc."""
     scene = m.plan.scene
     assert isinstance(scene.arc, Arc)
     turn = float(scene.arc.facing) * rotation
@@ -64,7 +64,7 @@ def holding(m: Motion, rotation: float, pressure: float) -> float:
 
 @EACH
 def test_every_column_of_the_csv(name: str) -> None:
-    """With rows at the times at which it starts and stands."""
+    """Columns equal the motion's numbers, with rows at the times at which it starts and stops."""
     m = golden.solved(name)
     columns = np.genfromtxt(csv([m], telling_times(m)).decode().splitlines(), delimiter=",", names=True)
     columns = np.atleast_1d(columns)

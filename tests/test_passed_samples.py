@@ -118,7 +118,7 @@ def test_polarities(sign: float, two_way: bool) -> None:
 
 @pytest.mark.parametrize("k", [0.0, 0.03])
 def test_friction_that_falls_with_time_starts_it(k: float) -> None:
-    """In 500 pieces, alone and under a record: at W (sin + k cos)/(R (cos - k sin))."""
+    """The start in 500 pieces, alone and under a record, is where friction is W (sin + k cos)/(R (cos - k sin))."""
     weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
     psi = abs(float(ARC.dip))
     time = np.linspace(0.0, 10.0, 501)
@@ -193,7 +193,7 @@ def test_it_moves_at_its_end_time_between_samples(name: str) -> None:
 
 @pytest.mark.parametrize("name", BACKENDS)
 def test_shaking_lifts_what_moves(name: str) -> None:
-    """Beyond k = cot psi nothing presses on it, and friction is zero until it lands."""
+    """The normal load is zero beyond k = cot psi, and friction is absent until the mass lands."""
     arc = replace(ARC, theta_1=math.radians(180.0), theta_2=math.radians(250.0))
     weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
     psi = abs(float(arc.dip))
@@ -217,7 +217,7 @@ def test_shaking_lifts_what_moves(name: str) -> None:
 
 @pytest.mark.parametrize("grows", [0.1, 0.3])
 def test_water_that_lifts_what_cohesion_holds(grows: float) -> None:
-    """In 400 pieces: contact is lost where the straight line of the pressure reaches the mean normal stress."""
+    """Contact is lost, in 400 pieces, where the pressure's straight line reaches the mean normal stress."""
     normal = float(solve(Scene(ARC, 1.0)).effective_stress_at(0.0))
     time = np.linspace(0.0, 8.0, 401)
     share = 0.5 + grows * time + 0.05 * np.sin(9.0 * time)
@@ -230,7 +230,7 @@ def test_water_that_lifts_what_cohesion_holds(grows: float) -> None:
 
 
 def test_it_rests_at_its_end_time_between_samples() -> None:
-    """And within a piece that would start it only later."""
+    """A mass at rest at its end time does not move, though the piece would start it later."""
     _, n = factor()
     time = 0.02 * np.arange(200.0)
     record = series(time, np.where(time < 3.0, 0.3 * n, 5.0 * n))

@@ -18,7 +18,7 @@ from tests.support import combinations, golden, oracle, taylor
 
 @pytest.mark.parametrize("seed", range(2))
 def test_rest_and_the_printed_limit_agree_to_the_last_bit(seed: int) -> None:
-    """From rest, every combination of what depends on position and speed, on any arc."""
+    """Decision from rest and printed limit agree for every combination of position and velocity terms, on any arc."""
     for effects in combinations.STEADY:
         given = combinations.drawn(effects, "constant", 100 + seed)
         if "time" in given["effects"].get("pore_pressure", {}):

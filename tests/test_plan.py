@@ -113,7 +113,7 @@ LADDERS = {  # the effects as they are added, and whether each rung rests
 
 @pytest.mark.parametrize("name", LADDERS)
 def test_ladders_on_the_command_line(name: str, said: Any) -> None:
-    """What decides comes first, what adds a few percent last."""
+    """The decisive effect comes first, effects of a few percent last."""
     lines = said("plan --ladder", name).splitlines()
     assert max(map(len, lines)) <= 100
     shown = [x.split() for x in lines if "+ " in x or "none" in x]
@@ -132,12 +132,14 @@ def test_on_the_command_line(said: Any, records: Any, asked: Any) -> None:
     assert asked("plan")[0] == 2
 
 
-def test_the_error_to_expect_grows_next_to_the_limit() -> None:
-    limit = solve(scene(("rotation",), 0.5)).limit_friction
-    far, near = (solve(scene(("rotation",), limit * (1 - gap))).error_estimate for gap in (0.5, 1e-9))
+@pytest.mark.parametrize("effects", [("rotation",), ("rotation", "pore_pressure")])
+def test_the_error_to_expect_grows_next_to_the_limit(effects: tuple[str, ...]) -> None:
+    """Except for weight alone, whose limit friction is known to more digits than a double has."""
+    limit = solve(scene(effects, 0.5)).limit_friction
+    far, near = (solve(scene(effects, limit * (1 - gap))).error_estimate for gap in (0.5, 1e-9))
     assert far < 1e-12
-    assert near > 1e-7
-    assert solve(scene(("rotation",), limit)).error_estimate == 1.0
+    assert near > 1e-7 if "pore_pressure" in effects else near < 1e-12
+    assert solve(scene(effects, limit)).error_estimate == 1.0
 
 
 # --- the equation of motion ------------------------------------------------------------------------------------------
@@ -162,7 +164,9 @@ EQUATIONS: dict[str, tuple[Any, dict[str, Any]]] = {
 
 
 def as_function(equation: Equation, formula: str) -> Callable[[dict[str, float]], float]:
-    """A formula by the terms as they are printed, as a function of what is in them and of the numbers below them."""
+    """Return a formula by the terms as they are printed, as a function of what is in them and of the numbers below
+    them.
+    """
     sums: dict[str, str] = dict.fromkeys(["M", "sigma", "u", "T", "u_1", "u_2", "u_3"], "0")
     for term in equation.sums:
         sums[term.symbol] = f"{sums[term.symbol]} + ({term.formula})" if term.symbol in sums else term.formula
@@ -185,7 +189,7 @@ def as_function(equation: Equation, formula: str) -> Callable[[dict[str, float]]
 
 
 def by_soil(equation: Equation) -> Equation:
-    """An equation that sums over soils i, written out: ``l_i`` becomes ``l_1``, ``l_2``, ..."""
+    """Return an equation that sums over soils i, written out: ``l_i`` becomes ``l_1``, ``l_2``, ..."""
 
     def of_soil(text: str, k: int) -> str:
         return re.sub(r"\b(?!d?phi\b)(\w*)i\b", rf"\g<1>{k}", text)
@@ -215,7 +219,9 @@ def test_the_printed_equation_gives_the_acceleration_of_the_motion(name: str) ->
 
 
 def check_equation(scene: Scene[Any], times: tuple[float, ...]) -> None:
-    """The printed equation gives the acceleration, and another one where any printed number is off by a hundredth."""
+    """Return the printed equation gives the acceleration, and another one where any printed number is off by a
+    hundredth.
+    """
     motion, equation = solve(scene), by_soil(plan(scene).equation)
     net_moment = as_function(equation, equation.balance.formula)
     numbers = {number.symbol: number.value for number in equation.numbers}
@@ -320,7 +326,7 @@ def test_the_printed_numbers_of_soils_are_the_means_along_their_stretches(scene:
 @pytest.mark.parametrize("name", SHIPPED)
 @pytest.mark.usefixtures("unseen")
 def test_what_is_said_of_layered_scenes_has_no_name_of_the_program(name: str, said: Any, tmp_path: Path) -> None:
-    """Each soil is named once in the plan's equation, and the strength of the soils in one reason."""
+    """The plan's equation names each soil once, and one reason names the strength of the soils."""
     scene: Any = load(name)
     chosen = plan(scene)
     own = [effect for effect in ALL_EFFECTS if effect not in EFFECTS]

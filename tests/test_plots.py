@@ -276,7 +276,7 @@ def test_water_firm_layer_and_surcharges_end_with_the_ground() -> None:
 
 
 def test_no_name_stands_at_a_boundary_that_passes_the_exit() -> None:
-    """All boundaries leave the ground at the toe, where this circle does."""
+    """Boundaries that leave the ground at the toe have no name there."""
     scene = load("layered-slope")
     ax = layerplot.stress_along(solve(replace(scene, arc=replace(scene.arc, radius=17.94792))), drawn())
     ends = [area.get_x() + area.get_width() for area in ax.patches]
@@ -349,7 +349,7 @@ def test_a_flat_map_of_a_search_has_a_scale_with_different_labels() -> None:
 
 
 def test_numbers_and_names() -> None:
-    """In a legend to four digits; in the CSV of several scenes each by its name, quoted where it has to be."""
+    """Legends show four digits; a CSV of several scenes has the name of each, quoted if necessary."""
     values = (0.0, 27.9721, 1020.35, -0.5, 12345.6, 1.2345e7, 1.5e-7)
     assert [plotstyle.number(x) for x in values] == [
         "0", "27.97", "1020", "-0.5", "12350", "$1.234\\times10^{7}$", "$1.5\\times10^{-7}$"]  # fmt: skip
@@ -360,7 +360,7 @@ def test_numbers_and_names() -> None:
 
 
 def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
-    """Without an axis on a figure of their own; a motion of many lanes is refused, and so is what cannot be drawn."""
+    """Results draw themselves on a figure of their own; motions of many lanes are refused."""
     m, study = motion("wet-slope"), grid(load("wet-slope"), {"friction.angle_deg": [20.0, 24.0]})
     ax = drawn()
     assert m.plot("velocity", ax) is ax
@@ -394,7 +394,7 @@ def test_motions_and_studies_draw_themselves(tmp_path: Path) -> None:
 
 
 def test_stresses_along_a_layered_arc_have_its_mean() -> None:
-    """In a section whose bands have the names of their soils."""
+    """The plotted stress has the mean of the arc, and the bands have the names of their soils."""
     slide = solve(Scene(profile("softening"), effects=TURNING))
     assert {f"soil {k}" for k in range(4)} <= {*legend(plots.section(slide, drawn()))}
     ax = layerplot.stress_along(slide, drawn())
@@ -407,7 +407,7 @@ def test_stresses_along_a_layered_arc_have_its_mean() -> None:
 
 @pytest.mark.usefixtures("unseen")
 def test_stretches_are_in_tables_json_and_reports() -> None:
-    """Of each soil along the arc, and of the whole: its strength over the drive is the factor of safety."""
+    """Strength of each soil and of the arc over the drive is the factor of safety."""
     slide = solve(Scene(profile("softening"), effects=TURNING, name="four layers"))
     part, found = stretches_part(slide), record(slide)["stretches"]
     assert part is not None

@@ -1,4 +1,4 @@
-"""What is promised stays: names of Python, commands, scene files and output for machines, by the stored list."""
+"""Stored promises: names of Python, commands, scene files and output for machines."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ CHANGELOG = (ROOT / "CHANGELOG.md").read_text("utf-8")
 
 
 def test_nothing_promised_is_gone_unannounced() -> None:
-    """What is new since the list was written is promised by the next release."""
+    """Promised names are present or announced as removed; new names belong to the next release."""
     assert promises.unannounced(STORED - promises.promises(), CHANGELOG) == set()
 
 
@@ -25,7 +25,7 @@ def test_only_a_removal_by_its_name_is_announced() -> None:
 
 
 def test_the_list_has_names_of_every_kind() -> None:
-    """Such as those in the README."""
+    """The list has names of every kind, such as the README's."""
     assert {
         "generated.polar_moment(accuracy)",
         "slipcircle.Motion.slow_run_out",

@@ -1,4 +1,4 @@
-"""Where the method no longer applies: a rotation of 30 degrees, or a toe high above the original ground."""
+"""Limits of the method: a rotation of 30 degrees, or a toe high above the original ground."""
 
 import math
 from dataclasses import replace

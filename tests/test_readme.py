@@ -35,7 +35,7 @@ EXAMPLES = [(name, code) for name, text in {"README": TEXT, **PAGES}.items() for
 
 @pytest.mark.parametrize(("name", "code"), EXAMPLES, ids=[name for name, _ in EXAMPLES])
 def test_python(name: str, code: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """What the code prints is what stands below each print; an error estimate may differ by machine."""
+    """Printed lines equal the comments below each print; an error estimate may differ by machine."""
     if "emcee" in code:
         pytest.importorskip("emcee", reason="the extra 'book' is not installed")
     exec(code, {})
@@ -65,7 +65,7 @@ def test_proved_bounds_of_the_page_on_accuracy() -> None:
 
 @pytest.fixture
 def run(said: Any, tmp_path: Path) -> Callable[..., dict[str, str]]:
-    """The rows that `run --verbose` prints of a scene file with this text."""
+    """Return the rows that `run --verbose` prints of a scene file with this text."""
 
     def told(text: str, *options: object) -> dict[str, str]:
         path = tmp_path / "my-slope.toml"
@@ -91,7 +91,7 @@ def test_scene_file(tmp_path: Path, run: Any, said: Any) -> None:
 
 
 def test_the_earthquake_of_the_readme(run: Any) -> None:
-    """Its scene file runs, and the lines below it are among the printed lines."""
+    """The scene file runs, and the lines below it are printed."""
     (scene,) = blocks(TEXT, "toml")
     printed = run(scene)
     shown = {label: cells for block in blocks(TEXT, "") for label, cells in columns(block).items()}
@@ -100,7 +100,7 @@ def test_the_earthquake_of_the_readme(run: Any) -> None:
 
 
 def test_the_commands_of_the_readme(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any) -> None:
-    """From a new file to a run-out and the friction that explains another one: the lines below each are printed."""
+    """The lines below each command are printed, from a new file to a back-analysed friction."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(pictures, "picture", lambda *_: b"GIF")
     called, printed = [], [""]
@@ -115,7 +115,7 @@ def test_the_commands_of_the_readme(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_the_picture_of_what_accuracy_costs_is_drawn_so_today(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What its titles, axes and legends say, with a compiler that has FMA."""
+    """Titles, axes and legends are current, with a compiler that has FMA."""
     if LEVELS[LEVEL][0] == "fused":
         for name, value in QUICK.items():
             monkeypatch.setattr(rows, name, value)
@@ -126,7 +126,7 @@ def test_the_picture_of_what_accuracy_costs_is_drawn_so_today(monkeypatch: pytes
 
 
 def commands() -> list[str]:
-    """The commands of the book's table with the arguments that stand in their rows, optional ones too."""
+    """Return the commands of the book's table with the arguments that stand in their rows, optional ones too."""
     found = set()
     for row in (x.split(" | ") for x in PAGES["commands"].splitlines() if x.startswith("| `slipcircle")):
         base = row[0].strip("| `").replace("\\|", "|")
@@ -177,7 +177,7 @@ def test_every_row_of_the_validation_names_a_test_that_exists() -> None:
 
 
 def test_the_largest_errors_are_those_of_the_table() -> None:
-    """Those that take seconds to find again. Rounding is not the same on every machine: within a factor of 3.
+    """Errors that can be computed in seconds are within a factor of 3, as rounding depends on the machine.
 
     Processors that round products and sums apart, or NumPy, may well err less.
     """
@@ -204,7 +204,7 @@ LINK = re.compile(r"\]\((?!\?)([^()\s]+)\)|(?<!\]\()(\bhttps?:/*[^\s<>\"'`]+)") 
 
 
 def documents() -> Iterator[tuple[Path, str]]:
-    """Every text that a person reads: documents, notebooks' words, docstrings and comments, scene files."""
+    """Yield every text for readers: documents, texts of notebooks, docstrings, comments, scene files."""
     documents = ("*.md", "notebooks/*.md", "CITATION.cff", "pyproject.toml")
     kinds = (*documents, "slipcircle/scenes/*.toml", "derive/**/*.py", "slipcircle/**/*.py")
     yield from ((path, path.read_text("utf-8")) for kind in kinds for path in sorted(ROOT.glob(kind)))
@@ -234,7 +234,7 @@ def test_headings_that_links_point_at() -> None:
 
 
 def test_citation() -> None:
-    """What it shares with the project's file is the same there."""
+    """Entries shared with the project's file are equal."""
     text, project = (ROOT / "CITATION.cff").read_text("utf-8"), tomllib.loads((ROOT / "pyproject.toml").read_text())
     keys, known = dict(re.findall(r"^([a-z-]+):[ ]?(.*)", text, re.MULTILINE)), project["project"]
     assert keys["version"].strip('"') == known["version"] == slipcircle.__version__

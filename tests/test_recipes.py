@@ -20,7 +20,7 @@ ARC = Arc(radius=40.0, theta_1=np.deg2rad(210), theta_2=np.deg2rad(290), unit_we
 
 
 def functions(code: str) -> dict[str, Any]:
-    """What a recipe defines before its example begins, which is after the last two empty lines."""
+    """Return the definitions of a recipe before its example, which follows the last two empty lines."""
     names: dict[str, Any] = {}
     exec(code.rpartition("\n\n\n")[0], names)
     return names
@@ -81,7 +81,7 @@ def test_columns_have_the_mass_momentum_and_energy_of_the_slide() -> None:
 
 
 def test_ends_of_a_cohesive_slide() -> None:
-    """Their moment by quadrature of c r over both faces; a shallow arc; and the factor of safety of the whole."""
+    """The moment of the ends is the quadrature of c r over both faces; also of a shallow arc."""
     recipe, alpha = functions(ENDS), ARC.half_angle
     chord = np.cos(alpha)
     moment, _ = dblquad(lambda r, a: r * r, -alpha, alpha, lambda a: chord / np.cos(a), 1.0)
@@ -95,7 +95,7 @@ def test_ends_of_a_cohesive_slide() -> None:
 
 
 def test_a_wall_adds_its_moment() -> None:
-    """To the factor of safety, and to the work: what the mass loses, friction alone could not take from it."""
+    """The wall adds to the factor of safety and to the work beyond friction."""
     cohesion = functions(WALL)["cohesion_of_wall"](ARC, 300e3, 35.0)
     bare = Scene(ARC, friction=np.tan(np.deg2rad(14)), effects=["rotation"])
     motion = solve(replace(bare, effects={"rotation": {}, "cohesion": {"cohesion": cohesion}}))

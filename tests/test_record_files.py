@@ -32,7 +32,7 @@ def described(suite: Suite) -> dict[str, float]:
 
 @pytest.mark.parametrize(("text", "peaks"), FILES.values(), ids=FILES)
 def test_formats_of_networks(tmp_path: Path, text: str, peaks: dict[str, float]) -> None:
-    """Each component with its direction and scale; verticals by their headers; another record makes it a suite."""
+    """Components have their directions and scales; verticals are recognised by their headers."""
     suite = read_suite([write(tmp_path, {"a file": text, "other.csv": "time (s),acc (g)\n0,0\n9,2\n"})])
     assert described(suite) == pytest.approx(peaks | {"other.csv": 2.0}, abs=2e-5)
     for entry in (*suite, *suite.verticals)[:-1]:
@@ -58,7 +58,7 @@ SPELLED = {
 
 
 def test_units_and_their_spellings(tmp_path: Path) -> None:
-    """All of a size by its definition (1 ft = 0.3048 m, 1 in = 0.0254 m, 1 gal = 1 cm/s^2); others are named."""
+    """Units have their sizes by definition (1 ft = 0.3048 m, 1 in = 0.0254 m, 1 gal = 1 cm/s^2); others are named."""
     sizes = {"ft/s2": 0.3048, "in/s2": 0.0254, "mg": 9.81e-3, "mgal": 1e-5, "cm/s2": 0.01}
     assert sizes.items() <= UNITS.items()
     for unit, spellings in SPELLED.items():
@@ -113,7 +113,7 @@ READ: dict[str, tuple[str, dict[str, Any], dict[str, float]]] = {
 
 @pytest.mark.parametrize("head", ["time [ns]", "time_ns", "Time (NS)", "time ticks", "t/min", "elapsed time (h)"])
 def test_times_in_other_units_are_refused(tmp_path: Path, head: str) -> None:
-    """Also in units that resemble the names of directions."""
+    """Units that resemble the names of directions are refused, too."""
     file = write(tmp_path, {"a.csv": f"{head},acc (g)\n" + rows(TIMES, NORTH)})
     with pytest.raises(ValueError, match=r"column 1 .*: its unit '\w+' is not one of s, ms, us; give --step"):
         read_suite([file])
@@ -215,7 +215,7 @@ def test_every_column_that_is_not_used_is_listed_and_strict_makes_it_an_error(tm
 
 
 def test_places_are_not_vertical_and_the_same_samples_count_once(tmp_path: Path) -> None:
-    """Also in another unit and with times of another resolution; a record times 1 + 1e-5 is another one."""
+    """Repeated samples are found in another unit or resolution; a record times 1 + 1e-5 is another record."""
     names = ("Bregenz", "Denver", "Vancouver", "backup", "group2", "Northridge_090")
     suite = read_suite(
         [write(tmp_path, {f"{n}.csv": HEAD + rows(TIMES, NORTH * (1 + k)) for k, n in enumerate(names)})]

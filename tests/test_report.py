@@ -49,7 +49,7 @@ def page() -> str:
 
 
 def test_numbers_are_those_of_the_json() -> None:
-    """In full in its JSON; in its tables as `run --verbose` prints them, which `test_outputs` holds."""
+    """The report's JSON is complete; its tables equal `run --verbose`, which `test_outputs` checks."""
     m, cells = motion("wet-slope"), rows(tree(page()))
     record = json.loads(json.dumps(record_of(m), allow_nan=False))
     assert {label: cells[label].text for label in printed(m)} == printed(m)
@@ -65,7 +65,7 @@ def test_numbers_are_those_of_the_json() -> None:
 
 
 def test_every_energy_and_the_share_of_the_residual() -> None:
-    """From the record, where the residual is start + work - dissipation - end; also of a motion that loses some."""
+    """The residual is start + work - dissipation - end, also of a motion that loses energy."""
     energy = record_of(motion("wet-slope"))["energy"]
     for residual in (energy["residual"], -1e-3 * energy["work"]):
         known = energy | {"residual": residual}
@@ -84,7 +84,7 @@ def test_every_energy_and_the_share_of_the_residual() -> None:
 @pytest.mark.usefixtures("unseen")
 @pytest.mark.parametrize("method", ["monte-carlo", "sobol"])
 def test_every_number_of_a_study_is_an_estimate_of_it(method: str) -> None:
-    """Of each table in its full precision; and the settings."""
+    """Tables have the estimates of the study and its settings."""
     inputs = {"friction.angle_deg": stats.norm(10, 1), "arc.radius_m": stats.uniform(1400, 100)}
     study = ensemble(replace(load("vaiont"), uncertain=inputs), 512, 5, method=method, sensitivity=64)
     root = tree(study_report(study, b"[arc]\n", "slipcircle sweep scene.toml"))
@@ -124,7 +124,7 @@ def test_it_says_what_is_assumed_and_how_to_repeat_it() -> None:
 
 
 def test_its_figures_are_whole_drawings() -> None:
-    """With words for those who do not see them; the slide, the key numbers and the pictures before the tables."""
+    """Figures have alternative texts; the slide, the key numbers and the pictures precede the tables."""
     root = tree(page())
     images = {i.get("alt"): i.get("src").partition(",")[2] for i in root.iter("img")}
     assert list(images) == [f"{n} of wet-slope" for n in ("Section", "Histories", "Phase plane")]
@@ -221,7 +221,7 @@ def test_several_scenes_share_the_files(tmp_path: Path, said: Any) -> None:
 
 
 def test_a_picture_of_several_scenes_holds_them_all() -> None:
-    """In one picture of a screen, with the name of each and the same slope once."""
+    """One picture of a screen has the name of each scene and the same slope once."""
     still = solve(Scene(load("vaiont").arc, 0.9, ["rotation"], name="still"))
     picture = pictures.picture("motions", [motion("vaiont"), *[still] * 31], "png")
     assert int.from_bytes(picture[20:24]) < 2500

@@ -1,4 +1,4 @@
-"""What motions, ensembles and studies give to people and their tools: lines, tables, dictionaries, pandas, xarray."""
+"""Representations of motions, ensembles and studies: lines, tables, dictionaries, pandas, xarray."""
 
 import math
 import pickle

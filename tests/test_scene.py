@@ -1,4 +1,4 @@
-"""What a scene and the calls of Python accept, and what they say when they do not."""
+"""Accepted and refused arguments of scenes and of calls from Python."""
 
 import math
 import re
@@ -174,7 +174,7 @@ def test_the_papers_scenes_hold_the_papers_numbers() -> None:
 
 
 def test_values_that_are_not_the_papers_say_so() -> None:
-    """Every number has a comment, or stands in a table whose header has one."""
+    """Numbers have a comment, or are in a table whose header has a comment."""
     for path in FOLDER.glob("*.toml"):
         head = ""
         for line in path.read_text("utf-8").splitlines():
@@ -278,7 +278,7 @@ def test_a_bad_friction_function_is_one_error(law: Any, said: str) -> None:
     ],
 )
 def test_numbers_of_an_odd_size_are_questioned(arc: Any, friction: Any, effects: Any, said: str) -> None:
-    """By the motion, and in Python where the scene is made if the number is far from those of soils."""
+    """The motion warns, and so does Python where the scene is made if the number is far from soils."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         scene = Scene(arc, friction, effects, end_time=1.0)

@@ -10,7 +10,6 @@ from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.derivatives import with_parameters
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
@@ -42,7 +41,7 @@ def test_a_lane_that_is_none_is_named(given: dict[str, Any], said: str) -> None:
 
 
 def test_a_circle_that_only_touches_a_scarp_is_none() -> None:
-    """Its entry and its exit were one point, half an angle of 6e-17 apart."""
+    """Entry and exit would be one point, with half an angle of 6e-17."""
     x, height = 39.93594546227666, 19.304500093424398
     ground = [[-160.0, 0.0], [x, 0.0], [x, height], [240.0, height]]
     given: dict[str, Any] = {"ground": ground, "centre": [33.49550289007233, 8.148909736444072], "unit_weight": 2e4}
@@ -82,7 +81,7 @@ def outputs(given: Any, name: str, to: float) -> list[arb]:
 
 
 def in_two_layers(scene: Scene) -> Scene:
-    """The same mass, cut by a boundary between two soils that are alike."""
+    """Return the same mass divided by a boundary between two equal soils."""
     arc = scene.arc
     assert isinstance(arc, Section)
     soils = [Soil(float(np.asarray(arc.unit_weight)), 0.0, scene.friction, name=name) for name in "ab"]
@@ -133,12 +132,6 @@ def test_sensitivity_of_a_circle_through_a_vertex(asked: Any) -> None:
     assert found.values[place] == found.slopes[place][0] == pytest.approx((motion.run_out - beside[0]) / 1e-5, rel=1e-4)
     assert found.jumps[place] == pytest.approx([0.0, beside[1] - motion.run_out], rel=1e-6)
     assert found.errors[place] <= 1e-6 * abs(found.values[place])
-
-
-def test_a_coordinate_is_found_from_the_run_out() -> None:
-    fit = backanalyse(VALLEY, run_out=20.5, field="ground.points_m.4.y", bounds=(86.0, 90.0))
-    (height,) = [solution.values["ground.points_m.4.y"] for solution in fit.solutions]
-    assert solve(with_parameters(VALLEY, {"ground.4.y": height})).run_out == pytest.approx(20.5, rel=1e-9)
 
 
 def test_what_is_no_number_of_a_section_is_told() -> None:

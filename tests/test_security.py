@@ -1,4 +1,4 @@
-"""What SECURITY.md promises of files that somebody else made: each is one sentence, soon, or a text like any other."""
+"""Promises of SECURITY.md on files by others: each is refused in one sentence, or is an ordinary text."""
 
 import base64
 import csv
@@ -70,7 +70,7 @@ def test_a_record_is_a_file_of_some_size(tmp_path: Path, refused: Any) -> None:
 
 
 def sealed(page: str) -> Any:
-    """The page as XML: it loads nothing, runs and styles nothing but what its policy knows, and is small."""
+    """Return the page as XML: it loads nothing, runs and styles nothing but what its policy knows, and is small."""
     root = tree(page)
     attributes = [(name, value) for e in root.iter() for name, value in e.attrib.items()]
     assert not {e.tag for e in root.iter()} & {"link", "iframe", "object", "embed", "base"}
@@ -91,7 +91,7 @@ HOSTILE = "</title></script><script>alert(1)</script><b> \"'& \x08 \ud800 ]]> \N
 
 @pytest.mark.usefixtures("unseen")
 def test_pages_need_nothing_else_and_names_are_texts_on_them() -> None:
-    """Of scenes, soils, cases and commands; also of a mass that stays where it is."""
+    """Names of scenes, soils, cases and commands are texts on pages, also of a mass that does not move."""
     layered = load("layered-slope")
     assert isinstance(layered.arc, LayeredSection)
     layers = [(replace(soil, name=HOSTILE + soil.name), top) for soil, top in layered.arc.layers]
@@ -140,7 +140,7 @@ def test_texts_in_tables_and_pages_are_neither_formulas_nor_control_characters(t
 
 
 def test_csv_of_scenes_with_names_that_are_formulas(tmp_path: Path, said: Any) -> None:
-    """In the first column where there are several scenes."""
+    """Names that are formulas are texts in the first column of several scenes."""
     paths = [tmp_path / "one.toml", tmp_path / "other.toml"]
     for path, name in zip(paths, ("=HYPERLINK(1)", "a\\u001bb"), strict=True):
         path.write_text(find("vaiont").read_text("utf-8").replace('"vaiont"', f'"{name}"', 1), "utf-8")

@@ -262,7 +262,7 @@ def test_a_circle_that_is_given_stays(write: Write, asked: Any) -> None:
 
 
 def test_a_search_writes_the_scene_of_its_motion(write: Write, tmp_path: Path, said: Any, refused: Any) -> None:
-    """The same motion bit for bit; all else of the file remains, and nothing is written where it cannot be so."""
+    """The motion is the same bit for bit, other lines of the file remain, and faulty input writes nothing."""
     path, written = Path(write(SCENE)), tmp_path / "scene.toml"
     said("search", path, "--write", written)
     made, read = slipcircle.load(written), slipcircle.load(path)
@@ -324,7 +324,7 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
 
 @pytest.mark.usefixtures("unseen")
 def test_every_factor_of_safety_names_its_method(write: Write, said: Any, tmp_path: Path) -> None:
-    """In the table, the live page and the report: of the start first, the run-out from the paper's beside it."""
+    """Table, live page and report show the factor of the start first, beside the run-out from the paper's factor."""
     between = FIXED.replace("cohesion_kPa = 3", "cohesion_kPa = 3.4") + "[search]\nk_h = 0.05\n"
     stability = stability_of(slipcircle.load(write(between)))
     assert stability is not None

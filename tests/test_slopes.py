@@ -1,6 +1,8 @@
 """Moments of the mass under any ground, against strips in ball arithmetic, exact rationals, limits and invariances."""
 
+import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +22,7 @@ BOUND = 1e-13  # of the moment; of weights, of their vector's length
 
 
 def worst(ground: Ground, centre: tuple[float, float], radius: float) -> float:
-    """The greatest error of all measures."""
+    """Return the greatest error of all measures."""
     ours, truth = moments(ground, centre, radius), integrals(ground, centre, radius)
     found = 0.0
     for name in MEASURES:
@@ -32,28 +34,13 @@ def worst(ground: Ground, centre: tuple[float, float], radius: float) -> float:
 
 
 def thin(depth: float, bend: float) -> tuple[Ground, tuple[float, float], float]:
-    """A skin of a depth over R, its ground bent by shares of the depth."""
+    """Return a skin of a depth over R, its ground bent by shares of the depth."""
     half = math.sqrt(2 * depth)
     ground = [(-2 * half, 0.0), (-half / 3, bend * depth), (half / 5, -bend * depth / 2), (2 * half, 0.0)]
     return ground, (0.3 * half, 1.0 - depth), 1.0
 
 
-HARD = {
-    "scarp": ([(-2.0, 0.5), (-0.3, 0.5), (-0.3, -0.4), (2.0, -0.4)], (0.1, 1.0), 1.7),
-    "overhang": ([(-2.0, 0.5), (-0.1, 0.55), (-0.5, 0.1), (0.2, -0.3), (2.0, -0.3)], (0.2, 1.0), 1.8),
-    "edge of 1e-9 R": ([(-2.0, 0.4), (-0.2, 0.3), (-0.2 + 1e-9, 0.3 - 0.7e-9), (2.0, -0.6)], (0.1, 1.0), 1.9),
-    "edge of 1e-9 R, upright": ([(-2.0, 0.4), (-0.2, 0.3), (-0.2, 0.3 - 1e-9), (2.0, -0.6)], (0.1, 1.0), 1.9),
-    "near-radial": ([(-2.0, -0.1), (0.18, -0.18), (0.7, -0.7005), (2.0, -0.8)], (0.0, 0.0), 1.25),
-    "radial": ([(-2.0, -0.1), (0.25, -0.25), (0.75, -0.75), (2.0, -0.8)], (0.0, 0.0), 1.5),
-    "centre next to an edge": ([(-2.0, -0.3), (-0.5, -0.2), (0.5, 0.2 - 1e-9), (0.9, -0.3), (2.0, -0.4)],
-                               (0.0, 0.0), 1.3),
-    "centre next to an edge's line": ([(-2.0, -0.1), (1e-3, -1e-3 - 1e-12), (0.5, -0.5), (2.0, -0.5)], (0.0, 0.0), 1.3),
-    "half disc": ([(-2.0, 0.0), (2.0, 0.0)], (0.0, 1e-7), 1.25),
-    "edge where the form changes": ([(-2.0, -1.0), (-0.2582, -1.0), (0.2582, -1.0), (2.0, -1.0)], (0.0, 0.0), 1.0338),
-    "edge beyond it": ([(-2.0, -1.0), (-0.2583, -1.0), (0.2583, -1.0), (2.0, -1.0)], (0.0, 0.0), 1.0339),
-    "far from the origin": ([(4.5e6, 1200.5), (4.5e6 + 40, 1200.0), (4.5e6 + 70, 1180.0), (4.5e6 + 150, 1179.0)],
-                            (4.5e6 + 75.25, 1230.0), 52.0),
-}  # fmt: skip
+HARD = json.loads(Path(__file__).with_name("support").joinpath("hard_sections.json").read_text("utf-8"))
 
 
 @pytest.mark.parametrize("name", HARD)

@@ -22,7 +22,7 @@ TABLE = {"law": "tabulated", "slip": [0.0, 0.2, 0.4, 1.0, 3.0], "cohesion": [14e
 
 @pytest.mark.parametrize("name", ["exponential", "linear", "hyperbolic", "function"])
 def test_an_arc_runs_as_far_as_a_plain_integration_says(name: str) -> None:
-    """Also without friction, and with cohesion that rises."""
+    """Motions without friction and with rising cohesion are included."""
     rng = np.random.default_rng(58)
     moved = 0
     while moved < 2:
@@ -55,18 +55,6 @@ def test_layers_accelerate_as_their_strength_at_this_slip_says(strength: str, tm
             state = motion.at(share * motion.farthest.time)
             expected = of_scene(scene).acceleration(state, scene.strength_factor)
             assert state.acceleration == pytest.approx(expected, rel=1e-9, abs=1e-10)
-
-
-@pytest.mark.parametrize("law", [LAW, TABLE])
-@pytest.mark.parametrize("mu", [0.0, 0.05])
-def test_one_soil_in_layers_is_that_soil(law: Any, mu: float) -> None:
-    alone = solve(Scene(Section(unit_weight=19e3, **CIRCLE), mu, TURNING | {"cohesion": law}))
-    for strength in ("base", "mass") if law is LAW else ("mass",):
-        soils = [Soil(19e3, law, mu, name=name) for name in "ab"]
-        layers = [(soils[0], None), (soils[1], 2.0)]
-        motion = solve(Scene(LayeredSection(layers=layers, strength=strength, **CIRCLE), None, TURNING))
-        assert motion.run_out == pytest.approx(alone.run_out, rel=1e-11)
-        assert motion.factor_of_safety == pytest.approx(alone.factor_of_safety, rel=1e-13)
 
 
 @pytest.mark.parametrize("end", [3.0, 3.0 + 1e-6])
@@ -154,7 +142,7 @@ GROWING: list[dict[str, Any]] = [
 
 @pytest.mark.parametrize("effects", GROWING)
 def test_cohesion_of_one_soil_grows_as_that_of_one_layer(effects: dict[str, Any]) -> None:
-    """Below the ground or a height, by a law or without; motion, statics, lanes and derivatives."""
+    """Cohesion grows below the ground or a height, with or without a law, in motion, statics, lanes and derivatives."""
     section = Section(unit_weight=19e3, **CIRCLE)
     law = dict(effects["cohesion"])
     growth = {"cohesion_gradient": law.pop("gradient"), "datum": law.pop("datum", None)}

@@ -69,7 +69,7 @@ def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: st
 
 
 def test_the_course_of_a_search_does_not_depend_on_last_bits(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of a dam, whose circles are as critical as their mirror images, with factors as another processor rounds them."""
+    """Circles of a dam are as critical as their mirror images; factors are rounded as on another processor."""
     dam = Slope([(-40, 0), (-20, 0), (0, 10), (20, 0), (40, 0)], 5e3, 0.4, 20e3)
     here = critical(dam)
     exact, rng = factors_by, np.random.default_rng(1)
@@ -99,7 +99,7 @@ LEVEL = [(-60.0, 9.0), (-20.0, 6.0), (-5.0, 1.0), (1.0, -0.5), (60.0, -1.5)]
 @pytest.mark.parametrize("pressure", [0.0, 3e3])
 @pytest.mark.parametrize("on_surcharge", [False, True])
 def test_factors_are_those_of_slices_along_the_arc(pressure: float, on_surcharge: bool) -> None:
-    """Of random layers with water and loads; with the yield coefficient for k_h the paper's is 1, loads included."""
+    """Random layers with water and loads; with the yield coefficient as k_h the paper's factor is 1."""
     rng, compared = np.random.default_rng(1), []
     for k_h in (0.0, 0.15, -0.05, 0.3):
         section = random_section(rng)

@@ -46,7 +46,7 @@ def forget() -> None:
 
 @pytest.fixture
 def copy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """The compiler elsewhere."""
+    """Return the compiler elsewhere."""
     ignored = shutil.ignore_patterns("__pycache__")
     shutil.copytree(stages.ROOT / "derive", tmp_path / "derive", ignore=ignored)
     monkeypatch.setattr(stages, "ROOT", tmp_path)

@@ -164,7 +164,7 @@ def _times(law: Any, factor: float) -> Any:
 
 
 def test_it_is_computed_anew_for_samples_neighbours_and_trial_values() -> None:
-    """As with the same values in a scene of its own, of arrays, of lanes of arrays and of what follows from them."""
+    """The factor equals the factor of a scene with the same values, for arrays and for lanes of arrays."""
     scene: Any = load("real-slope")
     assert "strength_factor" not in parameters(scene)
     values = {"friction.peak": np.array([0.3, 0.4]), "unit_weight": np.array([18e3, 21e3])}
@@ -214,7 +214,7 @@ def test_a_scene_of_a_search_in_python_is_that_of_its_file(file: Any) -> None:
 
 
 def test_a_surcharge_or_a_crack_on_one_soil_moves_with_it() -> None:
-    """As the same soil in a layer; the water in a crack is refused."""
+    """Loads move as on the same soil in a layer; water in a crack is refused."""
     ground, law = [[0, 0], [20, 0], [54, 17], [90, 17]], {"law": "linear", "peak": 0.35, "residual": 0.3, "length": 2.0}
     loads: Any = {"surcharge": [(60.0, 70.0, 2e4, 2e4)], "crack": 1.0}
     one = slipcircle.Slope(ground, 5e3, law, 19e3, **loads)
@@ -271,7 +271,7 @@ def test_a_start_without_a_result_is_a_sentence_or_a_status(file: Any) -> None:
 
 
 def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weight() -> None:
-    """Of frictional masses tan(phi) over the limit friction at the dip, before the slide and after it."""
+    """Factors of frictional masses are tan(phi) over the limit friction at the dip, before and after the slide."""
     for name in ("vaiont", "vaiont-softening"):
         scene: Any = load(name)
         motion = solve(scene)
@@ -287,23 +287,6 @@ def test_factors_with_residual_strength_and_at_rest_are_those_of_the_turned_weig
     linear = Scene(scene.arc, SOFTENING | {"law": "linear"}, ["rotation"], strength_factor=0.5)
     limit = scene.arc.dimensionless.limit_friction
     assert solve(linear).further_factors.residual == pytest.approx(0.1 / limit, rel=1e-12)
-
-
-def test_cohesion_that_softens_starts_from_its_peak_and_has_the_factor_of_its_residual(file: Any) -> None:
-    dry = LODALEN[: LODALEN.index("[water]")] + "[rotation]\n[centripetal]\n"
-    text = dry.replace("cohesion_kPa = 10", "{}").replace("angle_deg = 27", "angle_deg = 18")
-    law = 'law = "exponential"\npeak_kPa = 10\nresidual_kPa = 4\nlength_m = 0.5'
-    softens, peak, residual = (load(file(text.format(c))) for c in (law, "cohesion_kPa = 10", "cohesion_kPa = 4"))
-    circle: Any = {"arc": peak.arc}  # that of the peak is the critical one of softening ground, too
-    close(softens, peak)
-    further = solve(softens).further_factors
-    assert further.residual == pytest.approx(solve(replace(residual, **circle)).factor_of_safety, rel=1e-12)
-    motion = solve(softens)
-    turned = of_scene(softens).turned(motion.end.rotation)
-    turned.slip = 2.0 * motion.run_out - motion.end.displacement
-    assert motion.arrested
-    assert further.at_rest_method == "bishop"
-    assert further.at_rest == pytest.approx(turned.factor("bishop"), rel=1e-9)
 
 
 def test_cohesion_alone_means_no_friction(file: Any, refused: Any) -> None:

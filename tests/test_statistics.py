@@ -1,4 +1,4 @@
-"""What ensembles are drawn and judged by: distributions, points and estimates, against SciPy and closed answers."""
+"""Distributions, points and estimates of ensembles, against SciPy and closed forms."""
 
 import math
 from dataclasses import replace
@@ -45,7 +45,7 @@ def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -
 
 
 def test_distributions_are_described() -> None:
-    """By SciPy's expression; a histogram of equal counts from 1 to 3 by its moments and quantiles."""
+    """Distributions are described by SciPy's expression, or by moments and quantiles."""
     assert described(stats.gamma(a=2, scale=3)) == {"distribution": "scipy.stats.gamma(a=2.0, scale=3.0)"}
     histogram = stats.rv_histogram((np.array([5, 5]), np.array([1.0, 2.0, 3.0])))
     for given in (histogram, histogram()):
@@ -109,7 +109,7 @@ WEIGHTS = np.array([[0.0], [1.0], [9.0]])
 
 
 def product(u: Any) -> Any:
-    """The g-function: of three numbers that matter ever less, and together more than alone."""
+    """Return the g-function: of three numbers that matter ever less, and together more than alone."""
     return np.prod((np.abs(4 * u - 2) + WEIGHTS) / (1 + WEIGHTS), axis=0)
 
 

@@ -68,7 +68,7 @@ def test_exceedance_counts_the_samples(output: str) -> None:
 
 
 def test_what_is_rare_shows_on_a_logarithmic_axis() -> None:
-    """Beside the linear one, with the same curve."""
+    """The logarithmic axis shows the curve of the linear axis beside it."""
     figure = studyplots.overview(found("two")).draw(canvas())
     assert [ax.get_yscale() for ax in figure.axes] == [*["linear", "log"] * 2, "linear", "linear"]
     linear, log, *_ = figure.axes
@@ -121,7 +121,7 @@ def bars(ax: Any) -> dict[str, float]:
 
 
 def test_tornado_is_what_a_small_change_does() -> None:
-    """Beside differences of solutions, which are the motion's own; the largest is on top."""
+    """Bars equal differences of solutions; the largest bar is on top."""
     changes = {DEGREES: (24, 1e-3), "arc.radius_m": (40, 2e-3), "pore_pressure.ratio": (0.35, 1e-5)}
     m = motion("wet-slope")
     steps = {key: change for key, (_, change) in changes.items()}
@@ -182,7 +182,7 @@ def test_a_grid_is_drawn_as_curves() -> None:
 
 
 def test_a_grid_of_any_size_is_a_map() -> None:
-    """Each cell where its numbers are, darkest where the output is greatest; of few values curves, whichever way."""
+    """Cells are at their numbers, darkest at the greatest output; few values give curves."""
     angles, radii = np.linspace(12.0, 8.0, 9), np.linspace(1e3, 2e3, 10)
     study = grid(load("vaiont"), {DEGREES: angles, "arc.radius_m": radii})
     ax = studyplots.response(study, "run_out", drawn())

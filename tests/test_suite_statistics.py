@@ -16,7 +16,7 @@ from slipcircle.workbench.suites.synthetic import synthetic_records
 
 
 def test_intensities_of_sines_by_their_definitions() -> None:
-    """Of 20 s, in which all are whole; frequencies below 0.25 and above 20 Hz do not count in the mean period."""
+    """Periods are whole in 20 s; frequencies below 0.25 and above 20 Hz are excluded from the mean period."""
     time = np.linspace(0.0, 20.0, 20_001)
     slow, one, two, fast = np.sin(2.0 * np.pi * np.outer([0.2, 1.0, 2.0, 25.0], time))
     measures = intensities(Series(time, 0.3 * one + 0.1 * two, held=False), 10.0)
@@ -35,7 +35,7 @@ def test_intensities_of_coarse_straight_lines() -> None:
 
 
 def test_distribution_and_exceedance_of_lognormal_displacements() -> None:
-    """Of 4,000 lognormal displacements, a quarter of which is 0 instead."""
+    """A quarter of 4,000 lognormal displacements is replaced by 0."""
     drawn = stats.lognorm(0.8, scale=0.2).ppf((np.arange(3000) + 0.5) / 3000)
     values = np.concatenate([np.zeros(1000), drawn]).reshape(1000, 4, 1, 1)
     found = distribution(values, 0)
@@ -58,7 +58,7 @@ def test_motions_without_a_result_exceed_every_threshold() -> None:
 
 
 def test_a_fragility_curve_has_the_greatest_likelihood() -> None:
-    """Of a known fragility, with two polarities of a record that correlate: there its derivatives are zero.
+    """Derivatives of the likelihood of a known fragility, with correlated polarities, are zero at the estimate.
 
     Standard errors are those of fits without each of the records.
     """
@@ -99,7 +99,7 @@ def test_a_fragility_that_motions_do_not_identify_has_a_reason_and_no_number(sha
 
 
 def test_a_fragility_needs_several_records_and_peaks() -> None:
-    """All exceed between 0.1 and 0.2 g, but for one motion; what has no peak acceleration does not count."""
+    """Motions except one exceed between 0.1 and 0.2 g; records without a peak acceleration are excluded."""
     shares, pga = np.tile([0.0, 1.0, 1.0], (6, 1)), np.tile([0.1, 0.2, 0.4], (6, 1))
     shares[2, 1] = 0.5
     pga[2] *= 1.1
@@ -160,7 +160,7 @@ def test_regressions_of_rigid_blocks_reproduce_published_examples(
 
 
 def test_standard_deviations_of_regressions() -> None:
-    """As printed: constant, or by r = k_y/PGA = 0.5; of logarithms to the base 10 times ln 10."""
+    """Deviations are printed constants, or depend on r = k_y/PGA = 0.5; base-10 logarithms are converted."""
     shaking = Shaking(0.15, np.array([0.3]), np.array([0.3]), np.array([2.0]), 7.0)
     printed = [0.3 * 2.302585, 0.510 * 2.302585, 0.454 * 2.302585, 0.616 * 2.302585, 0.656 * 2.302585, 1.13,
                0.41 + 0.52 / 2, 0.46 + 0.56 / 2, 0.20 + 0.79 / 2, 0.732 + 0.789 / 2 - 0.539 / 4, 0.66]  # fmt: skip

@@ -68,7 +68,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_a_folder_of_mixed_formats_is_one_suite(folder: Path) -> None:
-    """Each channel or column of acceleration is a record; horizontal ones of a station are pairs."""
+    """Channels and columns of acceleration are records; horizontal records of a station are pairs."""
     suite = read_suite([folder], holds="driving", step=STEP, units="g")
     components = {"RSN6_ELC180.AT2": "180", "RSN6_ELC270.AT2": "270", "0111a.smc": "225", "CE.1.HNE.V2c": "90",
                   "CE89146.V2 360": "360", "CE89146.V2 90": "90", "slammer": "", "table.csv NS": "NS",
@@ -155,7 +155,7 @@ def test_a_file_of_several_records_is_read_once(tmp_path: Path, monkeypatch: pyt
 
 
 def test_frozen_slopes_slide_as_single_scenes_do() -> None:
-    """In both polarities and at each scale; none moves that does not reach k_y, and Gamma is that of the moments."""
+    """Both polarities and each scale agree with single motions; records below k_y move nothing."""
     drive, normal = (float(x) for x in ARC.amplitudes_per_inertia)
     psi, mu = abs(float(ARC.dip)), math.tan(math.radians(20.0))
     gamma = drive * math.cos(psi) + mu * normal * math.sin(psi)
@@ -173,7 +173,7 @@ def test_frozen_slopes_slide_as_single_scenes_do() -> None:
 
 
 def test_regressions_are_those_of_the_scaled_records() -> None:
-    """Of the displacement of a rigid block; Bray and Travasarou's (2007) by the spectrum at 1.5 of the period."""
+    """Rigid-block displacements agree; Bray and Travasarou (2007) use the spectrum at 1.5 of the period."""
     records = [quake(1), quake(2)]
     study = ensemble(FROZEN, records=records, scales=[1.0, 2.0])
     scaled = [record.scaled(2.0) for record in records]
@@ -248,7 +248,7 @@ def test_records_that_move_nothing_have_a_picture() -> None:
 
 
 def test_the_command(folder: Path, asked: Any, said: Any) -> None:
-    """The same numbers in its table, CSV and JSON; a warning for each file that is no record."""
+    """Table, CSV and JSON have the same numbers, and each invalid file has a warning."""
     (folder / "corrupt.AT2").write_text(at2()[:900], "utf-8")
     table, curves = folder / "all.csv", folder / "fragility.csv"
     line = f"sweep newmark-pulse --records {folder} --polarities --scale-to-pga 0.3,0.45 --units g --step 0.02"
@@ -272,7 +272,7 @@ def test_the_command(folder: Path, asked: Any, said: Any) -> None:
 
 
 def test_synthetic_records_written_to_a_folder_give_the_same_bits(tmp_path: Path, said: Any) -> None:
-    """As those made within the sweep; nothing else comes into the folder."""
+    """Written records give the results of records made within the sweep, and nothing else is in the folder."""
     made, suite, table = "--synthetic 3:1.5:4 --seed 2", tmp_path / "suite", tmp_path / "records.csv"
     said(f"records {made} --out {suite} --csv {table}")
     assert [row[:11] for row in table.read_text().splitlines()[1:]] == ["synthetic 1", "synthetic 2", "synthetic 3"]
@@ -318,7 +318,7 @@ checker = "C. Checker"
 def test_a_report_of_a_suite_shows_its_slope_and_numbers(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: Any
 ) -> None:
-    """Of each record as it is solved alone, of all by NumPy, of the circle by its search; the same bytes again."""
+    """The report has each record's solution, NumPy's statistics and the search's circle, with the same bytes again."""
     scene, page = tmp_path / "slope.toml", tmp_path / "page.html"
     scene.write_text(find("shaken-slope").read_text("utf-8") + HEADED, "utf-8")
     records = {f"q{seed}": quake(seed).scaled(2.0) for seed in (1, 2, 3)}

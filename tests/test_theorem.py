@@ -22,7 +22,7 @@ KEYS = ("rotation_rad", "run_out_m", "peak_velocity_m_s", "duration_s")
 
 
 def stated(capsys: Any, *options: str) -> Any:
-    """What the command says in JSON."""
+    """Return the JSON of the command."""
     assert main(["theorem", *options, "--json"]) == 0
     return json.loads(capsys.readouterr().out)
 
@@ -59,7 +59,7 @@ SCENES: list[tuple[dict[str, Any], float, float]] = [  # friction, cohesion and 
 
 
 def made(friction: dict[str, Any], cohesion: float, pressure: float) -> Slide:
-    """Of doubles, which are exact."""
+    """Return the slide of doubles, which are exact."""
     radius, theta_1, theta_2 = (number(ARC[name]) for name in ("radius", "theta_1", "theta_2"))
     residual, peak, length = (number(friction[name]) for name in ("residual", "peak", "length"))
     softens = peak if friction["peak"] > friction["residual"] else None
@@ -87,7 +87,7 @@ def test_taylor_series_in_time_of_other_code(friction: dict[str, Any], cohesion:
 
 
 def test_remainders_are_counted() -> None:
-    """With coarse steps the enclosures are wide, and hold what fine steps give."""
+    """Enclosures with coarse steps are wide, and contain the results of fine steps."""
     with working(300):
         start = first_swing(made(*SCENES[0]))
         *fine, _ = standstill(start, arb(10) ** -40)
@@ -154,7 +154,7 @@ def test_undecided(options: list[str], words: str, capsys: Any) -> None:
     "uncertain", [{"friction": ("10", "0.1")}, {"friction": ("22.5", "1"), "radius": ("1500", "50")}]
 )
 def test_uncertain_inputs_are_divided(uncertain: dict[str, tuple[str, str]], capsys: Any) -> None:
-    """What is proved of all inputs encloses what is proved of each, and is not far wider."""
+    """The proof for a range of inputs contains the proof for each input, and is not much wider."""
     names = {"friction": "--friction-deg", "radius": "--radius-m"}
     options = [x for name, (middle, radius) in uncertain.items() for x in (names[name], f"{middle}+-{radius}")]
     main(["theorem", *options, "--parts", "100", "--json"])

@@ -82,7 +82,7 @@ def test_pressurisation_that_removes_all_strength(heat: float) -> None:
 
 @pytest.mark.parametrize("friction", [0.0, 1e-12, 1e-9])
 def test_swings_that_do_not_die_away_end_at_their_first_turning_point(friction: float) -> None:
-    """Without friction a pendulum, which turns at twice its dip; the integrator stops after 2,000 swings."""
+    """A mass without friction is a pendulum that turns at twice its dip; the integrator stops after 2,000 swings."""
     lanes = solve(Scene(ARC, np.array([friction, 0.0]), TURNING))
     alone = solve(Scene(ARC, friction, TURNING))
     for motion in (alone, lanes[0]):
@@ -158,7 +158,7 @@ def test_a_stop_that_just_happens(share: float) -> None:
 
 @pytest.mark.parametrize("share", [1e-2, 1e-14, 0.0, -1e-14, -1e-12, -1e-6, -1e-2])
 def test_a_stop_that_hangs_on_a_hair_warns(share: float) -> None:
-    """Where friction falls with the speed there is one velocity below which it stops, and above which it runs away."""
+    """If friction falls with velocity, one velocity separates motions that stop from motions that run away."""
     law = {"law": "rate_weakening", "peak": 0.6, "residual": 0.2, "velocity": 0.5}
     with mpmath.workdps(30):
         drive = mpf(FALL) - mpf(0.2) * PRESS  # less the residual friction

@@ -1,4 +1,4 @@
-"""Between one kind of motion and another: what is given and does nothing, peaks cut short, restarts, workers."""
+"""Transitions between kinds of motion: effects without action, peaks cut short, restarts, workers."""
 
 from typing import Any
 
@@ -40,7 +40,7 @@ STARTS = {
 @pytest.mark.parametrize("start", STARTS)
 @pytest.mark.parametrize("nothing", NOTHING)
 def test_an_effect_of_zero_is_no_effect(nothing: str, start: str) -> None:
-    """In every number, the estimate and warnings included."""
+    """Numbers, estimate and warnings are the same."""
     plain = motion(STARTS[start])
     more = STARTS[start] | {"effects": STARTS[start]["effects"] | NOTHING[nothing]}
     kept = golden.numbers(plain, golden.times(plain)) | {"sensitivity": None}

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Arc, Scene, Section, Slope, Soil, load
+from slipcircle import Arc, Scene, Section, Slope, Soil, critical, load
 from slipcircle.__main__ import main
 from slipcircle.base.text import PRINTED
 from slipcircle.workbench.commands import backanalyse
@@ -25,6 +25,8 @@ from slipcircle.workbench.files.numbers import number_in, uncertain_numbers
 from slipcircle.workbench.files.points import read_points
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS, WITH_ONE_SOIL
 from slipcircle.workbench.outputs.pictures.plotstyle import amount, measure
+from slipcircle.workbench.stability import factors
+from slipcircle.workbench.stability.slices import slices_above
 from tests.campaigns import profiles
 
 # Sizes in the units of published keys: NIST Special Publication 811, appendix B.8, to all digits stated there,
@@ -42,7 +44,7 @@ VALUES = {"points": [[1, 2], [3, 4.5]], "pair": [1, 2], "list": [1, 2.5], "line"
 
 
 def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Table, str, Key]]:
-    """Every key of a scene file that has a unit: the path of its table, the table with its law, and its name."""
+    """Yield every key of a scene file that has a unit: path of its table, table with its law, and name."""
     for law in table.laws.values() if table.laws else [table]:
         yield from ((path, law, name, key) for name, key in law.keys.items() if key.number.si in SIZES)
         for name, inner in law.tables.items():
@@ -50,7 +52,7 @@ def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[st
 
 
 def argument(whole: Table, path: tuple[str, ...], table: Table, key: Key, name: str, value: Any) -> Any:
-    """What a document with one key is read as."""
+    """Return the argument that a document with one key is read as."""
     content: dict[str, Any] = {name: value} | ({"law": table.keys["law"].kind} if "law" in table.keys else {})
     for part in reversed(path):
         content = {part: content}
@@ -306,7 +308,7 @@ run_out_m = [5, 12]
 
 
 def numbers_of(text: str) -> list[tuple[float, str]]:
-    """Every number of a table in its order, with the word after it."""
+    """Return every number of a table in its order, with the word after it."""
     found = re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e-?\d+)?)(?:,? +(?:to +)?)([a-zA-Z][a-zA-Z/^2]*)?", text)
     return [(float(value), unit) for value, unit in found]
 
@@ -394,4 +396,43 @@ def test_profiles_of_many_points() -> None:
     """A sample of ``python -m tests.campaigns.profiles``: as low a factor as on all vertices."""
     *_, (_, slope, method) = profiles.profiles(3, 100, np.random.default_rng(7))
     above, _ = profiles.excess(slope, method)
+    assert above < 1e-6
+
+
+def test_a_rugged_valley_of_the_paper() -> None:
+    """The factor of a search on all 1,000 vertices, which descents on rough lines once missed by 4e-3."""
+    *_, (_, slope, method) = profiles.profiles(14, 1000, np.random.default_rng(1))
+    assert method == "paper"
+    assert profiles.least(slope, method)[0] == pytest.approx(0.444015, rel=1e-5)
+
+
+def _points_of(slope: Slope) -> int:
+    """Number of points at which a search evaluates the stress on arcs."""
+    count = 0
+
+    def counting(*arguments: Any) -> Any:
+        nonlocal count
+        slices = slices_above(*arguments)
+        count += slices.weight.size
+        return slices
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(factors, "slices_above", counting)
+        critical(slope)
+    return count
+
+
+def test_the_work_of_a_search_hardly_grows_with_points_and_soils() -> None:
+    """1,000 points need at most 3 times the points of integration of 10, and 50 soils less than 15 times.
+
+    Points of many soils take less time than points of one, whose searches consist of more calls.
+    """
+    *_, (_, slope, _) = profiles.profiles(5, 1000, np.random.default_rng(7))
+    assert _points_of(slope) < 3 * _points_of(profiles.ten_points(slope))
+    assert _points_of(profiles.soils(50)) < 15 * _points_of(profiles.soils(1))
+
+
+def test_many_soils() -> None:
+    """As low a factor as when every circle of the family is evaluated, touching boundaries included."""
+    above, _ = profiles.excess(profiles.random_soils(21, np.random.default_rng(3)), "bishop")
     assert above < 1e-6

@@ -176,7 +176,7 @@ ALTERED = [c for c in CLAIMS if c.kind in ("form", "definition") and c.expressio
     ("claim", "change"), [*zip(ALTERED, cycle(("1 + {}", "-({})", "({})**2")))], ids=lambda x: getattr(x, "id", x)
 )
 def test_every_form_can_be_wrong(claim: Claim, change: str) -> None:
-    """By a term, a sign or an exponent."""
+    """Forms are judged wrong after a change of a term, a sign or an exponent."""
     head, *rest = claim.expression.split(";")
     altered = "1" if head == "0" else change.format(head)
     row = judge(replace(claim, expression=";".join([altered, *rest])))
@@ -282,7 +282,7 @@ REPORT = "af89796d7743796600dac806beb4148c42b128396d9879d38640810f82a4138d"
 
 
 def test_json_is_valid_and_always_the_same() -> None:
-    """In whichever order this process iterates over sets: another in each run."""
+    """JSON is the same for every order of sets in the process."""
     text = report("json")
     assert hashlib.sha256(text.encode()).hexdigest() == REPORT
     found = json.loads(text)
@@ -292,7 +292,7 @@ def test_json_is_valid_and_always_the_same() -> None:
 
 
 def test_pages_name_every_claim_and_verdict() -> None:
-    """In 100 columns of text; in Markdown a table of the claims that do not simply hold, and a table of all claims."""
+    """Texts fit 100 columns; the Markdown has a table of claims that do not simply hold, and one of all claims."""
     text = report("text", every=True)
     assert max(map(len, text.splitlines())) <= 100
     lines = report("text", sys.maxsize, every=True).splitlines()  # as into no terminal

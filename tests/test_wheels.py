@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[1]
 
 
 def wheel_with(binaries: Path) -> Path:
-    """The wheel of the platform of this name, beside the folder."""
+    """Return the wheel of the platform of this name, beside the folder."""
     command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(binaries.parent)]
     environ = os.environ | {"SLIPCIRCLE_BINARIES": str(binaries)}
     subprocess.run(command, cwd=ROOT, env=environ, capture_output=True, check=True)
@@ -34,7 +34,7 @@ def wheel_with(binaries: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The pure wheel."""
+    """Return the pure wheel."""
     folder = tmp_path_factory.mktemp("pure") / "any"
     folder.mkdir()
     return wheel_with(folder)
@@ -42,7 +42,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def pure(wheel: Path) -> Path:
-    """The pure wheel, unpacked."""
+    """Return the pure wheel, unpacked."""
     folder = wheel.parent / "installed"
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(folder)
@@ -51,7 +51,7 @@ def pure(wheel: Path) -> Path:
 
 @pytest.mark.skipif(not find_spec("pip"), reason="this environment has no pip")
 def test_pip_installs_it_in_a_new_environment(wheel: Path, tmp_path: Path) -> None:
-    """With this pip and NumPy, without a clone, a compiler or a home: the command runs, and a kernel is imported."""
+    """The command runs and a kernel is imported with this pip and NumPy, without a clone, a compiler or a home."""
     venv.create(tmp_path / "new")
     scripts = tmp_path / "new" / "bin"
     (packages,) = (tmp_path / "new" / "lib").glob("python*/site-packages")
@@ -99,7 +99,7 @@ README = "\n".join(blocks((ROOT / "README.md").read_text("utf-8"), "python"))
 
 
 def test_the_pure_wheel_needs_no_thread_process_or_file_to_write(pure: Path) -> None:
-    """As in a browser: it solves the slide of Vaiont, a section and an ensemble, and the README's examples are true."""
+    """The wheel solves Vaiont, a section and an ensemble without threads, processes or files, as in a browser."""
     names = ["vaiont", "real-slope"]
     environ = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "SLIPCIRCLE"))}
     environ |= {"HOME": "/nowhere", "PATH": "/nowhere", "PYTHONDONTWRITEBYTECODE": "1"}
@@ -142,7 +142,7 @@ def test_a_wheel_of_a_platform_has_binaries_in_place_of_their_source(pure: Path,
 
 
 def test_metadata_of_a_wheel(pure: Path) -> None:
-    """What a package index shows, and every extra that a message of the program names."""
+    """Metadata contain the texts of a package index, and every extra that a message names."""
     (folder,) = pure.glob("*.dist-info")
     found = metadata.PathDistribution(folder).metadata
     assert found["License-Expression"] == "BSD-3-Clause"
@@ -157,7 +157,7 @@ def test_metadata_of_a_wheel(pure: Path) -> None:
 
 
 def test_platforms_are_tagged_as_installers_know_them() -> None:
-    """Each is a tag that `packaging` can read, and one of a processor of 64 bits that Zig's name says."""
+    """Tags are valid for `packaging`, and name the 64-bit processor in Zig's name."""
     for platform, triple in wheels.TARGETS.items():
         tags = parse_tag(f"cp311-abi3-{platform}")
         assert {tag.abi for tag in tags} == {"abi3"}

@@ -341,8 +341,9 @@ def balance() -> Fragment:
 def _drive(low: Lowering, net: Expr) -> None:
     """Define the net moment at the start of a phase, and the rounding error of its terms.
 
-    While its arguments have their initial values it is normal (limit - mu), without cancellation near the limit
-    friction. The limit friction of weight alone is an input, which is more accurate than a quotient of sums.
+    While its arguments have their initial values it is normal ((limit - mu) + rest of limit), without cancellation near
+    the limit friction. The limit friction of weight alone is an input in two parts, which are more accurate than a
+    quotient of sums. A friction equal to the first part, which is printed, holds the mass.
     """
     cells = low.cells
     driving, resisting, normal, mu = (cell(f"{x}_0") for x in ("driving", "resisting", "normal", "mu"))
@@ -353,7 +354,9 @@ def _drive(low: Lowering, net: Expr) -> None:
     other_normal = normal - cell(str(seen(NORMAL_LOAD)))
     cells["others"] = abs(other_driving) + abs(other_normal) + resisting
     cells["limit"] = Select(0, others, cell("limit_0"), cell("LIMIT"))
-    cells["gap"] = limit - mu
+    cells["rounded_gap"] = limit - mu
+    cells["known_rest"] = Select(0, others, 0, cell("LIMIT_REST"))
+    cells["gap"] = cell("rounded_gap") + Select(0, abs(cell("rounded_gap")), cell("known_rest"), 0)
     driven = Select(0, margin, 1, 0)
     cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
     cells["drive"] = Select(0, first, normal * cell("gap"), net)

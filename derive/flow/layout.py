@@ -19,6 +19,7 @@ CELLS = {
     "ONE_WAY": "1 if shaking may start it down-slope only",
     "FIRST_ONLY": "1 if the first standstill ends it",
     "LIMIT": "limit friction of weight alone at the start",
+    "LIMIT_REST": "exact limit friction minus LIMIT where the friction is close to it, otherwise 0",
     "PEAK_TIME": "t* of the greatest speed",
     "PEAK_ROTATION": "rotation then, signed",
     "PEAK_OMEGA": "omega* then, signed",

@@ -55,7 +55,7 @@ def positive(name: str) -> Symbol:
 
 # Divided by Theta*, as all moments in this module.
 LAMBDA, POLAR = positive("resistance_factor"), positive("polar_moment")
-LIMIT = {"LIMIT": positive("driving_moment") / positive("normal_load")}  # (3.21)
+LIMIT = {"LIMIT": positive("driving_moment") / positive("normal_load"), "LIMIT_REST": ZERO}  # (3.21)
 START = LIMIT | dict.fromkeys(("TIME", "SLIP", "ROTATION", "LIFTED"), ZERO)
 LATER = LIMIT | {x: positive(x) for x in ("TIME", "SLIP", "ROTATION")}
 # Cells at the start of a phase.

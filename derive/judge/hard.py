@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import mpmath
 import numpy as np
 import sympy as sp
-from sympy import Expr, atanh, cos, lambdify, pi, sin
+from sympy import Expr, atanh, cos, lambdify, pi, sin, sqrt
 
 from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.prove import trig_normal
@@ -96,12 +96,15 @@ def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
             kernel = moment.kernel[0]
             direction = derive(moment).direction.subs(PSI, 3 * pi / 2 - theta_m)
             turned[moment.name] = printed[kernel].words, direction * terms[kernel]
-    limit_friction = turned["weight_moment"][1] / turned["radial_weight"][1]
-    turned["limit_friction"] = "(3.13) over Appendix I", limit_friction
+    moment, radial = (turned[x][1] for x in ("weight_moment", "radial_weight"))
+    turned["limit_friction"] = "(3.13) over Appendix I", moment / radial
+    size = sqrt(terms["weight_moment_amplitude"] ** 2 + (_MU * terms["radial_weight_amplitude"]) ** 2)
+    turned["sine_of_half_run_out"] = "(J_theta - mu J_r) over its amplitude", (moment - _MU * radial) / size
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
     naive = {}
     for name, (words, form) in turned.items():
-        rounded = program(name, ("theta_1", "theta_2"), form, let=ends)
+        further = ("mu",) if form.has(_MU) else ()
+        rounded = program(name, ("theta_1", "theta_2", *further), form, let=ends)
         naive[name] = Form(f"{words}, angles rounded", rounded, form.subs(ends))
     return naive
 
@@ -148,6 +151,9 @@ _OF_ENDS = (
     HardCase("limit_friction", (math.pi, 2 * math.pi), TOP),
     HardCase("limit_friction", (2.9, 2.9 + 0.8), "a dip of 81 deg: small weight towards the arc"),
     HardCase("limit_friction", (5.3, 5.3 + 1e-6), "an arc of 1e-6 rad, of negative dip"),
+    HardCase("sine_of_half_run_out", (4.0, 5.0, 0.2051426220987608), "friction an ulp below its limit"),
+    HardCase("sine_of_half_run_out", (4.0, 5.0, 0.20514262209876086 * (1 - 1e-12)), "friction just below its limit"),
+    HardCase("sine_of_half_run_out", (4.0, 5.0, 0.20514262209876086 * (1 - 1e-6)), "friction a little below its limit"),
     HardCase("drive", (1.2, 0.41919999999999996, 0.4192), "friction an ulp below its limit"),
     HardCase("drive", (1.2, 0.4192 * (1 - 1e-12), 0.4192), "friction just below its limit"),
     HardCase("drive", (1.2, 0.41920000000000007, 0.4192), "friction an ulp above its limit"),
@@ -160,22 +166,28 @@ def cases() -> tuple[HardCase, ...]:
     return *_kernels(), *_OF_ENDS
 
 
-# The limit friction of a motion along each arc of the input, without the sign of the direction.
+_OF_SOLVE = ("limit_friction", "sine_of_half_run_out")
+# The limit friction of a motion along each arc of the input, without the sign of the direction, or with a friction
+# coefficient the sine of half its rotation at rest, which is 2 (psi - delta).
 _SOLVE = """
 import sys
 from dataclasses import replace
+from math import sin
 from slipcircle import load, solve
 scene = load("vaiont")
 for line in sys.stdin:
-    first, last = map(float, line.split())
-    arc = replace(scene.arc, theta_1=first, theta_2=last)
-    print(float(solve(replace(scene, arc=arc)).limit_friction))
+    first, last, *friction = map(float, line.split())
+    case = replace(scene, arc=replace(scene.arc, theta_1=first, theta_2=last))
+    for mu in friction:
+        case = replace(case, friction=mu, effects=("rotation",))
+    motion = solve(case)
+    print(sin(motion.end.rotation / 2) if friction else float(motion.limit_friction))
 """
 
 
 def _solved() -> dict[HardCase, float]:
-    """Return the limit friction by `solve`, which runs in a separate process as nothing here imports slipcircle."""
-    arcs = [case for case in cases() if case.function == "limit_friction"]
+    """Return the results of `solve`, which runs in a separate process as nothing here imports slipcircle."""
+    arcs = [case for case in cases() if case.function in _OF_SOLVE]
     lines = [" ".join(map(repr, case.arguments)) for case in arcs]
     run = [sys.executable, "-c", _SOLVE]
     done = subprocess.run(run, input="\n".join(lines), capture_output=True, text=True, check=True)
@@ -195,7 +207,7 @@ def measured() -> list[Result]:
         arrays = [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):
             naive = float(form.program.run(*arrays))
-            computed = float(ours[case.function](*arrays))
+            computed = float(ours[case.function](*arrays)) if case.function in ours else math.nan
         exact = _exact(form, case.arguments)
         with mpmath.workdps(_DIGITS):
             size = abs(exact)
@@ -225,7 +237,7 @@ def report() -> str:
     results = measured()
     lines = [
         "Relative error of the printed form, of the kernel (also in units of the last place), and of solve.",
-        "A motion reports the limit friction alone. Its other numbers have no exact value to compare with.",
+        "Of a motion the limit friction is compared, and with constant friction the rotation at rest.",
         "",
         f"{'printed':>9} {'kernel':>8} {'ulp':>6} {'solve':>8}   input",
     ]
@@ -237,7 +249,7 @@ def report() -> str:
             if x.function != name:
                 continue
             arguments = ", ".join(map(repr, x.arguments))
-            solve = "-" if math.isnan(x.solve_error) else f"{x.solve_error:.0e}"
-            lines.append(f"{x.naive_error:9.0e} {x.our_error:8.0e} {x.our_ulp:6.1f} {solve:>8}   ({arguments})")
+            cells = f"{x.naive_error:9.0e}", f"{x.our_error:8.0e}", f"{x.our_ulp:6.1f}", f"{x.solve_error:8.0e}"
+            lines.append(f"{' '.join(cells).replace('nan ', '  - ')}   ({arguments})")
             lines += textwrap.wrap(f"{x.why}; {x.naive}", width, initial_indent=indent, subsequent_indent=indent)
     return "\n".join(lines)

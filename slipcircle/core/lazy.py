@@ -7,6 +7,7 @@ from typing import Any
 MODULES = {
     "tabulated": "slipcircle.tabulated",  # tabulated coefficients replace the computed ones
     "arc": "slipcircle.messages.arc",  # an arc is invalid
+    "decimals": "slipcircle.base.decimals",  # the friction of an arc is close to its limit
     "history": "slipcircle.history.history",  # states, forces, stresses or energy are requested
     "journey": "slipcircle.history.journey",  # the displacement of toe or centroid is requested
     "validity": "slipcircle.history.validity",  # the range of validity is requested

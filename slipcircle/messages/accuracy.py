@@ -50,11 +50,17 @@ SHARES = (np.arange(8.0)[:, None] + 0.5) / 8
 
 
 @lru_cache(maxsize=256)
-def _moves(program: Program, rounding: float) -> Floats:
-    """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths."""
-    inputs = program.cells[len(ix.CELLS) : program.given]
-    moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs if not _is_of_table(name))]
-    moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
+def _moves(program: Program, rounding: float, is_refined: bool = False) -> Floats:
+    """Return the factors of the cells in each run, (cells, 8): perturbed inputs of the program, and step lengths.
+
+    If the limit friction is refined, its two parts and the friction are exact inputs and remain unchanged.
+    """
+    inputs = [name for name in program.cells[len(ix.CELLS) : program.given] if not _is_of_table(name)]
+    if is_refined:
+        moved = [ix.OMEGA, *(program.places[name] for name in inputs if "." not in name)]
+    else:
+        moved = [ix.LIMIT, ix.OMEGA, *(program.places[name] for name in inputs)]
+        moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
     signs = np.zeros((len(program.cells), RUNS))
     for number, cell in enumerate(moved):
         factor = number % len(_FIRST)
@@ -75,10 +81,12 @@ def perturbed_runs(problem: Problem, runs: slice, rounding: float) -> Floats:
 
     Run 0 is the motion itself. A single lane may have several runs at once. ``rounding`` is the relative error of an
     input.
-
-    Of a single lane it may be several runs at once; ``rounding`` is the relative error that an input may have.
     """
-    cells = problem.cells() * _moves(problem.program, rounding)[:, runs]
+    start = problem.cells()
+    cells = start * _moves(problem.program, rounding)[:, runs]
+    is_refined = start[ix.LIMIT_REST] != 0.0
+    if np.any(is_refined):
+        cells = np.where(is_refined, start * _moves(problem.program, rounding, True)[:, runs], cells)
     orders = cells[ix.ORDER]
     orders += FURTHER[runs]
     return cells

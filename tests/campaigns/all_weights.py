@@ -1,4 +1,4 @@
-"""Every weight that a moment may have, declared in a copy of the project: what follows from that alone.
+"""Consequences of declaring each weight that a moment may have, in a copy of the project.
 
     python -m tests.campaigns.all_weights [WEIGHT ...] [--keep FOLDER]
 
@@ -63,12 +63,12 @@ if main(sys.argv[1:]):
 
 
 def kernel(weight: str) -> str:
-    """The name of a weight's function of alpha."""
+    """Return the name of a weight's function of alpha."""
     return "kernel_" + re.sub(r"\W+", "_", weight.replace("**", "")).strip("_")
 
 
 def copy(root: Path) -> None:
-    """The packages and the oracle."""
+    """Return the packages and the oracle."""
     for package in ("derive", "generated", "slipcircle"):
         shutil.copytree(ROOT / package, root / package, ignore=shutil.ignore_patterns("__pycache__"))
     (root / "tests" / "support").mkdir(parents=True)
@@ -93,7 +93,7 @@ def declare(root: Path, weights: Sequence[str]) -> None:
 
 
 def run(root: Path, *command: str) -> str:
-    """The output of Python in the copy, which sees no other."""
+    """Return the output of Python in the copy, which sees no other."""
     done = subprocess.run(
         [sys.executable, *command], cwd=root, env=os.environ | {"PYTHONPATH": str(root)}, capture_output=True, text=True
     )

@@ -30,7 +30,7 @@ Row = tuple[str, str, float | None]  # a key, in words, what comes out
 
 
 def mistakes(case: Mapping[str, Any]) -> Iterator[str]:
-    """What is wrong with a case."""
+    """Return a line for each mistake in a case."""
     name = case.get("name", "a case without a name")
     if not case.get("source"):
         yield f"{name}: source is missing: name the public text that its numbers come from"
@@ -42,14 +42,14 @@ def mistakes(case: Mapping[str, Any]) -> Iterator[str]:
 
 
 def verdict(value: float, low: float, high: float) -> str:
-    """By the rule."""
+    """Return the verdict on an interval of computed values by the rule of the page on cases."""
     if low <= value <= high:
         return "inside"
     return "within a factor of 2" if low / 2 <= value <= 2 * high else "outside"
 
 
 def computed(case: Mapping[str, Any]) -> tuple[list[Row], str]:
-    """What is observed by its key, in words and as it comes out; and what the program says where it refuses or wonders.
+    """Return observed quantities by key, each in words and as computed, and the warnings and refusals of the program.
 
     A published factor is set beside that of Bishop's method, and that of the paper's, from which motions start.
     """
@@ -69,7 +69,7 @@ def computed(case: Mapping[str, Any]) -> tuple[list[Row], str]:
 
 
 def judged(case: Mapping[str, Any], rows: Iterable[Row]) -> Iterator[tuple[str, str, str, str, str]]:
-    """Of each observed quantity: its words, the interval, what comes out, that over the interval's middle, verdict."""
+    """Return for each observed quantity its words, the interval, the computed value, their ratio and the verdict."""
     for key, words, value in rows:
         low, high = case["observed"][key]
         shown, ratio, decided = "none", "", "outside the method"
@@ -80,7 +80,7 @@ def judged(case: Mapping[str, Any], rows: Iterable[Row]) -> Iterator[tuple[str, 
 
 
 def read(text: str) -> dict[str, list[dict[str, Any]]]:
-    """The cases, and those that are missing.
+    """Return the cases, and those that are missing.
 
     Raises
     ------

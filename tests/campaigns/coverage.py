@@ -160,7 +160,7 @@ def of_suites(count: int) -> Iterator[Row]:
 
 
 def of_back_analyses(count: int) -> Iterator[Row]:
-    """The friction angle of a slide within 1.96 standard errors, from a run-out with a standard error of 3 %."""
+    """Yield the friction angle of a slide within 1.96 standard errors, from a run-out with a standard error of 3 %."""
     scene, true = load("vaiont"), 10.0
     run_out = float(solve(scene).run_out)
     coverage = Coverage("standard error of the run-out 3 %")

@@ -58,7 +58,7 @@ def of_arc(rng: Rng) -> Scene:
 
 
 def of_section(rng: Rng) -> Scene:
-    """A mass under any ground, dry or under a level, with every kind of time, rate, heat and record."""
+    """Return a mass under any ground, dry or under a level, with every kind of time, rate, heat and record."""
     return section_references.scene(section_references.drawn(str(rng.choice(section_references.GROUPS)), rng))
 
 
@@ -75,7 +75,7 @@ def of_layers(rng: Rng) -> Scene:
 
 
 def of_creep(rng: Rng) -> Scene:
-    """A viscous layer, from one that hardly brakes to one that implicit steps follow."""
+    """Return a viscous layer, from one that hardly brakes to one that implicit steps follow."""
     dip, half, radius = rng.uniform(0.3, 1.0), rng.uniform(0.3, 1.4), 10 ** rng.uniform(0.5, 3.5)
     middle = 1.5 * np.pi - dip
     arc = Arc(radius, middle - half, middle + half, 2e4)
@@ -93,7 +93,7 @@ def of_creep(rng: Rng) -> Scene:
 
 
 def on_far_shore(rng: Rng) -> Scene:
-    """A thin mass in a bowl with water above its middle: it floats, and lands where it leaves the water."""
+    """Return a thin mass in a bowl with water above its middle: it floats, and lands where it leaves the water."""
     radius, thin, dip = 10 ** rng.uniform(1, 4.5), 10 ** rng.uniform(-8, -1), rng.uniform(0.2, 0.6)
     depth = thin * radius
     chord = np.sqrt(2 * depth * radius) * np.array([np.cos(dip), -np.sin(dip)])
@@ -112,7 +112,7 @@ TURNS[-1] = "creep"  # a hundred times slower than others
 
 
 def drawn(kind: str, rng: Rng) -> Scene:
-    """The first scene of a kind that is one and has a motion."""
+    """Return the first scene of a kind that is one and has a motion."""
     while True:
         with contextlib.suppress(Unfit, ValueError):
             scene = KINDS[kind](rng)
@@ -121,7 +121,7 @@ def drawn(kind: str, rng: Rng) -> Scene:
 
 
 def with_neighbour(scene: Scene, rng: Rng) -> tuple[Scene, Any]:
-    """It and one in which a number differs by a percent or so, and which of them is invalid."""
+    """Return an ensemble of a scene and a neighbour that differs by about a percent in a number, and invalid lanes."""
     every = {name: parameter_value(scene, name) for name in parameters(scene) if not name.endswith("gradient")}
     values = {name: value for name, value in every.items() if value}
     name = str(rng.choice(list(values)))
@@ -138,7 +138,7 @@ def results(motion: Motion, lanes: int) -> Any:
 
 
 def errors(motion: Motion, exact: Any) -> Any:
-    """The true relative error of each lane; 1 where one has no result, and NaN where neither has."""
+    """Return the true relative error of each lane; 1 where one has no result, and NaN where neither has."""
     found = results(motion, exact.shape[1])
     with np.errstate(invalid="ignore", divide="ignore"):
         relative = np.where(found == exact, 0.0, np.abs(found - exact) / np.abs(exact)).max(axis=0)
@@ -147,7 +147,7 @@ def errors(motion: Motion, exact: Any) -> Any:
 
 
 def compared(number: int, seed: int) -> list[Case]:
-    """A random scene, alone and with its neighbour at each accuracy."""
+    """Return a random scene, alone and with its neighbour at each accuracy."""
     kind, rng = TURNS[number % len(TURNS)], np.random.default_rng([seed, number])
     scene = drawn(kind, rng)
     lanes, invalid = with_neighbour(scene, rng)
@@ -166,7 +166,7 @@ def compared(number: int, seed: int) -> list[Case]:
 
 
 def stored(number: int) -> list[Case]:
-    """A scene of the references twice, as an ensemble: against digits of another method."""
+    """Return a scene of the references twice, as an ensemble: against digits of another method."""
     row = STORED[number]
     scene = section_references.scene(row["scene"]) if "ground" in row["scene"]["arc"] else accuracy.scene(row)
     name = next(name for name in ("radius", "gravity") if parameter_value(scene, name))
@@ -182,7 +182,7 @@ def stored(number: int) -> list[Case]:
 
 
 def said(kind: str, cases: list[Case]) -> tuple[int, float]:
-    """Prints and returns how many estimates are too low, and the median ratio of estimate to error."""
+    """Print and return the number of estimates below their error, and the median ratio of estimate to error."""
     low = sum(case.estimate < case.error for case in cases)
     ratios = [case.estimate / max(case.error, ROUNDING) for case in cases if case.estimate > 0.0]
     median = float(np.median(ratios)) if ratios else 0.0

@@ -1,4 +1,4 @@
-"""Every float32 rounded correctly: `python -m tests.campaigns.float32 [KERNEL ...]` runs all 1,070,141,404 inputs.
+"""Correct rounding of all 1,070,141,404 float32 inputs: `python -m tests.campaigns.float32 [KERNEL ...]`.
 
 At every level of the processor. The nearest float32 to the double of the best tier is the right one, except next to a
 midpoint of two; there quadrature in ball arithmetic decides. The exit status is 1 where there is a fault.
@@ -23,13 +23,13 @@ SLACK = 2.0**-26  # of an ulp of float32: 8 ulp of float64, and so more than a b
 
 
 def inputs(first: int = 0, last: int = LAST_SINGLE, block: int = 1 << 15) -> Iterator[Numbers]:
-    """Every float32 between two bit patterns, in blocks."""
+    """Yield every float32 between two bit patterns, in blocks."""
     for start in range(first, last + 1, block):
         yield np.arange(start, min(start + block, last + 1), dtype=np.uint32).view(np.float32)
 
 
 def correctly_rounded(kernel: str, x: Numbers) -> Numbers:
-    """The nearest float32 to the exact values."""
+    """Return the nearest float32 to the exact values."""
     best = _compiled.kernel(kernel, kernels.TEXTS[kernel])
     exact = best(np.minimum(x.astype(np.float64), TOP))
     with np.errstate(under="ignore"):
@@ -40,14 +40,14 @@ def correctly_rounded(kernel: str, x: Numbers) -> Numbers:
 
 
 def distance(exact: Floats, nearest: Numbers) -> Floats:
-    """In ulp of float32."""
+    """Return the distance of a result from the exact value, in ulp of float32."""
     power = (exact.view(np.int64) & 0x7FF0_0000_0000_0000).view(np.float64)
     unit = np.maximum(power * 2.0**-23, 2.0**-149)
     return np.asarray(np.abs(exact - nearest) / unit)
 
 
 def decided(kernel: str, alpha: float) -> np.float32:
-    """The nearest float32 to one exact value, by the oracle."""
+    """Return the nearest float32 to one exact value, by the oracle."""
     with ctx.workprec(400):
         exact = oracle.kernel(kernel, alpha)
         near = np.float32(float(exact))
@@ -56,12 +56,12 @@ def decided(kernel: str, alpha: float) -> np.float32:
 
 
 def levels() -> list[str]:
-    """All, or with a binary all but NumPy's, whose operations are those of the plain form."""
+    """Return all levels, or with a binary all except NumPy's, whose operations are the operations of the plain form."""
     return [level for level in _compiled.LEVELS if level != "numpy"] or ["numpy"]
 
 
 def faults(kernel: str, blocks: Iterator[Numbers], *at: str, call: Callable[..., Any] | None = None) -> list[str]:
-    """The inputs at which a level is wrong, in words."""
+    """Return the inputs at which a level is wrong, in words."""
     calls = {level: call or _compiled.kernel(kernel, kernels.TEXTS[kernel], level) for level in at or levels()}
     found = []
     for x in blocks:
@@ -74,12 +74,12 @@ def faults(kernel: str, blocks: Iterator[Numbers], *at: str, call: Callable[...,
 
 
 def every_float32(kernel: str) -> list[str]:
-    """The faults of a kernel."""
+    """Return the faults of a kernel."""
     return faults(kernel, inputs())
 
 
 def main(names: list[str]) -> int:
-    """The command; its exit status."""
+    """Return the command; its exit status."""
     start = time.perf_counter()
     found = []
     with ProcessPoolExecutor(2) as pool:

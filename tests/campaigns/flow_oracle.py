@@ -28,7 +28,7 @@ Point = dict[str, Any]  # numbers and short series of a scene and of a moment of
 
 
 def cells_at(program: Program, given: Mapping[str, float]) -> Floats:
-    """All cells where a phase begins."""
+    """Return all cells where a phase begins."""
     cells = np.zeros((len(program.cells), 1))
     known = {**program.constants, **given}
     for name in known.keys() & program.places.keys():
@@ -38,7 +38,7 @@ def cells_at(program: Program, given: Mapping[str, float]) -> Floats:
 
 
 def series_at(program: Program, given: Mapping[str, float], states: Mapping[str, float], p: Point) -> Floats:
-    """The series of all registers from a moment of a phase, (registers, orders)."""
+    """Return the series of all registers from a moment of a phase, (registers, orders)."""
     start, at = cells_at(program, given)[:, 0], program.roles
     # The limit friction is an input: what the balance at the start says, so that the drive is the same number.
     limit = (start[at["cell_driving"]] - start[at["cell_resisting"]]) / start[at["cell_normal0"]]
@@ -96,7 +96,7 @@ def motion(p: Mapping[str, Any], effects: Sequence[str], mu: Callable[[Any, Any]
 
 
 def coefficient(law: str, p: Mapping[str, Any], x: Any, w: Any) -> Any:
-    """A friction law at a rotation since the phase began and a speed."""
+    """Return a friction law at a rotation since the phase began and a speed."""
 
     def get(name: str) -> Any:
         return p[f"{law}.{name}"]
@@ -171,7 +171,7 @@ def point(rng: random.Random, case: Case) -> Point:
 
 
 def absolute(p: Point) -> dict[str, Any]:
-    """The numbers of a point in balls; functions of time as series from the moment."""
+    """Return the numbers of a point in balls; functions of time as series from the moment."""
     balls: dict[str, Any] = {name: arb(value) for name, value in p.items() if isinstance(value, float)}
     for name, terms in p.items():
         symbol = name.removesuffix(".series")
@@ -182,7 +182,7 @@ def absolute(p: Point) -> dict[str, Any]:
 
 
 def numbers(p: Point) -> tuple[dict[str, float], dict[str, float]]:
-    """The cells of a point where its phase begins, and its states at the moment."""
+    """Return the cells of a point where its phase begins, and its states at the moment."""
     theta, sine, cosine = p["Theta"], np.sin(p["psi"]), np.cos(p["psi"])
     cells = {name: value for name, value in p.items() if isinstance(value, float)} | {
         "driving_moment": p["C_theta"] * sine / theta, "driving_moment_slope": p["C_theta"] * cosine / theta,
@@ -193,13 +193,15 @@ def numbers(p: Point) -> tuple[dict[str, float], dict[str, float]]:
 
 
 def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, Floats, Point]:
-    """The program of a case, the series of its registers at a random moment, and the numbers of that moment."""
+    """Return the program of a case, the series of its registers at a random moment, and the numbers of that moment."""
     program, p = build_program(Recipe(*case), asked), point(random.Random(f"{case} {seed}"), case)
     return program, series_at(program, *numbers(p), p), p
 
 
 def difference(case: Case, seed: int) -> float:
-    """The largest error of a coefficient of any register that both sides have, relative to the largest coefficient."""
+    """Return the largest error of a coefficient of any register that both sides have, relative to the largest
+    coefficient.
+    """
     effects, laws, *_ = case
     program, registers, p = at_a_point(case, seed, ("mu",))
     ctx.prec, ctx.cap = 128, ORDER + 1
@@ -222,7 +224,7 @@ BOUND = 1e-12
 
 
 def main() -> int:
-    """All programs, or as many as are asked for; 1 where one differs."""
+    """Compare all programs, or as many as requested, with the equation of motion; return 1 where one differs."""
     chosen = list(cases())
     if len(sys.argv) > 1:
         chosen = random.Random(1).sample(chosen, int(sys.argv[1]))

@@ -44,7 +44,7 @@ OPTIONS: tuple[dict[str, Any], ...] = (
 
 
 def damaged(rng: Random) -> bytes:
-    """A file of some format with a few kinds of damage, or random bytes."""
+    """Return a file of some format with a few kinds of damage, or random bytes."""
     data = rng.choice(BASES)
     for _ in range(rng.randint(1, 3)):
         start, end = sorted(rng.randint(0, len(data)) for _ in range(2))
@@ -72,7 +72,7 @@ def damaged(rng: Random) -> bytes:
 
 
 def fault(path: Path, rng: Random) -> str:
-    """What is wrong with the answer for a file; empty if nothing is."""
+    """Return the fault in the answer for a file, or an empty text."""
     start = time.process_time()
     options = rng.choice(OPTIONS)
     try:
@@ -97,7 +97,7 @@ def fault(path: Path, rng: Random) -> str:
 
 
 def faults(numbers: Iterable[int], seed: int, folder: Path) -> list[str]:
-    """The faults of files by number, each with its number; the files of faults remain in the folder."""
+    """Return the faults of files by number, each with its number; the files of faults remain in the folder."""
     found = []
     for number in numbers:
         rng = Random(f"{seed} {number}")

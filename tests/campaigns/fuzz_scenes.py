@@ -49,7 +49,7 @@ def number(rng: Random) -> Any:
 
 
 def allowed(rng: Random, key: Any) -> float:
-    """A number that a key may have, often of an odd size."""
+    """Return a number that a key may have, often of an odd size."""
     low, high = key.number.low, key.number.high
     wide = rng.random() < 0.3
     size = 10 ** (rng.uniform(-12, 20) if wide else rng.uniform(-2, 3))
@@ -60,7 +60,7 @@ def allowed(rng: Random, key: Any) -> float:
 
 
 def key_values(rng: Random, table: Any) -> dict[str, Any]:
-    """A table with some of its keys."""
+    """Return a table with some of its keys."""
     found: dict[str, Any] = {}
     count = rng.randrange(2, 5)
     many = any(key.kind == "list" for key in table.keys.values()) and rng.random() < 0.5
@@ -85,7 +85,7 @@ def key_values(rng: Random, table: Any) -> dict[str, Any]:
 
 
 def section(rng: Random) -> dict[str, Any]:
-    """A real slope in place of an arc: ground, circle, often water and what limits a search; either facing."""
+    """Return a real slope in place of an arc: ground, circle, often water and what limits a search; either facing."""
     size, side = 10 ** rng.uniform(-1, 3), rng.choice((1, -1))
     height, run = size * rng.uniform(0.2, 1), size * rng.uniform(0, 2)
     rough = sorted(rng.uniform(0, 1) for _ in range(rng.choice((0, 0, 1, 3))))
@@ -117,7 +117,7 @@ def section(rng: Random) -> dict[str, Any]:
 
 
 def document(rng: Random) -> dict[str, Any]:
-    """A scene that ships, or one of random tables and numbers; then some mistakes."""
+    """Return a scene that ships, or one of random tables and numbers; then some mistakes."""
     found = copy.deepcopy(rng.choice(BASES))
     if rng.random() < 0.6:
         law = rng.choice([*LAWS])
@@ -165,7 +165,7 @@ def mutate(rng: Random, given: dict[str, Any]) -> None:
 
 
 def toml(value: Any, top: bool = True) -> str:
-    """A document as TOML: tables inline below the first level."""
+    """Return a document as TOML: tables inline below the first level."""
     if isinstance(value, dict):
         if top:
             plain = {k: v for k, v in value.items() if not isinstance(v, dict)}
@@ -192,7 +192,7 @@ def _late(*_: Any) -> None:
 
 
 def fault(path: Path, command: str = "run", seconds: float = SECONDS) -> str:
-    """What is wrong with how a scene's file is answered; nothing, if it is answered or refused well."""
+    """Return the fault in the answer to a scene file, or an empty text if it is answered or refused correctly."""
     out, err = io.StringIO(), io.StringIO()
     started = time.process_time()
     signal.signal(signal.SIGPROF, _late)
@@ -223,7 +223,7 @@ def fault(path: Path, command: str = "run", seconds: float = SECONDS) -> str:
 
 def faults(which: Iterable[int], seed: int, folder: Path, command: str = "run",
            seconds: float = SECONDS) -> list[tuple[int, str, str]]:  # fmt: skip
-    """Number, file and fault of those that are answered badly."""
+    """Return number, file and fault of the scenes with a bad answer."""
     found = []
     for k in which:
         path = folder / "odd.toml"

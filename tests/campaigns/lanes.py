@@ -27,7 +27,8 @@ PROFILE_NUMBERS = ("radius", "ground.1.y", "layers.2.top", "centre.x", "ground.2
 
 
 def difference(scene: Scene, number: str, values: Any) -> float:
-    """The greatest one between lanes of these values and the same scenes alone, relative; infinite if one has no scene.
+    """Return the greatest relative difference of lanes from the same scenes alone; infinite if only one side has no
+    scene.
 
     What one refuses the other has to refuse.
     """

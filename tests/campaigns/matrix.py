@@ -90,7 +90,9 @@ def compilers() -> list[str]:
 
 
 def oldest_versions() -> list[str]:
-    """The lower bound of every dependency of the package and its extras as a pin, without tools of tests and book."""
+    """Return the lower bound of every dependency of the package and its extras as a pin, without tools of tests and
+    book.
+    """
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     optional = project["optional-dependencies"]
     every = [*project["dependencies"], *(x for name in EXTRAS if name not in ("test", "book") for x in optional[name])]
@@ -108,12 +110,14 @@ def tested(folder: Path, python: Path | str, settings: Mapping[str, str], tests:
 
 
 def copied(folder: Path) -> Path:
-    """A checkout without what is built."""
+    """Return a checkout without what is built."""
     return shutil.copytree(ROOT, folder, ignore=shutil.ignore_patterns(*NOT_COPIED))
 
 
 def environment(folder: Path, python: Path, pins: Sequence[str] = ()) -> Path:
-    """The interpreter of a new environment with the checkout in it, by these pins and otherwise the newest versions."""
+    """Return the interpreter of a new environment with the checkout in it, by these pins and otherwise the newest
+    versions.
+    """
     constraints = folder / "pins.txt"
     constraints.write_text("\n".join(pins), "utf-8")
     subprocess.run([python, "-m", "venv", folder / ".venv"], check=True)

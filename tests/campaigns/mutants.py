@@ -97,7 +97,7 @@ class Fault(NamedTuple):
 
 
 def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
-    """Every fault that a tree can get: its node, what it is called, and what plants it."""
+    """Yield every fault that a tree can get: its node, its name, and the function that plants it."""
     texts = {id(n.value) for n in ast.walk(tree) if isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant)}
     typing = {id(n) for a in ast.walk(tree) for field in ("annotation", "returns")
               if (part := getattr(a, field, None)) for n in ast.walk(part)}  # fmt: skip
@@ -128,7 +128,7 @@ def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
 
 
 def faults() -> Iterator[Fault]:
-    """Every fault of the packages, except those of templates, which are texts of `generated`."""
+    """Yield every fault of the packages, except in templates, which are parts of `generated`."""
     for path in sorted(path for package in PACKAGES for path in (ROOT / package).rglob("*.py")):
         found = [] if "templates" in path.parts else changes(ast.parse(path.read_text("utf-8")))
         for place, (node, kind, _) in enumerate(found):
@@ -147,7 +147,7 @@ def planted(fault: Fault) -> str:
 
 
 def copied(folder: Path) -> Path:
-    """A copy of the project, its compiled modules included."""
+    """Return a copy of the project, its compiled modules included."""
     ignored = shutil.ignore_patterns("__pycache__", ".git", ".venv", ".*_cache")
     return shutil.copytree(ROOT, folder, ignore=ignored)
 
@@ -162,7 +162,7 @@ def run(folder: Path, limit: float | None, *argv: str | Path) -> str | None:
 
 
 def _last(printed: str | None) -> str:
-    """The last line of an output."""
+    """Return the last line of an output."""
     return (printed or "").strip().rpartition("\n")[2]
 
 
@@ -191,7 +191,7 @@ def measured_tests(folder: Path, jobs: int) -> dict[str, Any]:
 
 
 def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
-    """The tests that reach a fault, the quickest first; for what imports run, then all others.
+    """Return the tests that reach a fault, the quickest first; for what imports run, then all others.
 
     What `derive` keeps in caches counts for the first test that asks for it: all tests of the package follow.
     """
@@ -207,7 +207,7 @@ def tests_near(fault: Fault, measured: dict[str, Any]) -> list[str]:
 
 
 def judged(folder: Path, fault: Fault, measured: dict[str, Any], good: dict[str, Any]) -> str:
-    """What became of a fault: the test that caught it, no changed answer, or SURVIVED."""
+    """Return the verdict on a fault: the test that caught it, no changed answer, or SURVIVED."""
     near, target = tests_near(fault, measured), folder / fault.path
     begin = time.monotonic()
     try:

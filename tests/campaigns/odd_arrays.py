@@ -1,4 +1,4 @@
-"""Every place that takes numbers with arrays of every kind: an answer as for plain numbers, or an error of one line.
+"""Arrays of every kind wherever numbers are accepted: an answer as for plain numbers, or an error of one line.
 
 ``python -m tests.campaigns.odd_arrays 20000 --seed 1`` draws so many pairs of a place and a value: numbers of all of
 NumPy's types, masked, pint, xarray, pandas, dask and JAX arrays, lists of them, and what is no number at all. A value

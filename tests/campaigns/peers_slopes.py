@@ -25,7 +25,7 @@ class Compared(NamedTuple):
 
 
 def slope(rng: np.random.Generator) -> tuple[Slope, float]:
-    """Of one to five edges between level parts, facing either way, dry, wet or shaken; and its height."""
+    """Return a random slope of one to five edges, facing either way, dry, wet or shaken, and its height."""
     height, edges = rng.uniform(5, 40), int(rng.integers(1, 6))
     run = height / np.tan(np.deg2rad(rng.uniform(18, 60)))
     inner = np.sort(rng.uniform(0.0, 1.0, (edges - 1, 2)), axis=0) * [run, height]
@@ -42,7 +42,7 @@ def slope(rng: np.random.Generator) -> tuple[Slope, float]:
 
 
 def evolved(search: Search, seed: int) -> float:
-    """The least factor by differential evolution over both ends and the share of the greatest opening."""
+    """Return the least factor by differential evolution over both ends and the share of the greatest opening."""
 
     def factors(q: np.ndarray) -> np.ndarray:
         circles = np.stack([*np.sort(q[:2], axis=0), q[2], np.full(len(q[2]), -1.0)], axis=1)
@@ -55,7 +55,7 @@ def evolved(search: Search, seed: int) -> float:
 
 
 def compared(seed: int) -> Compared:
-    """On a random slope, by a random method."""
+    """Compare the least factors of a random slope by a random method."""
     rng = np.random.default_rng(seed)
     given, height = slope(rng)
     method = str(rng.choice([*METHODS]))

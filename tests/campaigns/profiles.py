@@ -2,16 +2,19 @@
 
     python -m tests.campaigns.profiles [COUNT] [--points 1000] [--seed 1]
 
-Factors are compared with those of the same search on all vertices, and times with those of four points or one soil.
+Factors are compared with those of the same search on all vertices and with all circles, times with those of ten points
+of the same profile or of one soil.
 """
 
 import argparse
 import math
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import pytest
 
 from slipcircle import Slope, Soil, critical
 from slipcircle.workbench.stability import condensed
@@ -56,19 +59,32 @@ def least(slope: Slope, method: str) -> tuple[float, float]:
 
 
 def excess(slope: Slope, method: str) -> tuple[float, float]:
-    """How much greater the factor is than that of a search on all vertices, as a share, and the time, s."""
+    """Return how much greater the factor is than that of a search without shortcuts, as a share, and the time, s."""
     found, seconds = least(slope, method)
-    many = condensed.MANY_VERTICES
-    try:
-        condensed.MANY_VERTICES = 10**9
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("MANY_VERTICES", "MANY_SOILS"):
+            patch.setattr(condensed, name, 10**9)
         whole, _ = least(slope, method)
-    finally:
-        condensed.MANY_VERTICES = many
     return (found - whole) / max(abs(whole), 0.1), seconds
 
 
+def ten_points(slope: Slope) -> Slope:
+    """Return the slope below ten points of its ground, evenly spaced."""
+    x, y = np.asarray(slope.ground).T
+    few = np.linspace(x[0], x[-1], 10)
+    return replace(slope, ground=np.stack([few, np.interp(few, x, y)], axis=1))
+
+
+def random_soils(count: int, rng: np.random.Generator) -> Slope:
+    """Return a slope of horizontal layers with random strengths and unit weights."""
+    tops = [None, *np.sort(rng.uniform(-15, 19, count - 1))[::-1]]
+    draw = rng.uniform
+    layers = [(Soil(draw(17e3, 21e3), draw(1e3, 3e4), draw(0.1, 0.7), name=f"{k}"), tops[k]) for k in range(count)]
+    return Slope(SIMPLE, layers=layers)
+
+
 def soils(count: int) -> Slope:
-    """A slope of horizontal layers."""
+    """Return a slope of horizontal layers of the same unit weight."""
     layers = [
         (Soil(2e4, 1e3 * (15 + k % 7), 0.35, name=f"{k}"), None if k == 0 else 20 - 25 * k / count)
         for k in range(count)
@@ -83,12 +99,20 @@ def main() -> None:
     parser.add_argument("--points", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
+    rng = np.random.default_rng(options.seed)
     simple = Slope(SIMPLE, **STRENGTH)
     least(simple, "bishop")
-    for name, slope, method in profiles(options.count, options.points, np.random.default_rng(options.seed)):
+    for name, slope, method in profiles(options.count, options.points, rng):
         above, seconds = excess(slope, method)
-        _, of_simple = least(simple, method)
-        print(f"{name:10} {method:9} excess {above:+.1e}, {seconds / of_simple:.1f} times the time of 4 points")
+        _, of_ten = least(ten_points(slope), method)
+        print(f"{name:10} {method:9} excess {above:+.1e}, {seconds / of_ten:.1f} times the time of 10 points")
+    for k in range(options.count // 2):
+        slope, method = random_soils(int(rng.integers(22, 60)), rng), METHODS[k % 4]
+        above, seconds = excess(slope, method)
+        _, of_one = least(simple, method)
+        print(
+            f"{len(slope.layers)} soils   {method:9} excess {above:+.1e}, {seconds / of_one:.1f} times the time of one"
+        )
     (one, of_one), (many, of_many) = (least(soils(k), "bishop") for k in (1, 50))
     print(f"50 soils: {of_many / of_one:.1f} times the time of one; {one:.4g}, {many:.6g}")
 

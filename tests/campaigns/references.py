@@ -21,7 +21,7 @@ LAWS = [law for law in combinations.LAWS if law != "callable"]
 
 
 def row_of_arc(index: int, seed: int) -> dict[str, Any]:
-    """A scene of each law in turn with any effects, and its motion."""
+    """Return a scene of each law in turn with any effects, and its motion."""
     rng, law = np.random.default_rng([seed, index]), LAWS[index % len(LAWS)]
     effects = combinations.ALL[rng.integers(len(combinations.ALL))]
     return {"group": law} | references.first_fit(
@@ -30,7 +30,7 @@ def row_of_arc(index: int, seed: int) -> dict[str, Any]:
 
 
 def compared(index: int, seed: int, sections: bool) -> tuple[str, float, float]:
-    """The kind of a scene, its error, infinite where it is decided otherwise, and the estimate."""
+    """Return the kind of a scene, its error, infinite where it is decided otherwise, and the estimate."""
     row = section_references.row(index, seed) if sections else row_of_arc(index, seed)
     scene = section_references.scene(row["scene"]) if sections else accuracy.scene(row)
     reference = row["reference"]

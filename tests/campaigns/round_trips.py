@@ -1,4 +1,4 @@
-"""Each number of each scene that ships, found again from the motion that it gives.
+"""Back-analysis of each number of each shipped scene from the motion that it gives.
 
 ``python -m tests.campaigns.round_trips`` solves a scene, observes its run-out, peak velocity and duration, and has
 `backanalyse` find each number of the scene from each of these alone, without the number's present value. It ends with

@@ -33,7 +33,7 @@ class Compared(NamedTuple):
 
 
 def random_section(rng: np.random.Generator) -> Section:
-    """A circle through two points of the ground, often its vertices."""
+    """Return a circle through two points of the ground, often its vertices."""
     while True:
         count = int(rng.integers(2, 9))
         x = np.cumsum(np.where(rng.random(count) < 0.15, 0.0, rng.exponential(10.0, count)))
@@ -55,7 +55,7 @@ def random_section(rng: np.random.Generator) -> Section:
 
 
 def line_from_centre(points: Any, section: Any) -> list[Point]:
-    """A line with its level continuations, over R."""
+    """Return a line with its level continuations, over R."""
     radius = mpmath.mpf(float(section.radius))
     line = [tuple((mpmath.mpf(p) - c) / radius for p, c in zip(point, section.centre.tolist(), strict=True))
             for point in np.asarray(points).tolist()]  # fmt: skip
@@ -93,7 +93,7 @@ def mean_height(line: list[Point], first: Any, last: Any) -> tuple[Any, Any]:
 
 
 def compared(seed: int, index: int) -> Compared:
-    """A random section and turn, and the errors of its mean heights."""
+    """Return a random section and turn, and the errors of its mean heights."""
     rng = np.random.default_rng([seed, index])
     section: Any = random_section(rng)
     turn = mpmath.mpf(float(rng.choice([0.0, rng.normal(0.0, 0.5), rng.uniform(-3.0, 3.0)])))

@@ -36,7 +36,7 @@ INTERPRETED = 10  # the exact interpreter, which serves where there is no binary
 
 @cache
 def records() -> tuple[Record, ...]:
-    """All certificates."""
+    """Return all certificates."""
     return tuple(read())
 
 
@@ -49,7 +49,7 @@ BASES = tuple(name for name, definition in DEFINITIONS.items() if len(definition
 
 
 def seams() -> list[float]:
-    """Where a program takes another piece, or its logarithm another exponent."""
+    """Return the arguments at which a program selects another piece or its logarithm another exponent."""
     found = {TOP - 0.75 * 2.0**-k for k in range(53)}
     for record in records():
         constants = {i: value for i, (kind, _, value) in enumerate(record["operations"]) if kind == "const"}
@@ -66,7 +66,7 @@ class Inputs(NamedTuple):
 
 
 def inputs(count: int = 1_000_000) -> Inputs:
-    """For every kernel, tier and form the same.
+    """Return the same inputs for every kernel, tier and form.
 
     Uniform in value, in bit patterns and in the exponent; dense towards pi/2, at the seams, around the witnesses of
     the certificates, and where results underflow. A third is rounded to float32, for which these are the inputs.
@@ -108,13 +108,13 @@ class Reference:
     values: dict[str, tuple[Floats, Floats]]
 
     def take(self, which: Any) -> "Reference":
-        """At some of the inputs."""
+        """Return the reference at some of the inputs."""
         values = {name: (high[which], low[which]) for name, (high, low) in self.values.items()}
         return Reference(self.alpha[which], self.scale[which], values)
 
 
 def reference(alpha: Floats, names: Sequence[str] = KERNELS, processes: int = 1) -> Reference:
-    """From the definitions' closed forms in ball arithmetic; near 0 from their Taylor series, with its remainder."""
+    """Return exact values from closed forms in ball arithmetic, and near 0 from Taylor series with their remainder."""
     # A base quantity is of the order of alpha**3; to scale a result by more than this might overflow.
     scale = np.maximum(3 * np.frexp(alpha)[1].astype(np.int64), -1060)
     parts = np.array_split(np.arange(alpha.size), max(1, alpha.size // 20_000))
@@ -191,7 +191,7 @@ class Run:
 
 
 def runs(kernel: str) -> Iterator[Run]:
-    """Every certified program of a kernel at every level that runs it, by its public call; else interpreted.
+    """Yield every certified program of a kernel at every level that runs it, by its public call or interpreted.
 
     What float32 returns is rounded correctly; its certificate's claims are of the double before.
     """
@@ -210,7 +210,7 @@ def runs(kernel: str) -> Iterator[Run]:
 
 
 def interpret(kernel: str, tier: str, form: str, alpha: Numbers) -> Numbers:
-    """A program in exact arithmetic, rounded once an operation."""
+    """Return a program in exact arithmetic, rounded once an operation."""
     (program,) = [v.program for v in variants() if (v.kernel, v.tier, v.form) == (kernel, tier, form)]
     with np.errstate(under="ignore"):  # correctly rounded, and silent in what it stands for
         return program.run(np.minimum(alpha.astype(np.float64), TOP)).astype(alpha.dtype)
@@ -224,7 +224,7 @@ CHANCE = 4.0  # standard errors of a mean
 
 
 def biased(record: Record) -> float:
-    """The mean error in ulp from which a program leans to one side.
+    """Return the mean error in ulp from which a program leans to one side.
 
     Sums over many arcs grow with the mean error, and otherwise with the root of their number. A fused program takes its
     roundings back, all but the last; a plain one leans by its constants, such as 2/3, which are wrong by up to half an
@@ -236,7 +236,8 @@ def biased(record: Record) -> float:
 
 
 class Mean(NamedTuple):
-    """Of a bin: the mean error in ulp beyond that of correct rounding, what of it may be chance, and its beginning.
+    """Mean error of a bin in ulp beyond the mean error of correct rounding, its possible share of chance, and its
+    beginning.
 
     Correct rounding has a mean error too, where results hardly change or move in step with their inputs.
     """
@@ -256,7 +257,7 @@ class Seen:
 
     @property
     def faults(self) -> list[str]:
-        """What is worse than it may be, in words."""
+        """Return a sentence for each error that exceeds its bound."""
         r = self.run.record
         name = f"{r['kernel']}, {r['tier']}, {r['form']}, {self.run.level}"
         found = [
@@ -270,7 +271,7 @@ class Seen:
 
 
 def claims(record: Record, alpha: Floats) -> dict[str, NDArray[np.bool_]]:
-    """The claims of a certificate, and the inputs that each one is about."""
+    """Return the claims of a certificate, and the inputs that each one is about."""
     tiny = (alpha < UNDERFLOW) & (record["bound_underflow"] > 0)
     found = {"bound": ~tiny, "bound_to_quarter_pi": ~tiny & (alpha <= QUARTER), "bound_underflow": tiny}
     return {claim: which for claim, which in found.items() if which.any()}
@@ -295,7 +296,7 @@ def measure(run: Run, at: Reference, even: NDArray[np.bool_], climbs: int = 12) 
 
 
 def rounded(run: Run, at: Reference) -> Numbers:
-    """The exact values, rounded correctly; where they do not underflow."""
+    """Return the exact values, rounded correctly; where they do not underflow."""
     high, _ = at.values[run.record["kernel"]]
     scale = 0 if len(run.record["definition"]) > 1 else at.scale
     return np.ldexp(high, scale).astype(run.kind)
@@ -309,14 +310,14 @@ def _errors(run: Run, at: Reference) -> Floats:
 
 
 def worst_places(alpha: Floats, error: Floats) -> Floats:
-    """The worst input of each of 64 parts of the domain, the worst of these first."""
+    """Return the worst input of each of 64 parts of the domain, the worst of these first."""
     parts = [p for p in np.array_split(np.argsort(alpha), 64) if p.size]
     tops = np.array([p[np.argmax(error[p])] for p in parts])
     return np.asarray(alpha[tops[np.argsort(-error[tops])]])
 
 
 def climb(run: Run, claim: str, starts: Floats) -> tuple[float, float]:
-    """The worst error that steps of ever fewer units in the last place find from these inputs, and where it is."""
+    """Return the worst error found from these inputs by steps of ever fewer units in the last place, and its input."""
     worst = np.full(starts.size, -1.0)
     for step in (2.0**k for k in range(30, -1, -2)):
         ulp = np.spacing(starts.astype(run.kind)).astype(np.float64)
@@ -335,7 +336,7 @@ def climb(run: Run, claim: str, starts: Floats) -> tuple[float, float]:
 
 
 def mean(error: Floats, alpha: Floats) -> Mean:
-    """Of the bin whose mean is the furthest beyond chance; bins with fewer than 20 inputs are left out."""
+    """Return the mean error of the bin farthest beyond chance; bins with fewer than 20 inputs are left out."""
     use = (alpha >= BINS[0]) & np.isfinite(error)
     error, alpha = error[use], alpha[use]
     place = np.searchsorted(BINS, alpha, side="right") - 1
@@ -359,7 +360,7 @@ def table(names: Iterable[str], at: Reference, even: NDArray[np.bool_]) -> Itera
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The command; its exit status."""
+    """Return the command; its exit status."""
     parser = argparse.ArgumentParser(description="Worst errors seen, beside what is proved.")
     parser.add_argument("kernels", nargs="*", metavar="KERNEL", help=f"of {', '.join(KERNELS)}; default: all")
     parser.add_argument("--points", type=int, default=1_000_000, help="number of inputs (default: 1000000)")

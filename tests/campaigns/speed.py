@@ -66,7 +66,7 @@ def frictions(count: int) -> Floats:
 
 
 def together(law: str, accuracy: float, mu: Floats) -> Floats:
-    """An ensemble by this package: rotations and times at rest, dimensionless; peak velocities come along."""
+    """Return an ensemble by this package: rotations and times at rest, dimensionless; peak velocities come along."""
     motion = solve(replace(VAIONT, friction=friction(law, mu)), accuracy)
     return np.array([motion.run_out / ARC.radius, motion.duration / ARC.time_scale])
 
@@ -130,7 +130,7 @@ def block(values: Floats, step: float, yields: float, scales: Floats) -> Floats:
 
 
 def records() -> Iterator[Row]:
-    """A frozen arc under a record at many scales, beside Numba's loop for the rigid block: of one sample."""
+    """Yield a frozen arc under a record at many scales, beside Numba's loop for the rigid block: of one sample."""
     if find_spec("numba") is None:
         print("records: not measured, as Numba is not installed", file=sys.stderr)
         return
@@ -145,7 +145,7 @@ def records() -> Iterator[Row]:
 
 
 def threads() -> Iterator[Row]:
-    """A million scenes by threads on all cores, beside one thread: by the clock, not by the processor's time."""
+    """Yield a million scenes by threads on all cores, beside one thread: by the clock, not by the processor's time."""
     cores = os.cpu_count() or 1
     parts = np.array_split(frictions(MANY), 64)
 
@@ -160,14 +160,14 @@ def threads() -> Iterator[Row]:
 
 
 def layered(name: str) -> object:
-    """An ensemble of layered ground over one number, with what it takes to lay it out."""
+    """Return an ensemble of layered ground over one number, with what it takes to lay it out."""
     values = np.asarray(LAYERED.numbers[name]) * np.linspace(0.998, 1.002, GEOMETRIES)
     scenes, invalid = with_parameter_arrays(LAYERED, {name: values})
     return solve(scenes, ACCURACY, invalid=invalid).outcomes["run_out"]
 
 
 def layers() -> Iterator[Row]:
-    """A layered ensemble over its geometry, beside one over a soil's cohesion, which has one geometry."""
+    """Yield a layered ensemble over its geometry, beside one over a soil's cohesion, which has one geometry."""
     works = [partial(layered, name) for name in ("radius", "soils.clay.cohesion")]
     yield Row("layered, over geometry", "over cohesion", *medians(works, GEOMETRIES))
 
@@ -255,7 +255,7 @@ def picture(path: Path) -> None:
 
 
 def measured(level: str) -> list[Row]:
-    """The rows by the binary of a level."""
+    """Return the rows by the binary of a level."""
     environment = {**os.environ, "SLIPCIRCLE_COMPILED": level}
     command = [sys.executable, "-m", "tests.campaigns.speed"]
     done = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True)

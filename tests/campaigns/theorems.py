@@ -43,7 +43,7 @@ class Case(NamedTuple):
 
 
 def drawn(index: int, seed: int) -> Case:
-    """Every tenth arc is a half disc, and every third friction next to its limit."""
+    """Return a random case; every tenth arc is a half disc, and every third friction is next to its limit."""
     rng = np.random.default_rng([seed, index])
     alpha = np.pi / 2 if index % 10 == 0 else 10 ** rng.uniform(-6.0, np.log10(1.57))
     middle, radius = 1.5 * np.pi - rng.uniform(0.02, 1.3), 10 ** rng.uniform(0.0, 4.0)
@@ -64,7 +64,7 @@ def errors(motion: Motion, proof: Theorem) -> list[float]:
 
 
 def compared(index: int, seed: int) -> tuple[Case, str, float, float]:
-    """A case, how it ends, its largest error and the estimate; the error is infinite where it ends otherwise."""
+    """Return a case, how it ends, its largest error and the estimate; the error is infinite where it ends otherwise."""
     case = drawn(index, seed)
     proof, motion = theorem(case.slide), case.motion()
     alike = proof.status == "rests" and motion.arrested

@@ -1,1 +1,1 @@
-"""What tests share: quadrature of the definitions, Taylor series, reference data, scenes, readers of output."""
+"""Shared parts of tests: quadrature of the definitions, Taylor series, reference data, scenes, readers of output."""

@@ -35,13 +35,13 @@ class Error(NamedTuple):
 
 
 def scene(row: dict[str, Any]) -> Scene:
-    """A row's scene."""
+    """Return a row's scene."""
     return golden.built("", row["scene"])
 
 
 @cache
 def solved(number: int) -> Motion:
-    """Its motion, by default accuracy."""
+    """Return the motion of a reference scene with default accuracy."""
     return slipcircle.solve(scene(ROWS[number]))
 
 
@@ -85,7 +85,7 @@ def near_limit(number: int) -> bool:
 
 
 def misses(motion: Motion, given: golden.Data, terms: int = 26, digits: int = 22) -> dict[str, float]:
-    """By how much more than the estimated error a motion is off its Taylor series, 1 at most where all is well."""
+    """Return the errors of a motion compared with its Taylor series, over the estimated error; 1 at most is correct."""
     if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
         given = given | {"end_time": motion.duration}
     with ctx.workprec(160):

@@ -52,7 +52,7 @@ def random_section(rng: np.random.Generator, strongest: float = 1.0, **given: An
 
 
 def antiderivatives(x: Any, y: Any) -> Any:
-    """Over y of -y/rho, x/rho, rho, x, y, rho^2 and 1, rho the distance from the centre."""
+    """Return antiderivatives over y of -y/rho, x/rho, rho, x, y, rho^2 and 1; rho is the distance from the centre."""
     rho, log = np.sqrt(x**2 + y**2), np.arcsinh(y / np.abs(x))
     return np.array([-rho, x * log, (y * rho + x**2 * log) / 2, x * y, y**2 / 2, x**2 * y + y**3 / 3, y])
 
@@ -179,12 +179,12 @@ class AlongTheArc:
         return mass
 
     def line(self, top: Any) -> Any:
-        """A line of the slope, or a height, with x that grows."""
+        """Return a line of the slope, or a height, with x that grows."""
         points = np.asarray(top) if np.ndim(top) else np.array([[self.centre[0], top]])
         return (points - self.centre)[:: self.facing] * [self.facing / self.radius, 1.0 / self.radius]
 
     def weights(self, b: Any) -> tuple[Any, Any]:
-        """Of the soils, and of the surcharges, above points of the arc."""
+        """Return the weights of the soils and of the surcharges above points of the arc."""
         x, y = np.sin(b), -np.cos(b)
         ground, *_ = tops = np.minimum.accumulate([np.interp(x, *line.T) for line in self.lines])
         bounds = [*np.maximum(tops, y), y]
@@ -222,7 +222,7 @@ class AlongTheArc:
 
     @lru_cache(1)  # noqa: B019 (one question follows another of the same state)
     def columns(self, rotation: float = 0.0, strength: str = "base") -> Columns:
-        """After the mass has turned; strength is that of the base or turns with the mass."""
+        """Return the strips after a rotation; strength belongs to the base or turns with the mass."""
         first, last = self.ends
         edges = np.concatenate([self.kinks, self.kinks - rotation, self.ends - rotation, np.linspace(first, last, 9)])
         edges = np.concatenate([edges, self.at_pool(rotation)])
@@ -270,13 +270,13 @@ class AlongTheArc:
         return radial * np.cos(turn) - tangential * np.sin(turn) + speed * whole[2]
 
     def means(self, state: Any) -> tuple[float, float]:
-        """Of total normal stress and of pore pressure along the arc, Pa."""
+        """Return the means of total normal stress and of pore pressure along the arc, Pa."""
         columns = self.columns(float(state.rotation), self.slope.strength)
         sums = [(value * columns.length).sum() for value in (self.normal(state, columns), columns.pressure)]
         return sums[0] / np.ptp(self.ends), sums[1] / np.ptp(self.ends)
 
     def acceleration(self, state: Any, strength_factor: float = 1.0) -> float:
-        """Return that of a turning mass, m/s^2, with strength times a factor."""
+        """Return the acceleration of a turning mass, m/s^2, with strength times a factor."""
         section, turn = self.slope, float(state.rotation)
         columns = self.columns(turn, section.strength)
         whole = (columns.soil + columns.load) * np.cos(columns.b)
@@ -305,7 +305,9 @@ class AlongTheArc:
         return Slide(self.radius * rotation, time, self.radius * omega)
 
     def factors(self, k_h: float, bishop: float) -> dict[str, float]:
-        """By three methods, Bishop's from his own, and the share of the arc under negative normal stress."""
+        """Return factors of safety by three methods, given Bishop's, and the share of the arc under negative
+        normal stress.
+        """
         columns = self.columns()
         cosine, sine, length = np.cos(columns.b), -np.sin(columns.b), columns.length  # a positive sine drives
         whole = (columns.soil + columns.load) * cosine

@@ -32,7 +32,7 @@ def exactly(time: Any, rates: Any, tail: float) -> tuple[list[Any], list[Any], A
     xs, vs = [x], [v]
 
     def follow(a: Any, b: Any, h: Any, since: Any) -> None:
-        """With an acceleration from a to b of one sign."""
+        """Integrate over a time in which the acceleration changes linearly from a to b without a change of sign."""
         nonlocal x, v, stop
         bend = (b - a) / h
         if v + (a + b) / 2 * h >= 0:

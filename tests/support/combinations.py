@@ -32,7 +32,7 @@ def arc(name: str) -> dict[str, float]:
 
 
 def friction(law: str, low: float, high: float, length: float, speed: float, pace: float, of: Any = ()) -> Any:
-    """A law of that name, or a product of two, which falls from high to low over a length, a speed, or a time."""
+    """Return the law of this name, or a product of two, falling from high to low over a length, a speed or a time."""
     falls = {"law": "exponential" if law == "callable" else law, "peak": high, "residual": low}
     match law:
         case "constant":
@@ -54,7 +54,7 @@ def friction(law: str, low: float, high: float, length: float, speed: float, pac
 
 
 def drawn(effects: tuple[str, ...], law: str, seed: int) -> golden.Data:
-    """A scene of an arc, a start and parameters drawn so that every effect matters."""
+    """Return a scene of an arc, a start and parameters drawn so that every effect matters."""
     rng = np.random.default_rng([seed, LAWS.index(law), ALL.index(effects)])
     given = arc(str(rng.choice(list(ARCS))))
     m = {k: float(v) for k, v in oracle.moments(given).items()}
@@ -95,7 +95,7 @@ def drawn(effects: tuple[str, ...], law: str, seed: int) -> golden.Data:
 
 
 def built(given: golden.Data, law: str = "") -> Scene:
-    """The scene; its law as a Python function where that is asked for."""
+    """Return the scene; its law as a Python function where that is asked for."""
     scene = golden.built(law, given)
     if law != "callable":
         return scene

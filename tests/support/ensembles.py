@@ -44,6 +44,8 @@ COLUMN: dict[str, Any] = {"radius": np.array([[60.0], [45.0]])}
 TWO = Arc(**golden.SLOPE | COLUMN)
 LINEAR = {"law": "linear", "peak": np.array([0.2, 0.22, 0.24]), "residual": 0.17, "length": 2.0}
 PAIRS = [*zip(2 * [*golden.LAWS], 2 * [*golden.EFFECTS], strict=False)]
+DAM = [(-40, 0), (0, 0), (40, 16), (50, 16), (90, 0), (130, 0)]
+POOLS = np.array([[(-40, y), (0, y), (90 - 2.5 * y, y), (130, y)] for y in (3.0, -1.0, 1.0)])  # one leaves the toe dry
 SCENES: dict[str, Scene] = {
     **{f"{law}, {effects}": of_arcs(law, effects) for law, effects in PAIRS},
     "rows and columns": replace(golden.built("", golden.scene(LINEAR, {"rotation": {}})), arc=TWO),
@@ -54,6 +56,8 @@ SCENES: dict[str, Scene] = {
     "levels": of_sections(level=LOWERED, centre=[33.0, 56.0], radius=28.0),
     "circles under a level": of_sections(level=LEVEL, centre=[[33.0, 56.0], [33.05, 55.97], [32.94, 56.02]],
                                          radius=np.array([28.0, 28.03, 27.96])),
+    "standing water": replace(
+        of_sections(ground=DAM, centre=[82, 44], radius=np.array([44.0, 43.0, 44.0]), level=POOLS), friction=0.1),
     "one soil": replace(of_sections(unit_weight=np.array([19e3, 20e3])), friction=np.array([0.2, 0.25]),
                         effects={"rotation": {}, "cohesion": {"cohesion": np.array([2e3, 3e3])}}),
     "soils, the base": of_layers(profile("softening", "base"), SOILS),
@@ -66,7 +70,7 @@ SCENES: dict[str, Scene] = {
 
 
 def stacked(values: Sequence[Any]) -> Any:
-    """What differs from lane to lane as an array."""
+    """Return values that differ between lanes as arrays, and others as they are."""
     first = values[0]
     if isinstance(first, dict):
         return {k: stacked([v[k] for v in values]) for k in first}
@@ -74,7 +78,7 @@ def stacked(values: Sequence[Any]) -> Any:
 
 
 def together(rows: Sequence[golden.Data], accuracy: float = 1e-9) -> Any:
-    """The ensemble of these scenes, solved."""
+    """Return the ensemble of these scenes, solved."""
     given = stacked(rows)
     return solve(Scene(Arc(**given["arc"]), given["friction"], given["effects"], given["initial_velocity"],
                        given["end_time"]), accuracy)  # fmt: skip

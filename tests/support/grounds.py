@@ -12,13 +12,13 @@ Ground = list[tuple[float, float]]
 
 
 def moments(ground: Ground, centre: tuple[float, float], radius: float) -> dict[str, float]:
-    """As the run time computes them, of all that lies inside the circle."""
+    """Return the moments that the package computes for all parts of the mass inside the circle."""
     parts = circles.cut(np.array([ground]), np.array([centre]), np.array([radius]))
     return {k: float(v[0]) for k, v in circles.moments(parts, parts.stretch >= 0).items()}
 
 
 def bumpy(rng: np.random.Generator, edges: int) -> tuple[Ground, tuple[float, float], float]:
-    """A random profile and a circle that cuts it once."""
+    """Return a random profile and a circle that cuts it once."""
     while True:
         x = np.sort(rng.uniform(-1.5, 1.5, edges + 1))
         y = rng.uniform(-0.6, 0.6) * x + rng.uniform(0, 0.25) * rng.standard_normal(edges + 1)

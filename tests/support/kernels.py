@@ -26,7 +26,7 @@ SEAM = 2 * np.arctan(0.4)  # where tan(alpha/2) reaches 2/5: the series ends and
 
 
 def neighbours(x: float, count: int) -> list[float]:
-    """The doubles around x, nearest first below and above."""
+    """Return the doubles around x, nearest first below and above."""
     below, above = [x], [x]
     for _ in range(count):
         below.append(float(np.nextafter(below[-1], -1.0)))

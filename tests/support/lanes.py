@@ -35,7 +35,7 @@ def backend(name: str) -> Iterator[None]:
 
 
 def posed(scene: Scene, accuracy: float | None = None) -> Problem:
-    """The problem of a scene."""
+    """Return the problem of a scene."""
     return problem_of(plan(scene, accuracy))
 
 
@@ -48,7 +48,7 @@ def integrate(problem: Problem, which: Any = slice(None), name: str = BACKENDS[0
 
 
 def work(motion: Motion) -> tuple[int, int]:
-    """Steps of a single scene in C, which is called for one at a time, and the operations on series in them."""
+    """Return the steps of a single scene in C, called for one at a time, and the operations on series in them."""
     problem = motion.problem
     one_step = patch.object(compiled, "ROUNDS", 1)
     counting = patch.object(BINARY, "integrate", wraps=BINARY.integrate)

@@ -24,7 +24,7 @@ def tangent(degrees: Any) -> Any:
 
 
 def profile(name: str, strength: str = "base", **given: Any) -> LayeredSection:
-    """The slope of `MOTIONS` with the soils of one of its profiles."""
+    """Return the slope of `MOTIONS` with the soils of one of its profiles."""
     rows, length = PROFILES[name]
     soils = []
     for k, (unit_weight, cohesion, peak, residual) in enumerate(rows):
@@ -45,12 +45,12 @@ BELOW_GROUND = [(-60, 12), (0, 9), (40, -1.4), (120, -1.8)]
 
 
 def sloping(soils: Any, tops: Any = TOPS, **given: Any) -> LayeredSection:
-    """The slope of `profile` with other soils."""
+    """Return the slope of `profile` with other soils."""
     return LayeredSection(GROUND, (30, 45), 48.0, layers=list(zip(soils, tops, strict=True)), **given)
 
 
 def of_each_soil(**given: Any) -> LayeredSection:
-    """A friction law of its own for each soil."""
+    """Return a friction law of its own for each soil."""
     rows: Any = zip((18e3, 19e3, 17e3, 21e3), (3e3, 2e3, 1e3, 0.0), LAWS, "abcd", strict=True)
     return sloping([Soil(w, c, law, name=name) for w, c, law, name in rows], strength="mass", **given)
 

@@ -1,4 +1,4 @@
-"""What holds for every motion: finite states, rest after an arrest, energy in balance."""
+"""Properties of every motion: finite states, rest after an arrest, energy in balance."""
 
 from dataclasses import asdict, replace
 from typing import Any
@@ -13,7 +13,7 @@ def size(found: Any) -> float:
 
 
 def residual(motion: Motion, count: int = 21) -> float:
-    """The worst energy residual at any time, relative to all energy there was until then.
+    """Return the worst energy residual at any time, relative to all energy there was until then.
 
     Until then, not just then: a pendulum at its far standstill has neither speed nor work.
     """

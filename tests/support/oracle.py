@@ -31,7 +31,7 @@ WHOLE = {m.name: m.amplitude[0] for m in MOMENTS if m.amplitude}
 
 
 def exact(x: float | Fraction) -> arb:
-    """The double, or the fraction, as a ball of radius zero (a fraction: of the precision's)."""
+    """Return the double, or the fraction, as a ball of radius zero (a fraction: of the precision's)."""
     ratio = Fraction(x)
     return arb(fmpq(ratio.numerator, ratio.denominator))
 
@@ -43,7 +43,7 @@ def radians(alpha: Fraction) -> arb:
 
 @cache
 def over_cube(name: str, alpha: Fraction) -> arb:
-    """A base quantity over alpha**3, by rigorous quadrature over r and u of its double integrand, 0 < alpha.
+    """Return a base quantity over alpha**3, by rigorous quadrature over r and u of its double integrand, 0 < alpha.
 
     The exact inner rule is Gauss-Legendre's with three points, for up to the fifth power of r. The outer variable
     is x = u/alpha. Over a thin arc 1 - chord is of order alpha**2, and gets the extra bits for that.
@@ -73,7 +73,7 @@ def over_cube(name: str, alpha: Fraction) -> arb:
 
 
 def kernel(name: str, alpha: float | Fraction) -> arb:
-    """A base quantity or a quotient of two, at least 50 digits."""
+    """Return a base quantity or a quotient of two, at least 50 digits."""
     half = Fraction(alpha)
     with ctx.workprec(BITS + 40):
         if name in QUOTIENTS:
@@ -84,7 +84,9 @@ def kernel(name: str, alpha: float | Fraction) -> arb:
 
 
 def whole(name: str, theta_1: float, theta_2: float) -> tuple[arb, arb]:
-    """A moment of the exact two angles, such as J_r, and its amplitude: of theta_m + u the part even in u is left."""
+    """Return a moment of the exact two angles, such as J_r, and its amplitude: of theta_m + u the part even in u is
+    left.
+    """
     half, middle = (Fraction(theta_2) - Fraction(theta_1)) / 2, (Fraction(theta_1) + Fraction(theta_2)) / 2
     amplitude = kernel(WHOLE[name], half)
     with ctx.workprec(BITS + 1100):  # of an angle near a multiple of pi/2, all that is left
@@ -95,7 +97,7 @@ def whole(name: str, theta_1: float, theta_2: float) -> tuple[arb, arb]:
 
 
 def limit_friction(theta_1: float, theta_2: float) -> arb:
-    """J_theta/J_r."""
+    """Return the limit friction J_theta/J_r."""
     (moment, _), (radial, _) = (whole(name, theta_1, theta_2) for name in ("weight_moment", "radial_weight"))
     with ctx.workprec(BITS + 40):
         return moment / radial
@@ -133,7 +135,7 @@ def moments(arc: Mapping[str, float]) -> dict[str, arb]:
 
 
 def plain(arc: Any) -> dict[str, float]:
-    """The fields of an `Arc`."""
+    """Return the fields of an `Arc`."""
     fields = ("radius", "theta_1", "theta_2", "unit_weight", "gravity")
     return {name: float(np.asarray(getattr(arc, name))) for name in fields}
 

@@ -14,35 +14,35 @@ COMPUTING = "slipcircle: computing; Ctrl-C stops it\n"  # which a busy machine p
 
 
 def words_of(png: bytes) -> list[str]:
-    """What titles, axes and legends of a picture say, as the program writes it into the file."""
+    """Return the titles, labels and legends that the program writes into the file of a picture."""
     return str(getattr(Image.open(io.BytesIO(png)), "text", {}).get("Description", "")).split("\n")
 
 
 def columns(table: str) -> dict[str, list[str]]:
-    """The cells of a printed table by the label of their row."""
+    """Return the cells of a printed table by the label of their row."""
     found = (re.split(r"  +", line) for line in table.splitlines() if "  " in line.strip())
     return {label: cells for label, *cells in found if label}
 
 
 def printed(motion: Motion) -> dict[str, str]:
-    """All printed results of a motion by label."""
+    """Return all printed results of a motion by label."""
     return {label: text for rows in motion_groups(motion).values() for label, text in rows.items()}
 
 
 def blocks(text: str, kind: str) -> list[str]:
-    """The code blocks of a kind in a document; in the book they may have a caption."""
+    """Return the code blocks of a kind in a document; in the book they may have a caption."""
     found = re.findall(r"^```(?:\{code-block\} )?(\w*)\n(?::\w+: [^\n]*\n\n)?(.*?)^```", text, re.DOTALL | re.MULTILINE)
     return [code for block, code in found if block == kind]
 
 
 def tree(text: str) -> Any:
-    """The page as XML, which it must be as well."""
+    """Return the page as XML, which it must be as well."""
     assert text.startswith("<!DOCTYPE html>\n")
     return ElementTree.fromstring(text.partition("\n")[2])
 
 
 def rows(page: Any) -> dict[str, Any]:
-    """The last cell of every table row, by the text of its first."""
+    """Return the last cell of every table row, by the text of its first."""
     found = {}
     for row in page.iter("tr"):
         cells = list(row)

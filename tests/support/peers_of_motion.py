@@ -32,7 +32,7 @@ LAWS: Mapping[str, Mapping[str, Any]] = {
 
 
 def friction(law: str, mu: Any) -> Any:
-    """The law with this coefficient at its start, as scenes have it."""
+    """Return the law with this coefficient at its start, as scenes have it."""
     return {**LAWS[law], "peak": mu} if LAWS[law] else mu
 
 
@@ -53,13 +53,13 @@ def acceleration(law: str, mu: Any, phi: Any, omega: Any, functions: Any) -> Any
 
 
 def equations(law: str) -> list[tuple[Any, Any]]:
-    """The system in heyoka's expressions."""
+    """Return the system in heyoka's expressions."""
     phi, omega = hy.make_vars("phi", "omega")
     return [(phi, omega), (omega, acceleration(law, hy.par[0], phi, omega, hy))]
 
 
 def in_batches(law: str, tolerance: float, lanes: int) -> Callable[[Floats], Floats]:
-    """By heyoka in batches of so many neighbouring frictions; lanes that have not come to rest run on."""
+    """Return a solver by heyoka in batches of so many frictions; lanes that have not come to rest continue."""
     system = equations(law)
     standstill = hy.t_event_batch(system[1][0], direction=hy.event_direction.negative)
     integrator = hy.taylor_adaptive_batch(
@@ -100,7 +100,7 @@ def one_by_one(solver: Callable[[float], tuple[float, float]], mu: Floats) -> Fl
 
 
 def alone(law: str, tolerance: float) -> Callable[[Floats], Floats]:
-    """By heyoka's scalar class."""
+    """Return a solver by heyoka's scalar class."""
     system = equations(law)
     standstill = hy.t_event(system[1][0], direction=hy.event_direction.negative)
     integrator = hy.taylor_adaptive(
@@ -120,7 +120,7 @@ def alone(law: str, tolerance: float) -> Callable[[Floats], Floats]:
 
 
 def by_scipy(method: str, law: str, tolerance: float) -> Callable[[Floats], Floats]:
-    """By a method of SciPy's `solve_ivp`."""
+    """Return a solver by a method of SciPy's `solve_ivp`."""
 
     def solver(mu: float) -> tuple[float, float]:
         def slope(t: float, state: Floats) -> tuple[float, float]:

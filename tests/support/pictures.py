@@ -15,19 +15,19 @@ from slipcircle.tables import Pulse
 
 
 def canvas(size: tuple[float, float] = (7.0, 5.0), dpi: float = 100) -> Figure:
-    """An empty figure that can be rendered."""
+    """Return an empty figure that can be rendered."""
     figure = Figure(figsize=size, dpi=dpi, layout="constrained")
     FigureCanvasAgg(figure)
     return figure
 
 
 def drawn(size: tuple[float, float] = (7.0, 5.0)) -> Any:
-    """An empty axis that can be rendered."""
+    """Return an empty axis that can be rendered."""
     return canvas(size).add_subplot()
 
 
 def legend(ax: Any) -> list[str]:
-    """What the axis and its twins say beside curves, in legends and in notes above the axis."""
+    """Return the texts beside curves of an axis and its twins, in legends and in notes above the axis."""
     said = [words for words in [ax.get_title("right")] if words]
     for one in ax.figure.axes:
         if one.bbox.bounds == ax.bbox.bounds:
@@ -37,7 +37,7 @@ def legend(ax: Any) -> list[str]:
 
 
 def texts(figure: Any) -> Iterator[tuple[str, Any]]:
-    """Every text that is seen, and its box in pixels."""
+    """Return every visible text and its box in pixels."""
     figure.draw_without_rendering()
     renderer = figure.canvas.get_renderer()
     hidden = set()

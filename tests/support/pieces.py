@@ -19,7 +19,7 @@ class Pieces(NamedTuple):
     functions: tuple[Function, ...]
 
     def at(self, x: arb) -> int:
-        """The piece that begins at a place or holds there."""
+        """Return the piece that begins at a place or holds there."""
         return bisect_right(self.breaks, x)
 
     def on(self, x: arb) -> arb_series:
@@ -28,7 +28,7 @@ class Pieces(NamedTuple):
 
 
 def polynomial(start: arb, *coefficients: Any, argument: Function = lambda x: x) -> Function:
-    """Of what an argument has grown by since a place."""
+    """Return a polynomial in the growth of an argument since a place."""
 
     from_here = argument(arb_series([start]))[0]
 

@@ -50,7 +50,7 @@ ANSWERED = (
 
 
 def promises() -> set[str]:
-    """All of them, one text each."""
+    """Return all promises, one text each."""
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["optional-dependencies"]
     return {
         *_of_module(generated),
@@ -64,7 +64,7 @@ def promises() -> set[str]:
 
 
 def unannounced(missing: Iterable[str], changelog: str) -> set[str]:
-    """Those that no backticks under "Removed" have, nor what they belong to."""
+    """Return the missing promises that are not listed under "Removed", nor belong to a listed name."""
     parts = re.findall(r"^### Removed\n(.*?)(?=^##|\Z)", changelog, re.MULTILINE | re.DOTALL)
     said = {text for part in parts for text in re.findall(r"`([^`]+)`", part)}
     return {name for name in missing if not said & {name, *(name[: m.start()] for m in re.finditer(r"[.( ]", name))}}
@@ -99,7 +99,7 @@ def _of_class(kind: Any, path: str) -> Iterator[str]:
 
 
 def _parameters(called: Callable[..., Any], path: str) -> Iterator[str]:
-    """Those that may be given by name."""
+    """Return the parameters that may be given by name."""
     by_name = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
     for name, parameter in inspect.signature(called).parameters.items():
         if parameter.kind in by_name and name not in ("self", "cls") and not name.startswith("_"):

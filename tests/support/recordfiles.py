@@ -29,7 +29,7 @@ def packed(values: Sequence[float], form: str, per_line: int) -> str:
 
 
 def of_three(*factors: float) -> list[Any]:
-    """The three components in another order or unit: by their shares of the first."""
+    """Return the three components in another order or unit: by their shares of the first."""
     return [factor * NORTH for factor in factors]
 
 

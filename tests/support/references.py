@@ -27,7 +27,7 @@ SHARES = (0.137, 0.391, 0.618, 0.874)  # of the duration, at which scenes of tim
 
 
 def digits(group: str) -> int:
-    """To which a group's motions are known."""
+    """Return the number of known digits of a group's motions."""
     return 30 if group in STEADY else 20
 
 
@@ -48,7 +48,7 @@ def agree(one: Any, two: Any, digits: int) -> bool:
 
 
 def first_fit(draw: Callable[[], dict[str, Any]], digits: int, *problem: Any, **limits: Any) -> dict[str, Any]:
-    """The first random scene that moves and comes to an end, and its motion, which longer series confirm."""
+    """Return the first random scene that moves and comes to an end, and its motion, which longer series confirm."""
     for _ in range(1000):
         try:
             scene = draw()
@@ -64,7 +64,7 @@ def first_fit(draw: Callable[[], dict[str, Any]], digits: int, *problem: Any, **
 
 
 def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: float, depth: float) -> dict[str, Any]:
-    """A random scene of a group, of a mass with a limit friction and a depth of its arc below the chord."""
+    """Return a random scene of a group, of a mass with a limit friction and a depth of its arc below the chord."""
     stress, pace = arc["unit_weight"] * depth, math.sqrt(arc["radius"] / arc["gravity"])
     speed = math.sqrt(arc["radius"] * arc["gravity"])
     low, high = limit * rng.uniform(0.3, 0.9), limit * rng.uniform(1.02, 1.6)
@@ -102,7 +102,7 @@ def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: flo
         return given | ({"two_way": True} if rng.random() < 0.3 else {})
 
     def law(name: str, peak: float, residual: float) -> Any:
-        """A friction law of a random length and speed; without a name one of slip."""
+        """Return a friction law of a random length and speed; without a name one of slip."""
         name = name or str(rng.choice(["exponential", "linear", "hyperbolic"]))
         share = float(10 ** rng.uniform(-3, -1))
         return friction_law(name, residual, peak, share * arc["radius"], 30 * share * speed, pace)

@@ -77,7 +77,7 @@ class Section(taylor.Problem):
         return [((number(x) - x0) / r, (number(y) - y0) / r) for x, y in points]
 
     def _mean_height(self, arc: Mapping[str, Any], ground: Any) -> arb:
-        """Of the ground above the arc, over R: r_u is a share of gamma times it."""
+        """Return the mean height of the ground above the arc over R; r_u is a share of gamma times this height."""
         total = arb(0)
         for p, q in pairwise(self._line(arc, ground)):
             low, high = (max(p[0].asin(), self.ends[0], key=float) if abs(p[0]) < 1 else self.ends[0],
@@ -87,7 +87,7 @@ class Section(taylor.Problem):
         return total / (self.ends[1] - self.ends[0])
 
     def _wet(self, arc: Mapping[str, Any], stress: arb) -> None:
-        """Where the arc lies below the level: pieces of the circle, and the rotations at which a formula ends."""
+        """Determine the parts of the arc below the level and the rotations at which a formula ends."""
         self.pieces_of_level: list[tuple[arb, arb, tuple[Any, Any] | None, arb]] = []
         self.borders = []
         if not arc.get("level"):
@@ -137,7 +137,7 @@ def _area(p: tuple[arb, arb], q: tuple[arb, arb], beta: Any) -> Any:
 
 
 def drawn(group: str, rng: np.random.Generator) -> dict[str, Any]:
-    """A random scene of a group."""
+    """Return a random scene of a group."""
     ground, centre, radius = bumpy(rng, int(rng.integers(2, 9)))
     size = float(10 ** rng.uniform(0.0, 3.0))
     arc: dict[str, Any] = {"ground": [[size * x, size * y] for x, y in ground], "centre": [size * c for c in centre],
@@ -171,14 +171,14 @@ def plain(arc: Mapping[str, Any], friction: float) -> dict[str, Any]:
 
 
 def row(index: int, seed: int = SEED) -> dict[str, Any]:
-    """A scene, drawn until it fits, and its motion."""
+    """Return a scene, drawn until it fits, and its motion."""
     group = GROUPS[index % len(GROUPS)]
     rng = np.random.default_rng([seed, index])
     return {"group": group} | references.first_fit(lambda: drawn(group, rng), 28, Section)
 
 
 def scene(given: Mapping[str, Any]) -> slipcircle.Scene:
-    """As the package takes it."""
+    """Return the scene of a row."""
     whole = golden.built("", {**given, "arc": golden.SLOPE})
     return replace(whole, arc=slipcircle.Section(**given["arc"]))
 

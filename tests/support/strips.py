@@ -17,7 +17,7 @@ Point = tuple[float, float]
 
 
 def inside(p: tuple[arb, arb], q: tuple[arb, arb], radius: arb) -> tuple[arb, arb] | None:
-    """The part of an edge inside the circle about the origin, as shares of it."""
+    """Return the part of an edge inside the circle about the origin, as shares of it."""
     e = (q[0] - p[0], q[1] - p[1])
     a, b = e[0] ** 2 + e[1] ** 2, p[0] * e[0] + p[1] * e[1]
     disc = b * b - a * (p[0] ** 2 + p[1] ** 2 - radius**2)
@@ -29,7 +29,7 @@ def inside(p: tuple[arb, arb], q: tuple[arb, arb], radius: arb) -> tuple[arb, ar
 
 
 def integrals(ground: Sequence[Point], centre: Point, radius: float, names: Iterable[str] = MEASURES) -> dict[str, arb]:
-    """All of `MEASURES`, or some, over powers of R, of all that lies inside the circle."""
+    """Return all of `MEASURES`, or some, of the mass inside the circle, over powers of R."""
     with ctx.workprec(BITS):
         cx, cy, r = exact(centre[0]), exact(centre[1]), exact(radius)
         points = [(exact(x) - cx, exact(y) - cy) for x, y in ground]
@@ -45,7 +45,7 @@ def integrals(ground: Sequence[Point], centre: Point, radius: float, names: Iter
 
 
 def strip(name: str, p: tuple[arb, arb], q: tuple[arb, arb], part: tuple[arb, arb], r: arb) -> arb:
-    """Of one edge: the inner integral over y is elementary, the outer one is a quadrature."""
+    """Return the integral over the strip below one edge: elementary over y, and by quadrature over x."""
     inner = INNER[name]
 
     def column(s: acb, analytic: bool) -> acb:

@@ -79,7 +79,7 @@ class Problem:
         self.kinks = sorted((b for c in courses for b in c.breaks), key=float)
 
     def measured(self, arc: Mapping[str, Any]) -> dict[str, arb]:
-        """What the balance needs of the failed mass."""
+        """Return the moments of the mass that the balance requires."""
         return oracle.moments(arc)
 
     borders: Sequence[arb] = ()  # rotations between which `under` is one formula
@@ -116,7 +116,7 @@ _AT = np.linspace(0.0, 1.0, 65)[1:]
 
 
 def zero(series: arb_series, h: arb, passed: bool = False) -> arb | None:
-    """The first zero in (0, h] of a series that is positive at first; None if it stays so.
+    """Return the first zero in (0, h] of a series that is positive at first; None if it stays so.
 
     One that has just passed zero is divided by the time.
     """
@@ -202,7 +202,7 @@ class Solution:
         self.rotation = phi
 
     def _drive(self, time: arb, phi: arb, slip: arb, excess: arb, side: int) -> arb:
-        """The drive less the resistance at rest."""
+        """Return the drive less the resistance at rest."""
         ctx.cap = 1
         fall, press = self.p.pressed(arb_series([phi]), time, side, self.place)
         normal = press[0] - self.p.level * excess
@@ -233,7 +233,9 @@ class Solution:
         return None
 
     def _episode(self, time: arb, phi: arb, slip: arb, excess: arb, omega: arb, side: int) -> tuple[arb, arb, arb, arb]:
-        """Until the mass stands still, or its time is over: when, how far, how fast, and the pressure."""
+        """Integrate until the mass stands still or its time is over; return time, distance, velocity and excess
+        pressure.
+        """
         p, x, piece, band = self.p, arb(0), self.p.slip.at(slip), self.p.speed.at(omega)
         lifted: bool | None = None
         last = "stands" if omega == 0 else ""
@@ -293,7 +295,7 @@ class Solution:
 
     def _series(self, time: arb, phi: arb, slip: arb, start: tuple[arb, arb, arb], side: int, piece: int, band: int,
                 lifted: bool, reach: arb | None) -> tuple[tuple[arb_series, ...], arb_series]:  # fmt: skip
-        """Of x, omega and the excess pressure, coefficient by coefficient and then in blocks; and of what presses.
+        """Return the series of x, omega and the excess pressure, and of the normal load.
 
         With n coefficients known, the slopes S of the series so far lack only what the next ones add, which is linear
         in them: y[k] k = S[k - 1] + sum J[i] y[k - 1 - i], n <= k < n + BLOCK, J being the Jacobian along the motion.
@@ -315,7 +317,7 @@ class Solution:
             return omega, rate, heat
 
         def jacobian() -> Iterator[list[list[arb]]]:
-            """By each variable, of each slope, the first coefficients: what t**BLOCK in the variable adds."""
+            """Yield for each variable the first coefficients that t**BLOCK in it adds to each slope."""
             ctx.cap = 2 * BLOCK - 1
             series, further = [arb_series(k) for k in known], arb_series([0] * BLOCK + [1])
             before = slopes(*series)
@@ -351,7 +353,7 @@ class Solution:
         return bool(max(sizes[-3:]) > max(sizes[:5]) * arb(10) ** -self.digits)
 
     def _length(self, y: tuple[arb_series, ...]) -> arb:
-        """Where the last terms are below the tolerance, relative to the largest of the first that count."""
+        """Return the time at which the last terms fall below the tolerance, relative to the largest first term."""
 
         def size(c: arb) -> float:
             return float(abs(c).log()) if c != 0 else -math.inf
@@ -381,7 +383,7 @@ class Solution:
         return max(self.tops, key=lambda top: abs(top[1]), default=(arb(0), arb(0)))
 
     def record(self, times: Sequence[float] = (), digits: int = 30) -> dict[str, Any]:
-        """The motion as numbers of so many digits, in SI units, with states at some times."""
+        """Return the motion as numbers of so many digits, in SI units, with states at some times."""
         p, (top, fastest) = self.p, self.peak()
         states = [self.state(number(t) / p.scale) for t in times]
 
@@ -406,7 +408,7 @@ class Solution:
 
 def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30,
           problem: Callable[[Mapping[str, Any]], Problem] = Problem, **limits: Any) -> dict[str, Any]:  # fmt: skip
-    """The motion of a scene to so many digits, with states at these shares of its duration."""
+    """Return the motion of a scene to so many digits, with states at these shares of its duration."""
     with ctx.workprec(120 + 5 * digits):
         found = Solution(problem(scene), digits + 12, digits + 8, **limits)
         duration = float(found.duration * found.p.scale)

@@ -17,7 +17,7 @@ OUTSIDE = np.array([-0.1, 1.6, np.nan, np.inf])
 
 
 def slope(name: str, args: list[float], k: int) -> float:
-    """A central difference of the function by argument k, for comparison: good to ten digits."""
+    """Return a central difference of the function by argument k, for comparison: good to ten digits."""
     function = getattr(kernels, name)
 
     def at(h: float) -> Any:

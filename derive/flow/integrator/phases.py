@@ -150,6 +150,8 @@ def resolve_stick_or_slip(lane: Lane) -> None:
     may = may_start(lane)
     terms = abs(lane.driving) + lane.resisting
     unsure = EPS * (terms + lane.mu * abs(lane.normal0))
+    of_weight = lane.driving == lane.driving_moment and lane.normal0 == lane.normal_load and lane.resisting == 0.0
+    unsure = where(lane.limit_rest * lane.drive != 0.0 and of_weight, lane.drive_scale, unsure)
     if may:
         lane.close = minimum(lane.close, abs(lane.drive) / maximum(unsure, CLOSEST))
     if may and lane.drive > 0.0:

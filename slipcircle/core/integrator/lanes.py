@@ -44,6 +44,8 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         engine().integrate(problem.program, problem.tables(), cells, samples, log)
         if problem.reach_farther(cells[ix.REACH_ROTATION]):
             continue
+        if begin is None and samples is None and log is None:
+            _decide_again(problem, cells)
         status = cells[ix.STATUS]
         if not status.size or status[status.argmax()] < ix.TOO_LONG:  # for one lane a third of the time of max()
             return cells
@@ -56,6 +58,15 @@ def _integrate(problem: Problem, begin: Floats | None, samples: Samples | None, 
         lazy_import("functions").extend_to_end(problem, cells, engine().integrate)
 
 
+def _decide_again(problem: Problem, cells: Floats) -> None:
+    """Solve lanes that start close to their limit friction again, with the exact limit friction."""
+    lanes = problem.refine(cells[ix.CLOSE])
+    if len(lanes):
+        refined = problem.cells(lanes)
+        engine().integrate(problem.program, problem.tables(lanes), refined)
+        cells[:, lanes] = refined
+
+
 def _stop_swinging(problem: Problem, cells: Floats) -> bool:
     """Have lanes that turned back too often end at their first standstill; return whether there are any."""
     turns_on = cells[ix.TURNS] > ix.MOST_TURNS
@@ -63,7 +74,7 @@ def _stop_swinging(problem: Problem, cells: Floats) -> bool:
     swings = turns_on & ~ends & (cells[ix.STATUS] == ix.TOO_LONG)
     if not swings.any():
         return False
-    problem.ending_first(np.where(swings, 1.0, cells[ix.FIRST_ONLY]))
+    problem.begin_with(FIRST_ONLY=np.where(swings, 1.0, cells[ix.FIRST_ONLY]))
     return True
 
 

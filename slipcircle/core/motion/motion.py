@@ -20,7 +20,7 @@ from slipcircle.base.kinds import Names, Numbers, Shape, cached_property
 from slipcircle.core.integrator.lanes import integrate
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.motion.states import State, Status, state_of, statuses
-from slipcircle.core.problem.plan import Plan
+from slipcircle.core.problem.plan import Plan, recipe_of
 from slipcircle.core.problem.problem import Problem, problem_of
 
 
@@ -54,7 +54,8 @@ class Motion(Conversions, Generic[Numbers]):
     @cached_property
     def problem(self) -> Problem:
         """Scene's initial value problem, as integrated."""
-        return problem_of(self.plan, self.invalid).ending_first(self._final[ix.FIRST_ONLY])
+        first_only, limit_rest = self._final[ix.FIRST_ONLY], self._final[ix.LIMIT_REST]
+        return problem_of(self.plan, self.invalid).begin_with(FIRST_ONLY=first_only, LIMIT_REST=limit_rest)
 
     def _shaped(self, values: Any) -> Any:
         """Return one number per lane in the scene's shape, or a Python number for a single scene."""
@@ -188,8 +189,7 @@ class Motion(Conversions, Generic[Numbers]):
         peak_time = final[ix.PEAK_TIME]
         ended = final[ix.STATUS] == ix.ENDED
         last = peak_time == final[ix.END_TIME]
-        still = final[ix.PHASES] == 0.0
-        at_end = last & ended | still
+        at_end = last & ended | (final[ix.PHASES] == 0.0)
         time = choose(at_end, self.duration, peak_time * self._time_scale)
         if not self.shape and self._varies_in_time and 0.0 < time < self.duration:
             return self.at(time)  # at the rounded time; where a force jumps, its value after the jump
@@ -386,6 +386,7 @@ class Motion(Conversions, Generic[Numbers]):
         if scene.shape:
             rows = index if isinstance(index, tuple) else (index,)
             return type(self)(plan, self._final[(slice(None), *rows)], invalid)
+        plan = replace(plan, recipe=recipe_of(scene))  # other lanes may have standing water
         problem = problem_of(plan, invalid)  # a single lane is solved to rounding
         return type(self)(plan, integrate(problem)[:, 0].tolist(), invalid, problem)
 

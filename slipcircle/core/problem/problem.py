@@ -5,9 +5,9 @@ independent of individual laws and effects.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,7 @@ FINEST = 1e-14  # accuracy of single scenes, since lower orders save little time
 # scenes, because coefficients of high order overflow and extrema within a step are lost in the rounding of its terms.
 STEP = 0.25
 STEP_TO_ROUNDING = math.exp(-2.0)
+NEAR = 2e13  # margin of a decision at rest, in units of rounding, from which the rounded limit friction is accurate
 LOWEST = 7  # least order, since the radius of convergence is estimated from several coefficients
 UPLIFT = frozenset(("pore_pressure", "thermal_pressurisation"))
 COHESIVE = frozenset(("layered_cohesion", "growing_cohesion"))  # functions of the rotation
@@ -54,6 +55,9 @@ class Problem:
         Python functions of slip, by the name of their table.
     farther : callable or None
         Function that extends the functions of the rotation.
+    near : tuple
+        Least margin of a decision at rest, in units of rounding, for which the rounded limit friction suffices, and the
+        function that returns the exact limit friction minus its rounded value for some lanes.
     """
 
     recipe: Recipe
@@ -63,6 +67,7 @@ class Problem:
     lanes: int
     functions: Mapping[str, Function] = field(default_factory=dict)
     farther: Farther | None = None
+    near: tuple[float, Callable[[Any], Any]] = (0.0, bool)
 
     def cells(self, which: Any = EVERY) -> Floats:
         """Return the initial cells of all or some lanes, one column each."""
@@ -76,13 +81,27 @@ class Problem:
                 cells[places[name]] = value[which] if isinstance(value, np.ndarray) else value
         return cells
 
-    def ending_first(self, which: Any) -> "Problem":
-        """Have lanes end at their first standstill (1), or not (0); return the problem itself."""
-        values = np.ravel(which)
-        value = float(values[0]) if self.lanes == 1 else values
-        self.start = {**self.start, "FIRST_ONLY": value}
+    def begin_with(self, **cells: Any) -> "Problem":
+        """Replace initial cells by name, each a number for every lane; return the problem itself."""
+        for name, values in cells.items():
+            flat = np.ravel(values)
+            self.start = {**self.start, name: float(flat[0]) if self.lanes == 1 else flat}
         vars(self).pop("_only_lane", None)
         return self
+
+    def refine(self, margins: Floats) -> Any:
+        """Add the rest of the limit friction in lanes that decide close to it; return these lanes.
+
+        ``margins`` are the least margins of the decisions at rest in a first solution, in units of rounding.
+        """
+        least, limit_rest = self.near
+        if "LIMIT_REST" in self.start or not margins.size or margins[margins.argmin()] >= least:
+            return ()
+        (lanes,) = np.nonzero(margins < least)
+        rests = np.zeros(self.lanes)
+        rests[lanes] = limit_rest(lanes)
+        self.begin_with(LIMIT_REST=rests)
+        return lanes
 
     @cached_property
     def _only_lane(self) -> Floats:
@@ -134,7 +153,15 @@ def problem_of(plan: Plan, invalid: Any = False) -> Problem:
     start["FIRST_ONLY"] = choose(start["END_TIME"] == np.inf, _first_only(plan.recipe, start), 0.0)
     program = plan.program
     start |= program.constants
-    return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther)
+    near = _near(plan, lanes, strength)
+    return Problem(plan.recipe, program, start, numbers.tables, lanes, functions, farther, near)
+
+
+def _near(plan: Plan, lanes: int, strength: Any) -> tuple[float, Callable[[Any], Any]]:
+    """Return `Problem.near`, for forces that do not change in time and strengths that are not scaled."""
+    least = NEAR if lanes == 1 else min(NEAR, 10.0 / plan.accuracy)
+    rounded_suffices = plan.recipe.moving or np.any(strength != 1.0)
+    return 0.0 if rounded_suffices else least, partial(plan.scene.arc.limit_rest, plan.scene.shape)
 
 
 def _flat(numbers: ValueDict, shape: Shape) -> ValueDict:

@@ -23,7 +23,7 @@ from slipcircle.base.checks import (
     shape_mistakes,
     two_sum,
 )
-from slipcircle.base.kinds import Array, Numbers, cached_property
+from slipcircle.base.kinds import Array, Numbers, Shape, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
@@ -206,6 +206,14 @@ class Arc(Mass, Generic[Numbers]):
         ratio = kernels.weight_moment_per_radial_weight(self.half_angle)
         limit_friction = self.facing * (cosine / sine * ratio)  # (3.21): tan(psi) C_theta/C_r
         return limit_friction, static, polar_per_inertia
+
+    def limit_rest(self, shape: Shape, lanes: Any) -> Any:
+        """Return the exact limit friction minus its rounded value, 0 if coefficients are given, for some lanes."""
+        if self.given is not None:
+            return 0.0
+        limit = np.abs(self.moment_coefficients.limit_friction)
+        columns = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2, limit)]
+        return np.array([*map(lazy_import("decimals").limit_rest, *columns)])
 
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:

@@ -157,6 +157,10 @@ class Mass:
         """
         return {}, None
 
+    def limit_rest(self, shape: Shape, lanes: Any) -> Any:
+        """Return the exact limit friction minus its rounded value, 0 where unknown, for some lanes of a shape."""
+        return 0.0
+
     def numbers_by_name(self) -> ValueDict:
         """Return all numbers by name, each a number or an array over lanes."""
         fields = {name: getattr(self, name) for name in self.quantities}

@@ -65,32 +65,36 @@ class Bases:
         self.is_shared = len(arcs.radius) == 1 and max(slopes, np.size(slope.pressure)) > 1
         self.scale = arcs.radius[arc]
         self.centre_x, self.centre_y = arcs.centre[arc].T
-        sine = np.sin(inside)
-        self.x = self.centre_x + self.scale * sine
+        self.sine = np.sin(inside)
+        self.x = self.centre_x + self.scale * self.sine
         self.depth = np.cos(inside)
-        self._look_up_surfaces()
-        self.above = self.constant + self.gradient * sine + self.depth
+        self.column = slope.columns.at(arc, self.x)
         self._look_up_soil()
 
-    def _look_up_surfaces(self) -> None:
-        """Look up heights of the surfaces above the centre, as constant + gradient sine."""
+    def surface(self, k: Any) -> ArrayPair:
+        """Return the height of surfaces above the centre over R, as constant + gradient sine."""
         columns = self.slope.columns
-        column = columns.at(self.arc, self.x)
         row = 0 if len(columns.bounds) == 1 else self.arc
-        height = columns.height[:, row, column]
-        self.gradient = columns.gradient[:, row, column]
-        from_middle = self.centre_x - columns.middle[row, column]
-        below_centre = height + self.gradient * from_middle
-        self.constant = (below_centre - self.centre_y) / self.scale
+        gradient = columns.gradient[k, row, self.column]
+        from_middle = self.centre_x - columns.middle[row, self.column]
+        below_centre = columns.height[k, row, self.column] + gradient * from_middle
+        return (below_centre - self.centre_y) / self.scale, gradient
+
+    def above(self, k: Any) -> Floats:
+        """Return the height of surfaces above the arc, over R."""
+        constant, gradient = self.surface(k)
+        return constant + gradient * self.sine + self.depth
 
     def _look_up_soil(self) -> None:
-        """Look up the layer at the base, and its soil."""
+        """Look up the layer at the base, by bisection, and its soil."""
         soils = self.slope.soils
         layers, _ = soils.unit_weight.shape
         # At an end of the arc rounding may leave no ground above it: then the layers that end there count.
-        lowest = np.minimum(self.above[0], 0.0) - _TOUCH
-        reaches_arc = self.above[:layers] >= lowest
-        layer = np.count_nonzero(reaches_arc, axis=0) - 1
+        lowest = np.minimum(self.above(0), 0.0) - _TOUCH
+        layer = np.zeros(len(self.arc), dtype=np.int64)
+        for power in reversed(range((layers - 1).bit_length())):
+            lower = np.minimum(layer + 2**power, layers - 1)
+            layer = np.where(self.above(lower) >= lowest, lower, layer)
         of_base = (self.of_layer(values, layer) for values in soils)
         self.soil = SoilArrays(*of_base)
         self.layer = layer
@@ -111,21 +115,16 @@ class Bases:
             return np.broadcast_to(values, len(self.arc))
         return values[:, None] if self.is_shared else values[self.arc]
 
-    def steps(self) -> Floats:
-        """Return steps of the unit weight below each surface that is above the arc, (surfaces, intervals)."""
-        slope = self.slope
-        unit_weight = slope.soils.unit_weight
-        rows = [np.diff(unit_weight, axis=0, prepend=0.0)]
-        if slope.level is not None:
-            rows.append(np.zeros_like(unit_weight[:1]))
-        if slope.saturates:
-            gain = slope.soils.saturated_unit_weight - unit_weight
-            rows.append(np.diff(gain, axis=0, prepend=0.0))
-        steps = np.concatenate(rows)
-        is_above = self.above[: len(steps)] > 0.0
+    def loads(self, surfaces: Any) -> tuple[Floats, Floats, Floats]:
+        """Return the steps of the unit weight below surfaces above the arc, with the surfaces (surfaces, intervals)."""
+        steps = self.slope.steps[surfaces]
+        constant, gradient = self.surface(surfaces[:, None])
+        is_above = constant + gradient * self.sine + self.depth > 0.0
         if self.is_shared:
-            return steps[:, :, None] / self.unit_weight * is_above[:, None]
-        return (steps if steps.shape[1] == 1 else steps[:, self.arc]) / self.unit_weight * is_above
+            by_interval = steps[:, :, None] / self.unit_weight * is_above[:, None]
+        else:
+            by_interval = (steps if steps.shape[1] == 1 else steps[:, self.arc]) / self.unit_weight * is_above
+        return by_interval, constant, gradient
 
     def _linear(self, constant: Any, of_sine: Any, of_cosine: Any) -> Floats:
         """Return three numbers for each interval, with an axis of slopes where these share an arc."""
@@ -133,17 +132,16 @@ class Bases:
         axes = 3 if self.is_shared else 2
         return stacked.reshape(3, *(1,) * (axes - stacked.ndim), *stacked.shape[1:])
 
-    def _above_arc(self, k: int, factor: Any) -> Floats:
+    def _above_arc(self, k: Any, factor: Any) -> Floats:
         """Return the height of a surface above the arc times a factor."""
-        constant = self.constant[k] * factor
-        gradient = self.gradient[k] * factor
-        return self._linear(constant, gradient, 1.0 * factor)
+        constant, gradient = self.surface(k)
+        return self._linear(constant * factor, gradient * factor, 1.0 * factor)
 
-    def stresses(self, steps: Floats) -> Stresses:
+    def stresses(self) -> Stresses:
         """Return the stresses by interval."""
         none = self._linear(0.0, 0.0, 0.0)
         pond, displaced = (none, none) if self.slope.ponds is None else self._free_water(self.slope.ponds)
-        soil = self._soil_weight(steps)
+        soil = self._soil_weight()
         scale = self.unit_weight * self.scale
         pressure = self._pore_pressure(soil, scale)
         load = self._load() / scale
@@ -154,23 +152,38 @@ class Bases:
         """Return the pressure of free water on the ground, and minus the weight of water displaced by soil below it."""
         depth = np.zeros((3, len(self.arc)))
         filled = np.zeros(len(self.arc))
+        constant, gradient = self.surface(0)
         for first, last, level, _ in zip(*ponds, strict=True):
             after_first = self.x > self.of_slope(first)
             before_last = self.x < self.of_slope(last)
             inside = after_first & before_last
             from_centre = self.of_slope(level) - self.centre_y
             height = from_centre / self.scale
-            depth[0] += inside * (height - self.constant[0])
-            depth[1] -= inside * self.gradient[0]
+            depth[0] += inside * (height - constant)
+            depth[1] -= inside * gradient
             filled += inside
         return self.water * depth, -self._above_arc(0, self.water * filled)
 
-    def _soil_weight(self, steps: Floats) -> Floats:
-        """Return the vertical stress of the soil, a sum of steps times heights of their surfaces above the arc."""
-        surfaces = len(steps)
-        constant = np.einsum("s...i,si->...i", steps, self.constant[:surfaces])
-        gradient = np.einsum("s...i,si->...i", steps, self.gradient[:surfaces])
-        return self._linear(constant, gradient, steps.sum(axis=0))
+    def _soil_weight(self) -> Floats:
+        """Return the vertical stress of the soil, from its sums down to the layer at the base."""
+        slope = self.slope
+        weight = self._of_sums(slope.weights)
+        if slope.saturates:
+            is_wet = self.above(slope.level_surface) > 0.0
+            weight = weight + self._of_sums(slope.gains) * is_wet
+        return weight / self.unit_weight
+
+    def _of_sums(self, sums: Floats) -> Floats:
+        """Return the stress of layers down to the base from sums (3, layers, 1 or slopes, columns), over R."""
+        columns = self.slope.columns
+        row = 0 if len(columns.bounds) == 1 else self.arc
+        slope: Any = 0
+        if sums.shape[2] > 1:
+            slope = np.arange(sums.shape[2])[:, None] if self.is_shared else self.arc
+        height, gradient, weight = sums[:, self.layer, slope, self.column]
+        from_middle = self.centre_x - columns.middle[row, self.column]
+        constant = (height + gradient * from_middle - weight * self.centre_y) / self.scale
+        return self._linear(constant, gradient, weight)
 
     def _pore_pressure(self, soil: Floats, scale: Floats) -> Floats:
         """Return r_u times the stress of the soil, or the head below the water level, and a uniform pressure."""
@@ -180,9 +193,8 @@ class Bases:
         pressure = ratio * soil
         pressure = pressure + self._linear(uniform, 0.0, 0.0)
         if slope.level is not None:
-            level = len(slope.tops) + 1
-            wet = (self.above[level] > 0.0) & (ratio == 0.0)
-            pressure = pressure + self._above_arc(level, self.water * wet)
+            wet = (self.above(slope.level_surface) > 0.0) & (ratio == 0.0)
+            pressure = pressure + self._above_arc(slope.level_surface, self.water * wet)
         return pressure
 
     def _load(self) -> Floats:
@@ -201,9 +213,9 @@ class Bases:
     def _cohesion(self) -> Floats:
         """Return the cohesion at the base, which may increase with the depth below a line, Pa."""
         cohesion = self._linear(self.soil.cohesion, 0.0, 0.0)
-        first = len(self.above) - len(self.slope.datums)
-        for surface, layer in enumerate(self.slope.datums, first):
-            grows = (self.layer == layer) & (self.above[surface] > 0.0)
-            growth = self.soil.cohesion_gradient * self.scale * grows
-            cohesion = cohesion + self._above_arc(surface, growth)
-        return cohesion
+        if not self.slope.datums:
+            return cohesion
+        surface = self.slope.datum_surfaces[self.layer]
+        is_below = self.above(surface) > 0.0
+        growth = self.soil.cohesion_gradient * self.scale * is_below
+        return cohesion + self._above_arc(surface, growth)

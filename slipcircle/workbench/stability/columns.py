@@ -8,14 +8,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slipcircle.base.kinds import Floats
 from slipcircle.ground import Ponds, continued
-from slipcircle.layers import edge_below, line_crossings
+from slipcircle.layers import edge_below
 
 
 class SoilArrays(NamedTuple):
@@ -94,9 +93,15 @@ class SlopeArrays:
         return continued(line, x.min(), x.max())
 
     @cached_property
-    def lines_cut_by_arcs(self) -> list[Floats]:
-        """Return boundaries, water levels, and heights below which cohesion increases."""
-        return [*self.lines[1:], *self._pond_levels, *self._datum_lines]
+    def lines_cut_by_arcs(self) -> Floats:
+        """Boundaries, water levels, and heights below which cohesion increases, as one line with NaN after each."""
+        lines = [*self.lines[1:], *self._pond_levels, *self._datum_lines]
+        slopes = max(map(len, lines), default=1)
+        end = np.full((slopes, 1, 2), np.nan)
+        parts = [end]
+        for line in lines:
+            parts += [np.broadcast_to(line, (slopes, *line.shape[1:])), end]
+        return np.concatenate(parts, axis=1)
 
     @cached_property
     def _datum_lines(self) -> list[Floats]:
@@ -127,15 +132,54 @@ class SlopeArrays:
     def _kinks(self) -> Floats:
         """Return x of vertices and crossings of lines, and of ends of loads and free water, (1 or n, any), sorted."""
         kinks = [line[:, 1:-1, 0] for line in (*self.lines, *self._datum_lines)]
-        kinks += [line_crossings(one, other) for one, other in combinations(self.lines, 2)]
         kinks += [np.array([[x1, x2]]) for x1, x2, *_ in self.surcharge]
-        kinks += [line_crossings(self.lines[0], level) for level in self._pond_levels]
         if self.ponds is not None:
             kinks += [self.ponds.first.T, self.ponds.last.T]
-        slopes = max(map(len, kinks))
-        of_slopes = [np.broadcast_to(x, (slopes, x.shape[1])) for x in kinks]
-        x = np.concatenate(of_slopes, axis=1)
-        return np.unique(x, axis=1) if slopes == 1 else np.sort(x, axis=1)
+        bounds = _sorted(kinks)
+        return _sorted([bounds, _crossings([*self.lines, *self._pond_levels], bounds)])
+
+    @cached_property
+    def level_surface(self) -> int:
+        """Number of the water level among the surfaces, behind the tops of the layers."""
+        return len(self.tops) + 1
+
+    @cached_property
+    def datum_surfaces(self) -> Any:
+        """Numbers of the surfaces below which the cohesion of each layer grows, 0 for constant cohesion."""
+        surfaces = np.zeros(len(self.tops) + 1, dtype=np.int64)
+        surfaces[[*self.datums]] = np.arange(-len(self.datums), 0)
+        return surfaces
+
+    @cached_property
+    def steps(self) -> Floats:
+        """Steps of the unit weight below each surface, (surfaces, 1 or n)."""
+        unit_weight = self.soils.unit_weight
+        rows = [np.diff(unit_weight, axis=0, prepend=0.0)]
+        if self.level is not None:
+            rows.append(np.zeros_like(unit_weight[:1]))
+        if self.saturates:
+            gain = self.soils.saturated_unit_weight - unit_weight
+            rows.append(np.diff(gain, axis=0, prepend=0.0))
+        return np.concatenate(rows)
+
+    @cached_property
+    def weights(self) -> Floats:
+        """Sums of height, gradient and 1 times the steps of the unit weight down to each layer."""
+        return self._sums(0)
+
+    @cached_property
+    def gains(self) -> Floats:
+        """Sums as in `weights` of the weight that soils gain below the water level."""
+        return self._sums(self.level_surface + 1)
+
+    def _sums(self, first: int) -> Floats:
+        """Return sums over the surfaces of all layers from the first surface, (3, layers, 1 or n, columns)."""
+        tops = slice(first, first + len(self.tops) + 1)
+        height = self.columns.height[tops]
+        gradient = self.columns.gradient[tops]
+        values = np.stack([height, gradient, np.ones_like(height)])
+        step = self.steps[tops, :, None]
+        return np.cumsum(values * step, axis=1)
 
     def _surfaces(self, lines: list[Floats]) -> list[Floats]:
         """Return heights and gradients of surfaces, each (2, n, columns), from the lines above the ground."""
@@ -159,6 +203,34 @@ def level_line(height: Any, ground: Floats) -> Floats:
     slopes = max(len(height), len(ground))
     x = np.broadcast_to(ends, (slopes, 2))
     return np.stack(np.broadcast_arrays(x, height), axis=-1)
+
+
+def _sorted(kinks: list[Floats]) -> Floats:
+    """Return sorted x of one slope without repetitions, or of n slopes, (1 or n, any)."""
+    slopes = max(map(len, kinks))
+    of_slopes = [np.broadcast_to(x, (slopes, x.shape[1])) for x in kinks]
+    x = np.concatenate(of_slopes, axis=1)
+    return np.unique(x, axis=1) if slopes == 1 else np.sort(x, axis=1)
+
+
+def _crossings(lines: list[Floats], bounds: Floats) -> Floats:
+    """Return x where two lines cross between bounds (1 or n, B), or x of the bound before, (1 or n, any).
+
+    Lines have kinks at bounds only.
+    """
+    before = bounds[:, :-1]
+    half = np.diff(bounds) / 2
+    middle = before + half
+    height, gradient = np.stack([edge_below(line, middle, middle) for line in lines], axis=1)
+    one, other = np.triu_indices(len(lines), 1)
+    apart = height[one] - height[other]
+    closing = gradient[other] - gradient[one]
+    crosses = np.abs(apart) < half * np.abs(closing)
+    divisor = np.where(crosses, closing, 1.0)
+    from_middle = apart / divisor
+    from_bound = np.where(crosses, half + from_middle, 0.0)
+    x = before + from_bound
+    return np.moveaxis(x, 0, 1).reshape(len(bounds), len(one) * before.shape[1])
 
 
 def _lower(one: Floats, other: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""Search for the best circles on simplified lines and with merged soils, for slopes with many of them.
+"""Search for the best circles on simplified lines, for slopes with many vertices or soils.
 
 The cost of a search is proportional to the number of vertices, up to a thousand in surveyed profiles. A condensed line
 has few vertices, whose heights are fitted by least squares, so that areas and moments are preserved. The results refer
@@ -12,54 +12,50 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
-from slipcircle.workbench.stability.columns import SoilArrays
 from slipcircle.workbench.stability.descent import FINEST, in_order
-from slipcircle.workbench.stability.family import COARSE_NODES, FINE_NODES, NONE, Search
+from slipcircle.workbench.stability.family import COARSE, FINE, NONE, Search
+from slipcircle.workbench.stability.slices import Rule
 
 MANY_VERTICES = 48  # lines with more vertices are condensed
-MANY_SOILS = 20  # with more, the coarse family is screened with merged soils
-_ROUGH, _DEVIATION = 14, 1e-3  # vertices of a line, and relative distance of the others from it
-_ROUGHLY = 0.02  # final step in a valley of the rough lines, relative to its first step
+MANY_SOILS = 20  # with more, the coarse family is screened without kinks
+_ROUGH, _DEVIATION = 20, 1e-3  # vertices of a line, and relative distance of the others from it
+_ROUGHLY = 1e-3  # final step in a valley of the rough lines, relative to its first step
 _FINE, _BESIDE = 48, 16  # vertices of a line near the best circles, and on either side of their ends
-_STEPS = (0.5, 3), (0.1, 2)  # of the refinements, relative to the coarse family; number of circles
-_FOLLOWED = 24  # greatest number of valleys on rough lines
-_ROUGH_NODES = 2  # of Gauss' rule, between the kinks of many layers
-_MERGED = 16  # number of soils after merging
-_SCREENED, _TOUCHING = 500, 20  # number of best circles kept, and tried with all boundaries
+_STEPS = 2.0, 0.7, 0.2  # of the refinements, relative to the coarse family
+_FOLLOWED = 12  # greatest number of valleys on rough lines
+_SAMPLED = Rule(nodes=2, pieces=8, at_kinks=False)
+_MANY_KINKS = Rule(nodes=2, pieces=6)
+_SCREENED, _TOUCHING = 300, 12  # number of best circles kept, and tried with all boundaries
 _NEGLIGIBLE = 1e-9  # distance of vertices without effect, as a share of the size of their line
 
 
 def least(search: Search, tell: Callable[[str], None]) -> Floats:
     """Return the best circles as rows, the best first, after descents from the valleys of a coarse family."""
-    arrays = search.arrays
-    many_soils = len(arrays.tops) >= MANY_SOILS
-    lines = [*arrays.lines, *arrays.datums.values()]
-    vertices = [line.shape[1] for line in lines]
-    few_vertices = max(vertices) <= MANY_VERTICES + 2  # with both ends of continued lines
-    if few_vertices and not many_soils:
-        best, step = search.valleys(*search.coarse_family(), tell)
-        for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
-            best, step = search.refined(best, share * step)
-        return best
+    many_soils = len(search.arrays.tops) >= MANY_SOILS
     rough, kept = _condensed(search, _ROUGH, _DEVIATION, np.empty(0))
+    coarse, fine = (_MANY_KINKS, _MANY_KINKS) if many_soils else (COARSE, FINE)
     family = _screened(rough) if many_soils else rough.coarse_family()
-    best, step = rough.valleys(*family, tell)
-    followed = slice(_FOLLOWED)
-    best, step = rough.refined(best[followed], step[followed], _ROUGHLY, COARSE_NODES)
+    best, step = rough.valleys(*family, tell, coarse)
+    if many_soils or rough is not search:
+        best = best[:_FOLLOWED]
+        step = step[:_FOLLOWED]
+    if rough is search:
+        for share in (1.0, 0.2):  # restarted, in case a bent valley has stopped the descent
+            best, step = search.refined(best, share * step, FINEST, fine)
+        return best
+    best, step = rough.refined(best, step, _ROUGHLY, coarse)
     best = _on_whole_lines(search, rough, kept, best)
-    return _on_fine_lines(search, best, step, COARSE_NODES if many_soils else FINE_NODES)
+    return _on_fine_lines(search, best, step)
 
 
-def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Floats:
+def _on_fine_lines(search: Search, best: Floats, step: Floats) -> Floats:
     """Return the best circles, the best first, after descents on lines with all vertices near their ends."""
     fine, kept = _condensed(search, _FINE, _NEGLIGIBLE, best[:, :2])
     along = search.along[kept]
     ends = best[:, :2]
     best[:, :2] = np.interp(ends, along, fine.along)
-    for share, count in _STEPS:
-        first = best[:count]
-        first_step = share * step[:count]
-        best, step = fine.refined(first, first_step, FINEST, nodes)
+    for share in _STEPS:
+        best, step = fine.refined(best, share * step, FINEST, _MANY_KINKS)
     best = _on_whole_lines(search, fine, kept, best)
 
     values = search.evaluate(best)
@@ -72,37 +68,32 @@ def _on_fine_lines(search: Search, best: Floats, step: Floats, nodes: int) -> Fl
 
 
 def _screened(search: Search) -> ArrayPair:
-    """Return the best circles of the coarse family with merged soils, and their steps."""
-    arrays = search.arrays
-    soils, firsts = merged(arrays.soils, _MERGED)
-    tops = tuple(arrays.tops[k - 1] for k in firsts[1:])
-    layers = [*arrays.datums]
-    groups = np.searchsorted(firsts, layers, side="right") - 1
-    datums = dict(zip(groups.tolist(), arrays.datums.values(), strict=True))
-    few = search.on_lines(replace(arrays, soils=soils, tops=tops, datums=datums))
-    q, steps = few.coarse_family(touching=False)
-    values = few.evaluate(q, _ROUGH_NODES)
+    """Return the best circles of the coarse family and circles that touch a boundary near them, with their steps."""
+    q, steps = search.coarse_family(touching=False)
+    values = search.evaluate(q, _SAMPLED)
     best = in_order(values)[:_SCREENED]
-    ends = best[:_TOUCHING]
     count = len(search.boundary_edges)
-    edges = np.arange(count)
-    repeated = np.repeat(ends, count)
+    repeated = np.repeat(best[:_TOUCHING], count)
     touching = q[repeated]
-    every_edge = np.resize(edges, len(repeated))
-    touching[:, 3] = every_edge
+    every_edge = np.arange(count)
+    touching[:, 3] = np.resize(every_edge, len(repeated))
     chosen = np.append(best, repeated)
-    of_openings = q[best]
-    family = np.concatenate([of_openings, touching])
+    family = np.concatenate([q[best], touching])
     return family, steps[chosen]
 
 
 def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tuple[Search, Integers]:
     """Return a search on condensed lines, and the indices of the vertices kept on the ground.
 
-    Vertices near the lengths ``ends`` along the ground, and vertices of upright parts, keep their heights.
+    Vertices near the lengths ``ends`` along the ground, and vertices of upright parts, keep their heights. A search
+    without long lines is returned itself.
     """
     ground = search.ground
     arrays = search.arrays
+    kept = np.arange(len(ground))
+    lines = [*arrays.lines, *arrays.datums.values()]
+    if max(line.shape[1] for line in lines) <= MANY_VERTICES + 2:  # with both ends of continued lines
+        return search, kept
     x = ground[:, 0]
     after = x[1:]
     upright = after[after == x[:-1]]
@@ -114,7 +105,6 @@ def _condensed(search: Search, most: int, deviation: float, ends: Floats) -> tup
         first = max(before, 0)
         last = number + _BESIDE
         exact[first:last] = True
-    kept = np.arange(len(ground))
     if len(ground) > MANY_VERTICES:
         chosen = salient(ground, most, deviation)
         fixed = np.flatnonzero(exact)
@@ -213,28 +203,3 @@ def condensed(line: Floats, kept: Integers, exact: Flags) -> Floats:
     right = missing * root
     height[fitted], *_ = np.linalg.lstsq(matrix, right)
     return np.stack([knots, height], axis=1)
-
-
-def merged(soils: SoilArrays, most: int) -> tuple[SoilArrays, Any]:
-    """Return at most ``most`` soils, means of similar neighbours, and the index of the first layer of each."""
-    rows = np.stack(soils)
-    size = rows.max(axis=1, keepdims=True)
-    divisor = np.where(size > 0.0, size, 1.0)
-    relative = rows / divisor
-    steps = np.diff(relative, axis=1)
-    by_number = np.abs(steps)
-    by_lane = by_number.sum(axis=0)
-    contrast = by_lane.max(axis=-1)
-    order = np.argsort(-contrast, kind="stable")
-    greatest = order[: most - 1]
-    kept = np.sort(greatest)
-    firsts = np.append(0, kept + 1)
-    ends = np.append(firsts, rows.shape[1])
-    layers = np.diff(ends)[:, None]
-
-    def mean(values: Floats) -> Floats:
-        sums: Floats = np.add.reduceat(values, firsts)
-        return sums / layers
-
-    means = map(mean, soils)
-    return SoilArrays(*means), firsts

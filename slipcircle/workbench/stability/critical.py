@@ -16,11 +16,12 @@ from slipcircle.core import AS_ENTERED, Motion, Scene
 from slipcircle.ground import Section, ends_above
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
+from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import METHODS, Slope, one_layer
 from slipcircle.workbench.stability.starting import OF_CLOSURE, at_rest_by, factor_of, strength_factor, yield_by
 
 _PULLED = 0.2  # share of an arc that may be under negative stress without a warning
-_PIECES = 50  # into which an arc is cut to count it
+_PIECES = Rule(pieces=50)  # that resolve it
 _CRACK_EMPTIES = "a crack opens and empties as soon as the mass moves; leave it out"
 _BY_START = ("factor_of_safety", "yield_coefficient", "residual", "at_rest")
 _NO_START = (
@@ -272,7 +273,7 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
         fault = ends_above(np.asarray(slope.level)[None], left[:, 0], right[:, 0])
         raise_all("Slope", complaint([fault], ()))
     circle = centre, radius, left, right
-    factors = circle_factors(slope.arrays(), *circle, pieces=_PIECES)
+    factors = circle_factors(slope.arrays(), *circle, rule=_PIECES)
     without_k_h = None
     if slope.k_h:
         unshaken = replace(slope.arrays(), k_h=0.0)

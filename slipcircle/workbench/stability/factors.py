@@ -12,12 +12,12 @@ from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.bases import Arcs, angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.freewater import at_shores, level_at_exit, submerged
-from slipcircle.workbench.stability.slices import NODES, Slices, slices_above
+from slipcircle.workbench.stability.slices import EXACT, Rule, Slices, slices_above
 
 YIELD = "k_y"  # least yield coefficient, in the place of a method
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is meaningless
 _LEAST_FACTOR = 5e-3  # by Bishop's method
-_NODES_TO_FACE = 2  # of Gauss' rule: enough to see which way a mass slides
+_TO_FACE = Rule(nodes=2)  # enough to determine the direction in which a mass slides
 _NEWTON_STEPS = 20
 _CLOSE = 1e-9  # relative change of a converged factor
 
@@ -32,7 +32,7 @@ class Driven(NamedTuple):
 
 
 def circle_factors(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, rule: Rule = EXACT
 ) -> ArrayDict:
     """Return factors of safety of the masses between circles and the ground, with ends at two points of the ground.
 
@@ -44,8 +44,8 @@ def circle_factors(
         Of circles, (n, 2) and (n,), m.
     left, right : ndarray
         Ends of the arcs, (n, 2), m, between which the ground lies inside the circle.
-    pieces : int
-        Into which each arc is cut besides at kinks, to resolve ``negative``.
+    rule : Rule
+        Points of the integrals. More pieces resolve ``negative``.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def circle_factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    driven = driven_slices(slope, centre, radius, left, right, pieces)
+    driven = driven_slices(slope, centre, radius, left, right, rule)
     slices = driven.slices
     with np.errstate(divide="ignore", invalid="ignore"):
         factors = {method: value(driven) for method, value in _VALUES.items()}
@@ -73,10 +73,11 @@ def circle_factors(
 
 
 def factors_by(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, nodes: int = NODES
+    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, method: str, rule: Rule = EXACT
 ) -> ArrayPair:
     """Return factors of safety (or yield coefficients) by one method, and the direction in which each mass slides."""
-    driven = driven_slices(slope, centre, radius, left, right, 1, nodes)
+    every_surface = method in ("paper", YIELD) or np.any(slope.k_h)
+    driven = driven_slices(slope, centre, radius, left, right, rule, bool(every_surface))
     with np.errstate(divide="ignore", invalid="ignore"):
         return factor_by(method, driven), driven.facing
 
@@ -90,19 +91,25 @@ def factor_by(method: str, driven: Driven) -> Floats:
 
 
 def driven_slices(
-    slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, right: Floats, pieces: int = 1, nodes: int = NODES
+    slope: SlopeArrays,
+    centre: Floats,
+    radius: Floats,
+    left: Floats,
+    right: Floats,
+    rule: Rule = EXACT,
+    every_surface: bool = True,
 ) -> Driven:
     """Return the slices of arcs and their driving moments."""
     arcs = _arcs(slope, centre, radius, left, right)
     cracked = bool(np.any(slope.crack))
-    slices = slices_above(slope, arcs, pieces, _NODES_TO_FACE if cracked else nodes)
+    slices = slices_above(slope, arcs, _TO_FACE if cracked else rule, every_surface)
     gravity = slices.driving_moment() + at_shores(slope, arcs)
     negligible = 1e-9 * slices.weight_along_arc()
     is_driven = np.abs(gravity) > negligible
     facing = np.where(is_driven, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
-        slices = slices_above(slope, arcs, pieces, nodes)
+        slices = slices_above(slope, arcs, rule, every_surface)
         gravity = slices.driving_moment() + at_shores(slope, arcs)
     slices = slices.facing(facing)
     if slope.ponds is not None:

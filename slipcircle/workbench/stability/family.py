@@ -24,7 +24,7 @@ from slipcircle.workbench.stability.bases import angle_from_below
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.descent import FINEST, Descent, in_order
 from slipcircle.workbench.stability.factors import YIELD, factors_by
-from slipcircle.workbench.stability.slices import NODES
+from slipcircle.workbench.stability.slices import EXACT, Rule
 from slipcircle.workbench.stability.stability import Slope
 
 _POSITIONS = 40  # of ends, evenly along the ground
@@ -32,13 +32,13 @@ _LEAST_ON_EDGE = 7  # on each edge of a ground of few edges: the slope between w
 _FEW_EDGES = 12
 _MOST_VERTICES = 48  # of a ground; of more, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
-COARSE_NODES, FINE_NODES = 4, 6  # of Gauss' rule
+COARSE, FINE = Rule(4), Rule(6)
 _VALLEYS = 12  # that are refined
 _VALLEYS_ON_EDGE = 2  # of those that touch an edge of a boundary
 _APART = 2.5  # spacings of the coarse family between valleys
 _STEPS = 150  # of a refinement, at most
 _KEPT = 3  # of refined valleys
-_TOGETHER = 1 << 14  # ground vertices times circles at a time: what fits into the caches
+_TOGETHER = 1 << 16  # kinks times circles in a block, which fits into the caches
 NONE = -1.0  # no edge is touched
 _JUST_BELOW = 1 - 1e-12
 
@@ -178,15 +178,15 @@ class Search:
         deepest = np.minimum(upright, touching)
         return np.where(beyond_left & before_right, deepest, upright)
 
-    def evaluate(self, q: Floats, nodes: int = NODES) -> Floats:
+    def evaluate(self, q: Floats, rule: Rule = EXACT) -> Floats:
         """Return the factor of each circle, NaN without a factor or outside the limits."""
         values = np.full(len(q), np.nan)
         possible = self._possible(q)
-        size = len(possible) * len(self.ground)
+        size = len(possible) * self.arrays.columns.bounds.shape[1]
         blocks = max(math.ceil(size / _TOGETHER), 1)
         with counted(len(possible), "circles evaluated") as progress:
             for block in np.array_split(possible, blocks):
-                values[block] = self._factors(q[block], nodes)
+                values[block] = self._factors(q[block], rule)
                 progress(len(block))
         return values
 
@@ -215,7 +215,7 @@ class Search:
                 within &= x <= high + self.rounding
         return within
 
-    def _factors(self, q: Floats, nodes: int) -> Floats:
+    def _factors(self, q: Floats, rule: Rule) -> Floats:
         """Return the factors of a block of circles, and store them for the map."""
         centre, radius, left, right = self.circles(q)
         thickness = self.thickness(q, centre, radius)
@@ -223,7 +223,7 @@ class Search:
         left = left[thick]
         right = right[thick]
         circles = centre[thick], radius[thick], left, right
-        factors, facing = factors_by(self.arrays, *circles, self.method, nodes)
+        factors, facing = factors_by(self.arrays, *circles, self.method, rule)
         counts = np.isfinite(factors)
         if self.method != YIELD:
             counts &= factors > 0.0
@@ -300,9 +300,9 @@ class Search:
             families_steps.append(steps[pairs])
         return np.concatenate(families), np.concatenate(families_steps)
 
-    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None]) -> ArrayPair:
+    def valleys(self, q: Floats, steps: Floats, tell: Callable[[str], None], rule: Rule = COARSE) -> ArrayPair:
         """Return the best circles of a family without better neighbours, and their steps."""
-        values = self.evaluate(q, COARSE_NODES)
+        values = self.evaluate(q, rule)
         if not np.any(np.isfinite(values)):
             left = "no circle within these limits can slide; widen entry, exit, depth or base"
             raise InputError("critical", [left])
@@ -312,7 +312,7 @@ class Search:
         tell(f"{len(values)} circles; following {len(valleys)}, from {least:.4g}")
         return q[valleys], steps[valleys]
 
-    def refined(self, q: Floats, step: Floats, finest: float = FINEST, nodes: int = FINE_NODES) -> ArrayPair:
+    def refined(self, q: Floats, step: Floats, finest: float = FINEST, rule: Rule = FINE) -> ArrayPair:
         """Return the best circles in order after descent from all of them, and their first steps."""
         descent = Descent(q, step, self.along[-1], finest)
         with counted(len(q), "valleys followed to their least factor") as progress:
@@ -321,7 +321,7 @@ class Search:
                 if progress.done == len(q):
                     break
                 near = descent.proposals()
-                values = self.evaluate(near.reshape(-1, 4), nodes)
+                values = self.evaluate(near.reshape(-1, 4), rule)
                 values = np.nan_to_num(values, nan=np.inf)
                 descent.move(near, values.reshape(near.shape[:2]))
         order = in_order(descent.best)[:_KEPT]

@@ -6,7 +6,7 @@ import numpy as np
 
 from slipcircle.base.kinds import Floats, Values
 from slipcircle.workbench.stability.factors import circle_factors
-from slipcircle.workbench.stability.family import COARSE_NODES, Search, valleys_of
+from slipcircle.workbench.stability.family import COARSE, Search, valleys_of
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
 _NEAR = 0.5  # over the least value, as a share of it, circles of the coarse family are kept
@@ -34,7 +34,7 @@ class SampleSearch:
         self._limits = limits
         search = Search(slope, method, **limits)
         q, steps = search.coarse_family()
-        kept = _promising(search.evaluate(q, COARSE_NODES))
+        kept = _promising(search.evaluate(q, COARSE))
         self._q = q[kept]
         self._steps = steps[kept]
         self._solved: list[tuple[Floats, Floats, Floats]] = []  # place, circle and steps of slopes
@@ -55,7 +55,7 @@ class SampleSearch:
         for _, circle, circle_steps in nearest:
             q = np.concatenate([q, circle])
             steps = np.concatenate([steps, circle_steps])
-        values = search.evaluate(q, COARSE_NODES)
+        values = search.evaluate(q, COARSE)
         if not np.any(np.isfinite(values)):
             return dict.fromkeys(METHODS, np.nan)
         followed = valleys_of(q, values, steps, _VALLEYS, 1)

@@ -20,9 +20,30 @@ from slipcircle.layers import meets_circle
 from slipcircle.workbench.stability.bases import Arcs, Bases, Stresses
 from slipcircle.workbench.stability.columns import SlopeArrays
 
-NODES = 10  # of Gauss' rule in each interval
+_GROUND = np.zeros(1, dtype=np.int64)  # number of the ground among the surfaces
 _LEAST_NODES, _NODES_PER_RADIAN = 4, 20  # of half an interval, that are enough on an arc that slopes share
 _INSIDE = 0.45  # of an interval, where its soil is looked up: not its middle, at which arcs touch level boundaries
+
+
+class Rule(NamedTuple):
+    """Gauss' rule on the pieces of arcs.
+
+    Attributes
+    ----------
+    nodes : int
+        Number of points in each interval.
+    pieces : int
+        Number of equal pieces of each arc.
+    at_kinks : bool
+        Whether pieces are divided at the kinks of the integrands.
+    """
+
+    nodes: int = 10
+    pieces: int = 1
+    at_kinks: bool = True
+
+
+EXACT = Rule()
 
 
 class Slices(NamedTuple):
@@ -176,15 +197,15 @@ def _gauss(nodes: int) -> ArrayPair:
     return np.polynomial.legendre.leggauss(nodes)
 
 
-def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = NODES) -> Slices:
-    """Return the slices above valid arcs, divided into pieces and at all kinks."""
-    arc, ends = _intervals(slope, arcs, pieces)
+def slices_above(slope: SlopeArrays, arcs: Arcs, rule: Rule = EXACT, every_surface: bool = True) -> Slices:
+    """Return the slices above valid arcs, with the ground alone or every surface at which the unit weight changes."""
+    arc, ends = _intervals(slope, arcs, rule)
     first, last = ends
     half = (last - first) / 2
     middle = (first + last) / 2
     inside = first + _INSIDE * (last - first)
     base = Bases(slope, arcs, arc, inside)
-    steps = base.steps()
+    nodes = rule.nodes
     if base.is_shared:
         enough = _LEAST_NODES + int(_NODES_PER_RADIAN * half.max(initial=0.0))
         nodes = min(nodes, enough)
@@ -194,6 +215,8 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
     if base.is_shared:
         angle = angle[:, None]
         weight = weight[:, None]
+    changes = np.flatnonzero(np.any(slope.steps, axis=1)) if every_surface else _GROUND
+    steps, constant, gradient = base.loads(changes)
     return Slices(
         arcs=arcs,
         arc=arc,
@@ -202,26 +225,27 @@ def slices_above(slope: SlopeArrays, arcs: Arcs, pieces: int = 1, nodes: int = N
         sine=np.sin(angle),
         cosine=np.cos(angle),
         way=1.0,
-        stresses=base.stresses(steps),
+        stresses=base.stresses(),
         friction=base.soil.friction,
         k_h=base.of_slope(slope.k_h),
         shaken_load=base.of_slope(slope.k_h_on_surcharge),
         water=base.water,
         steps=steps,
-        constant=base.constant[: len(steps)],
-        gradient=base.gradient[: len(steps)],
+        constant=constant,
+        gradient=gradient,
         shaken=_any_of_each(steps),
     )
 
 
-def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.int64], Floats]:
+def _intervals(slope: SlopeArrays, arcs: Arcs, rule: Rule) -> tuple[NDArray[np.int64], Floats]:
     """Return the number of the arc and the angles of both ends of each interval."""
-    sines = np.clip(_kinks(slope, arcs), -1.0, 1.0)
-    kinks = np.arcsin(sines)
-    kinks = np.clip(kinks, arcs.first[:, None], arcs.last[:, None])
-    ends_of_pieces = np.linspace(arcs.first, arcs.last, pieces + 1, axis=1)
-    angles = np.concatenate([ends_of_pieces, kinks], axis=1)
-    angles.sort(axis=1)
+    angles = np.linspace(arcs.first, arcs.last, rule.pieces + 1, axis=1)
+    if rule.at_kinks:
+        first = arcs.first[:, None]
+        last = arcs.last[:, None]
+        kinks = np.clip(_kinks(slope, arcs), first, last)
+        angles = np.concatenate([angles, kinks], axis=1)
+        angles.sort(axis=1)
     first = angles[:, :-1]
     last = angles[:, 1:]
     is_interval = (last > first) & arcs.valid[:, None]
@@ -229,8 +253,13 @@ def _intervals(slope: SlopeArrays, arcs: Arcs, pieces: int) -> tuple[NDArray[np.
 
 
 def _kinks(slope: SlopeArrays, arcs: Arcs) -> Floats:
-    """Return x over R from the centre where an integrand may not be smooth, (n, any)."""
+    """Return angles at which an integrand may not be smooth, (n, any), and others outside the arcs."""
     from_centre = slope.columns.bounds - arcs.centre[:, :1]
     bounds = from_centre / arcs.radius[:, None]
-    cuts = [meets_circle(arcs.from_centre(line)) for line in slope.lines_cut_by_arcs]
-    return np.concatenate([bounds, *cuts], axis=1)
+    cuts = meets_circle(arcs.from_centre(slope.lines_cut_by_arcs))
+    sines = np.concatenate([bounds, cuts], axis=1)
+    after_first = sines > np.sin(arcs.first)[:, None]
+    before_last = sines < np.sin(arcs.last)[:, None]
+    of_any_arc = np.any(after_first & before_last, axis=0)
+    within_circle = np.clip(sines[:, of_any_arc], -1.0, 1.0)
+    return np.arcsin(within_circle)

@@ -17,10 +17,11 @@ from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.columns import SlopeArrays
 from slipcircle.workbench.stability.factors import YIELD, Driven, bishop_normal, driven_slices, factor_by, lever_range
+from slipcircle.workbench.stability.slices import Rule
 from slipcircle.workbench.stability.stability import Circles, circles_of, each_lane, soil
 
 _TOUCHES = 1e-9  # over R: as deep below the water level, ground is not covered
-_PIECES = 3  # into which an arc is cut besides at kinks: then random factors are accurate to 1e-14
+_RULE = Rule(pieces=3)  # random factors are accurate to 1e-14
 OF_CLOSURE = "paper"  # the method whose factor of safety the balance of a motion has at the start
 
 
@@ -66,7 +67,7 @@ def driven_blocks(scene: Any, slipped: bool = False, **most: int) -> Iterator[tu
         is_shared = _is_shared(slope, circles)
         if not is_shared:
             circles = each_lane(circles, lanes)
-        driven = driven_slices(slope, *circles, _PIECES)
+        driven = driven_slices(slope, *circles, _RULE)
         yield driven, lanes
 
 
@@ -121,7 +122,7 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
     ground = turned[None]
     moved = replace(slope, ground=ground, soils=soils)
-    driven = driven_slices(moved, centre, radius, left, right, _PIECES)
+    driven = driven_slices(moved, centre, radius, left, right, _RULE)
     with np.errstate(divide="ignore", invalid="ignore"):
         return float(factor_by(method, driven)[0])
 
