@@ -4,7 +4,7 @@ The mass is one group, which the page turns about the centre of the slip circle.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
 from slipcircle.workbench.outputs.pictures.scenery import Line, lines
-from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, View, mass_of
+from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, Mass, View, mass_of
 
 WIDTH = 1000.0  # width of the drawing in its own unit
 _LOWEST = 0.42  # least height over width
@@ -48,14 +48,14 @@ class Frame(NamedTuple):
         """Return points of the section, (..., 2) in m, in coordinates of the drawing, whose y is downwards."""
         return (world - np.array([self.view.left, self.view.top])) * [self.scale, -self.scale]
 
-    def path(self, kind: str, world: Any, closed: bool = False) -> str:
-        """Return a line through points of the section, with gaps at NaN, as an SVG path of a class."""
+    def path(self, kind: str, world: Any, closed: bool = False, arc: str = "") -> str:
+        """Return an SVG path of a class: a line through points of the section, with gaps at NaN, and an arc command."""
         points = self.points(np.asarray(world, dtype=np.float64))
         data = ""
         for part in np.split(points, np.flatnonzero(np.isnan(points[:, 0]))):
             data += "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in part[np.isfinite(part[:, 0])].tolist())
             data += "Z" * closed
-        return f'<path class="{kind}" d="{data}" />'
+        return f'<path class="{kind}" d="{data}{arc}" />'
 
     def area(self, kind: str, line: Floats, bottom: float) -> str:
         """Return the area between a line, (n, 2), and the height ``bottom`` as an SVG path of a class."""
@@ -86,34 +86,38 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Dr
     """Return the drawing of a motion in a frame; ``name`` is the prefix of the identifiers of its clipping paths."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil)
-    first, last = mass.ends
-    beyond = min(last - first, math.pi - (last - first) / 2)  # the mass is assumed to continue along its circle
-    outline = mass.outline()
     around = [*lines(mass, soil, frame.view)]
     top = around[0].points if isinstance(soil, Arc) else mass.ground
     ground, soils = (frame.area(kind, top, min(frame.view.bottom, top[:, 1].min())) for kind in ("", "soil"))
     layers = [(line.soil % len(SOILS), line.points) for line in around if line.soil is not None]
     bands = "".join(frame.area(f"band band-{number}", points, frame.view.bottom) for number, points in layers)
     parts = [
-        f'<clipPath id="{name}-ground">{ground}</clipPath>',
-        f'<clipPath id="{name}-mass">{frame.path("", outline, closed=True)}</clipPath>',
-        soils,
-        f'<g clip-path="url(#{name}-ground)">{bands}</g>',
-        frame.path("scar", outline, closed=True),
-        *_drawn(around, frame, "pond", "firm", "beyond"),
-        frame.path("circle", mass.on_circle(np.linspace(first - beyond, last + beyond, 2 * ON_ARC))),
-        f'<g class="mass">{frame.path("body", outline, closed=True)}',
-        f'<g clip-path="url(#{name}-mass)">{bands}</g>',
-        frame.path("edge", outline, closed=True),
-        "</g>",
-        frame.path("slip", mass.arc),
-        frame.path("ghost", [*outline[ON_ARC - 1 :], outline[0]]),
+        f'<clipPath id="{name}-ground">{ground}</clipPath>{soils}<g clip-path="url(#{name}-ground)">{bands}</g>',
+        *_mass(mass, frame, bands, f"{name}-mass", _drawn(around, frame, "pond", "firm", "beyond")),
         *_drawn(around, frame, "water", "surcharge"),
         *_names(around, float(soil.facing) > 0.0, frame),
     ]
     x, y = frame.points(mass.centre).tolist()
     turn = -math.degrees(magnification * float(soil.facing) / mass.radius)
     return DrawnSection("".join(parts), (x, y), turn)
+
+
+def _mass(mass: Mass, frame: Frame, bands: str, name: str, behind: Iterable[str]) -> Iterator[str]:
+    """Yield the scar, lines behind the mass, slip circle, mass with bands, and the ground over it; ``name`` clips."""
+    first, last = mass.ends
+    opening = last - first
+    beyond = min(opening, math.pi - opening / 2)  # the mass is assumed to continue along its circle
+    arc = mass.arc
+    surface = [arc[0], *mass.outline()[: ON_ARC - 1 : -1], arc[-1]]
+    radius = f"{mass.radius * frame.scale:.9g}"
+    x, y = frame.points(arc[0]).tolist()
+    back = f"A{radius} {radius} 0 {int(opening > math.pi)} 1 {x:.3f} {y:.3f}Z"
+    scar, clip, body, edge = (frame.path(kind, surface, arc=back) for kind in ("scar", "", "body", "edge"))
+    yield from (scar, *behind)
+    yield frame.path("circle", mass.on_circle(np.linspace(first - beyond, last + beyond, ON_ARC)))
+    yield f'<clipPath id="{name}">{clip}</clipPath>'
+    yield f'<g class="mass">{body}<g clip-path="url(#{name})">{bands}</g>{edge}</g>'
+    yield from (frame.path("slip", arc), frame.path("ghost", surface))
 
 
 def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:

@@ -62,11 +62,8 @@ class Label(Annotation):
         anchors = self.parent.transData.transform(self.anchors)
         centres = anchors[:, None] + offsets
         half = half + _GAP
-        frame = self.parent.bbox
-        outside = np.maximum(frame.min - centres + half, 0.0) + np.maximum(centres + half - frame.max, 0.0)
         edges = _summed_edges(self.parent, renderer.get_canvas_width_height(), self._placed_for)
-        cost = _FAR * distances + _OUTSIDE * outside.sum(axis=-1)
-        cost += _COVERED * _covered(edges, centres - frame.min, half)
+        cost = _FAR * distances + _cost(edges, self.parent.bbox, centres, half)
         before = (takewhile(lambda text: text is not self, ax.texts) for ax in _beside(self.parent))
         for text in filter(Text.get_text, chain.from_iterable(before)):
             box = Text.get_window_extent(text, renderer)
@@ -98,11 +95,14 @@ def _beside(ax: Any) -> list[Any]:
     return [other for other in ax.figure.axes if other.bbox.bounds == ax.bbox.bounds]
 
 
-def _covered(sums: Any, centres: Floats, half: Floats) -> Any:
-    """Return the numbers of edge pixels that a label of a half size covers at centres in the frame, (..., 2)."""
-    corners = np.clip([centres - half, centres + half], 0, np.subtract(sums.shape[::-1], 1)).astype(int)
+def _cost(sums: Any, frame: Any, centres: Floats, half: Floats) -> Any:
+    """Return the costs of edge pixels and of the frame that a label of a half size covers at centres, (..., 2)."""
+    low, high = centres - half - frame.min, centres + half - frame.min
+    outside = np.maximum(-low, 0.0) + np.maximum(high - frame.size, 0.0)
+    corners = np.clip([low, high], 0, np.subtract(sums.shape[::-1], 1)).astype(int)
     (x_0, x_1), (y_0, y_1) = np.moveaxis(corners, -1, 0)
-    return sums[y_1, x_1] - sums[y_0, x_1] - sums[y_1, x_0] + sums[y_0, x_0]
+    covered = sums[y_1, x_1] - sums[y_0, x_1] - sums[y_1, x_0] + sums[y_0, x_0]
+    return _OUTSIDE * outside.sum(axis=-1) + _COVERED * covered
 
 
 @lru_cache(maxsize=8)

@@ -16,7 +16,7 @@ from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection
 from slipcircle.messages import standing, swings_back
 from slipcircle.tables import in_time
-from slipcircle.workbench.common.quantities import HISTORY, prefixed
+from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
 from slipcircle.workbench.common.trace import drawn
 from slipcircle.workbench.outputs.pictures.comparison import ladder
 from slipcircle.workbench.outputs.pictures.film import animate
@@ -77,9 +77,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     curves = {"main": columns[what]}
     if _differs(columns[second], columns[what]):
         curves["other"] = columns[second]
-    factor, unit = prefixed(np.concatenate([*curves.values()]), quantity.unit)
-    if quantity.degrees:
-        factor, unit = math.degrees(1.0), "deg"
+    factor, unit = _unit(quantity, [*curves.values()])
     curves = {line: factor * values for line, values in curves.items()}
     words = f"{quantity.label}{HISTORIES[what]} ({unit or '–'})"
     ax = panel(ax, quantity.label, ("time $t$ (s)",), (words,))
@@ -89,12 +87,16 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         curve(ax, motion, times, values, **LINES[line])
     _limit(ax, motion, what in ("friction", "strength"), [*curves.values()])
     _mark_times(ax, motion, (times, curves["main"]), unit, what == "displacement", brief)
-    if len(curves) > 1:
-        for (line, values), words in zip(curves.items(), (name, name_of_second), strict=True):
-            label(ax, words, _in_view(ax, times, values), LINES[line]["color"])
     if what == "displacement":
         _rotation_axis(ax, motion)
+    for line, words in zip(curves, (name, name_of_second) * (len(curves) > 1), strict=False):
+        label(ax, words, _in_view(ax, times, curves[line]), LINES[line]["color"])
     return ax
+
+
+def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
+    """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit."""
+    return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
 
 
 def _limit(ax: Any, motion: Motion, from_zero: bool, curves: Sequence[Floats]) -> None:

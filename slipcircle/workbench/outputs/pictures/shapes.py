@@ -8,7 +8,7 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.core import Arc
 
-ON_ARC = 120  # number of points along the arc, the first points of an outline
+ON_ARC = 61  # number of points along the arc, the first points of an outline
 
 
 class Mass(NamedTuple):

@@ -74,17 +74,24 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     ax.set_xlim(left, at[-1] + 0.02 * (at[-1] - certain))
     if rare:
         ax.set(yscale="log", ylim=(0.5 / study.n, 1.5))
+    notes = _mark_quantiles(study, output, ax, rare)
+    if not rare:
+        note(ax, [_samples(study), f"{100 * study.confidence:g} % confidence at each place", *notes])
+    return ax
+
+
+def _mark_quantiles(study: "Study", output: str, ax: Any, rare: bool) -> list[str]:
+    """Mark the median and the 95 % quantile on the curve of an axis; return notes on quantiles beyond it."""
+    at, probability = ax.lines[0].get_data()
     beyond = []
     for role, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
         place = study.quantile(output, p).value
         if place == np.inf:
             beyond.append(f"{words}: {BEYOND}")
         elif place > 0.0:
-            value = f"{words}: {amount(place, quantity.unit)}"
-            mark(ax, place, np.interp(place, at, values[0]), role, "" if rare else value)
-    if not rare:
-        note(ax, [_samples(study), f"{100 * study.confidence:g} % confidence at each place", *beyond])
-    return ax
+            value = f"{words}: {amount(place, OUTCOMES[output].unit)}"
+            mark(ax, place, np.interp(place, at, probability), role, "" if rare else value)
+    return beyond
 
 
 def _samples(study: "Study") -> str:
@@ -120,19 +127,23 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
     if not np.all(np.isfinite([first[:, 0], total[:, 0]])):
         has_missing = output in OUTCOMES and study.without_result
         return empty("omitted: results are missing for some samples" if has_missing else "does not vary", ax, "x")
-    kinds = ((first, -0.19, "rests", "on its own (first-order)"), (total, 0.19, "kinetic", "with others (total)"))
-    for estimates, offset, style, words in kinds:
-        value, low, high = estimates[order].T
-        at = np.arange(len(value)) + offset
-        ax.barh(at, np.maximum(value, 0.0), height=0.36, **AREAS[style])
-        error = np.nan_to_num([value - low, high - value])
-        ax.errorbar(value, at, xerr=error, fmt="none", ecolor="black", elinewidth=1.2, capsize=3)
-        if named:
-            label(ax, words, (high[-1], at[-1]))
+    _index_bars(ax, first[order].T, -0.19, "rests", "on its own (first-order)" * named)
+    _index_bars(ax, total[order].T, 0.19, "kinetic", "with others (total)" * named)
     least = np.nanmin([first, total])
     ax.set_xlim(1.1 * least if least < -0.01 else 0.0, max(1.0, 1.05 * np.nanmax([first, total])))
     ax.axvline(0.0, color="0.25", lw=0.8)
     return ax
+
+
+def _index_bars(ax: Any, estimates: Any, offset: float, style: str, words: str) -> None:
+    """Draw a bar with its interval for each input, from values, low and high ends, (3, inputs), and a label."""
+    value, low, high = estimates
+    at = np.arange(len(value)) + offset
+    ax.barh(at, np.maximum(value, 0.0), height=0.36, **AREAS[style])
+    error = np.nan_to_num([value - low, high - value])
+    ax.errorbar(value, at, xerr=error, fmt="none", ecolor="black", elinewidth=1.2, capsize=3)
+    if words:
+        label(ax, words, (high[-1], at[-1]))
 
 
 # --- grids and back-analyses -----------------------------------------------------------------------------------------

@@ -97,15 +97,12 @@ def fragility(study: "Study", ax: Any = None) -> Any:
     notes = [interval_note(len(study.suite)), ""]
     ax = panel(ax, "fragility", ("peak acceleration (g)",), ("exceedance probability (–)",), notes)
     levels = np.median(study.pga, axis=0)
-    greatest = levels.max() if levels.size > 1 else study.pga.max()
-    pga = np.linspace(0.0, 1.05 * greatest, 201)[1:]
+    pga = np.linspace(0.0, 1.05 * (levels if levels.size > 1 else study.pga).max(), 201)[1:]
     estimates = np.array(exceedance(study.displacement, study.records.thresholds))
     for curve, shares, style in zip(study.fragility(), np.swapaxes(estimates, 0, 1), cycle(SERIES), strict=False):
         colour, dashes, marker = style
-        value, low, high = shares.T
-        errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
-        ax.errorbar(levels, value, errors, color=colour, ls="", marker=marker, ms=4, elinewidth=0.7, alpha=0.8)
-        anchors = (levels, value)
+        _shares(ax, levels, *shares.T, color=colour, marker=marker)
+        anchors = levels, shares[:, 0]
         if curve.reason:
             ax.plot(*anchors, color=colour, ls=dashes, lw=0.6)
         else:
@@ -118,6 +115,12 @@ def fragility(study: "Study", ax: Any = None) -> Any:
         label(ax, f"D > {amount(curve.threshold, 'm')}", points_of(*anchors), colour)
     ax.set(xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     return ax
+
+
+def _shares(ax: Any, levels: Any, value: Any, low: Any, high: Any, **style: Any) -> None:
+    """Draw shares of the motions over levels, with intervals where they are neither 0 nor 1."""
+    errors = np.where((value > 0.0) & (value < 1.0), [value - low, high - value], 0.0)
+    ax.errorbar(levels, value, errors, ls="", ms=4, elinewidth=0.7, alpha=0.8, **style)
 
 
 def _history(study: "Study", what: str, ax: Any = None) -> Any:

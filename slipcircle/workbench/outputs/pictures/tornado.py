@@ -1,7 +1,7 @@
 """Tornado diagrams: changes of an output with each number of a scene, the largest on top."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -68,16 +68,21 @@ def tornado(
     ax = panel(ax, f"influence on {words}", across, size=(7.0, 1.6 + 0.4 * max(2, len(shown))))
     if not at or not shown:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
-    lengths_of_bars = np.array([bar.change for bar in shown])
-    name_rows(ax, [bar.words for bar in shown])
-    ax.barh(range(len(shown)), lengths_of_bars, height=0.62, label="larger", **AREAS["kinetic"])
-    ax.barh(range(len(shown)), -lengths_of_bars, height=0.62, label="smaller", **AREAS["rests"])
-    widest = 1.08 * abs(lengths_of_bars[0])
-    ax.set_xlim(-widest, widest)
-    ax.axvline(0.0, color="0.25", lw=0.8)
+    _draw_bars(ax, shown)
     if named:
         legend(ax)
     return ax
+
+
+def _draw_bars(ax: Any, bars: Sequence[Bar]) -> None:
+    """Draw a bar to both sides for each change, the largest first."""
+    changes = np.array([bar.change for bar in bars])
+    name_rows(ax, [bar.words for bar in bars])
+    ax.barh(range(len(bars)), changes, height=0.62, label="larger", **AREAS["kinetic"])
+    ax.barh(range(len(bars)), -changes, height=0.62, label="smaller", **AREAS["rests"])
+    widest = 1.08 * abs(changes[0])
+    ax.set_xlim(-widest, widest)
+    ax.axvline(0.0, color="0.25", lw=0.8)
 
 
 def _bar(table: "Sensitivity", output: str, name: str, key: Number, step: float) -> Bar:
