@@ -138,6 +138,7 @@ def test_ctrl_c_ends_every_engine(where: str, tmp_path: Path, request: pytest.Fi
     try:
         while not started(tmp_path) and process.poll() is None:
             time.sleep(0.1)
+        assert process.poll() is None, process.communicate()
         os.killpg(process.pid, signal.SIGINT)
         out, err = process.communicate(timeout=60)  # a guard; it takes a tenth of a second
     finally:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.kinds import Floats, Names, NumberMap, Texts
 from slipcircle.core.scene.scene import Scene
 
 
@@ -44,7 +44,7 @@ class Sensitivity:
 
     outputs: Mapping[str, str]
     parameters: Mapping[str, str]
-    at: Mapping[str, float]
+    at: NumberMap
     kinds: Any
     values: Floats
     errors: Floats
@@ -91,10 +91,9 @@ class Sensitivity:
             lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _row(self, parameter: str) -> list[str]:
+    def _row(self, parameter: str) -> Texts:
         """Return the derivatives of the outputs with respect to a parameter, with elasticities, as text."""
-        column = list(self.parameters).index(parameter)
-        elasticities = self.elasticities[:, column]
+        elasticities = self.elasticities[:, list(self.parameters).index(parameter)]
         cells = []
         for output, elasticity in zip(self.outputs, elasticities, strict=True):
             value = self.derivative(output, parameter)

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.scene.scene import Scene
@@ -67,9 +68,7 @@ def neighbour_derivatives(
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
         first = RUNGS * ladder
-        rungs = np.arange(first, first + RUNGS)
-        longest = FIRST * scales
-        steps = longest * 2.0**-rungs
+        steps = FIRST * scales * 2.0 ** -np.arange(first, first + RUNGS)
         here, beside = _solved(scene, outcomes, remaining, steps)
         off = CAUTION * max(ACCURACY, error)
         every, goals = _judged(here, beside, steps, scales, off)
@@ -140,7 +139,7 @@ def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free]
         arrays[number.name] = number.value + with_scene
     changed, invalid = with_parameter_arrays(scene, arrays)
     accurate = replace(changed, accuracy=ACCURACY)
-    with np.errstate(all="ignore"):
+    with quiet():
         motion = solve(accurate, invalid=invalid)
     return np.array(outcomes(motion))
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Texts
 from slipcircle.core import Motion
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import JUMP, SMOOTH, UNRESOLVED, Derivatives, neighbour_derivatives
@@ -66,7 +67,7 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
             yield k
 
 
-def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:
+def _warnings(found: Derivatives, free: Mapping[str, Free]) -> Texts:
     """Return warnings about the largest jump of each output by a number, and about unknown derivatives."""
     warnings = []
     for k, name in enumerate(free):

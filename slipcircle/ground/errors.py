@@ -11,6 +11,7 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
+from slipcircle.base.kinds import Texts
 from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.ponds import ends_above, water_fault
 
@@ -88,7 +89,7 @@ def outside_between(section: Any) -> Fault:
     )
 
 
-def _pairs(numbers: Iterable[Any]) -> list[str]:
+def _pairs(numbers: Iterable[Any]) -> Texts:
     """Return pairs of numbers as text in brackets."""
     return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
 

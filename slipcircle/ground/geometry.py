@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 import slipcircle.ground.circles as circles
-from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Shape
+from slipcircle.base.kinds import ArrayDict, ArrayPair, ArrayTriple, Floats, Shape
 from slipcircle.ground.circles import Cut
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.ground import AS_PRINTED
@@ -33,7 +33,7 @@ class SectionGeometry(TurningMass):
         return np.broadcast_shapes(*(leading_shape(getattr(self, name), self.quantities[name]) for name in names))
 
     @cached_property
-    def _circle(self) -> tuple[Floats, Floats, Floats]:
+    def _circle(self) -> ArrayTriple:
         """Ground, centre and radius with one axis of lanes."""
         centres = np.add(self.centre, 0.0)
         radii = np.add(self.radius, 0.0)
@@ -81,7 +81,7 @@ class SectionGeometry(TurningMass):
         left = x + r * first.x
         right = x + r * last.x
         width = right - left
-        meant = np.ones_like(width, dtype=bool)
+        meant = np.ones_like(width, bool)
         if self.between is not None:
             low, high = self.between
             rounding = 1e-9 * r

@@ -6,8 +6,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, array_of, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Floats, ValueDict, Values
+from slipcircle.base.checks import (
+    INFINITY,
+    Bounds,
+    Fault,
+    array_of,
+    complaint,
+    mistakes,
+    quiet,
+    raise_all,
+    shape_mistakes,
+)
+from slipcircle.base.kinds import Floats, Texts, ValueDict, Values
 from slipcircle.ground.coordinates import leading_shape
 from slipcircle.ground.plane import Vectors
 
@@ -17,7 +27,7 @@ AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, fo
 
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Yield the errors of lines (n, V, 2) that do not run from left to right."""
-    with np.errstate(invalid="ignore"):
+    with quiet():
         before_first = lines[:, :1] - 1.0
         step = np.diff(lines, axis=1, prepend=before_first)
 
@@ -41,7 +51,7 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
-def points_errors(name: str, given: Any, many: bool) -> list[str]:
+def points_errors(name: str, given: Any, many: bool) -> Texts:
     """Return messages about points that should form a line from left to right, or about the first invalid line."""
     points = array_of(given)
     most_axes = 15 if many else 2
@@ -53,7 +63,7 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     *lanes, count, _ = shape
     one_axis = points.reshape(-1, count, 2)
-    lines = one_axis.astype(np.float64)
+    lines = one_axis.astype(float)
     faults = line_errors(name, lines)
     return complaint(faults, tuple(lanes))
 
@@ -92,14 +102,14 @@ BOUNDS: Mapping[str, Bounds] = {  # bounds of the numbers of sections, soils and
 }
 
 
-def slope_errors(given: Values) -> list[str]:
+def slope_errors(given: Values) -> Texts:
     """Return messages about the fields of one slope, which are numbers except for its lines."""
     bounds = _bounds_of(given)
     errors = mistakes(given, bounds, one=bounds)
     return errors + _lines_errors(given, many=False)
 
 
-def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
+def section_errors(given: Values, axes: Mapping[str, int]) -> Texts:
     """Return messages about the fields of sections, which may have axes of lanes before those of one section."""
     bounds = _bounds_of(given)
     errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
@@ -119,7 +129,7 @@ def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
     return shape_mistakes(of_lanes) or errors
 
 
-def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
+def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair."""
     wrong = []
     *_, coordinates = np.atleast_1d(given["centre"]).shape
@@ -142,7 +152,7 @@ def _bounds_of(given: Values) -> dict[str, Bounds]:
     return bounds
 
 
-def _lines_errors(given: Values, many: bool) -> list[str]:
+def _lines_errors(given: Values, many: bool) -> Texts:
     """Return messages about the ground, the water level and ponds."""
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
@@ -157,7 +167,7 @@ def _lines_errors(given: Values, many: bool) -> list[str]:
     return errors
 
 
-def _pond_errors(k: int, pond: Any) -> list[str]:
+def _pond_errors(k: int, pond: Any) -> Texts:
     """Return a message if a pond, counted from 1, does not consist of three numbers."""
     numbers = np.asarray(pond)
     if numbers.shape == (3,) and numbers.dtype.kind in "iuf" and np.all(np.abs(numbers) < FAR):
@@ -242,7 +252,7 @@ def circle_through(
     return centre.points, size[()]
 
 
-def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> list[str]:
+def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> Texts:
     errors = []
     if (radius is None) == (depth is None):
         errors.append("{radius} or {depth}: give one of them")

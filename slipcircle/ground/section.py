@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
-from slipcircle.base.kinds import Effects, Floats, Pair, Shape, ValueDict
+from slipcircle.base.kinds import Effects, Floats, Pair, Shape, Texts, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import rotates, symbols_of
@@ -143,7 +143,7 @@ class Section(SectionGeometry, Mass):
         levels = () if self.level is None else line_errors("level", self._level)
         return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""
         found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
         if self.level is not None and "ratio" in effects.get("pore_pressure", {}):

@@ -51,8 +51,7 @@ class SoilCohesion:
             return self.peak * share, self.growth * share
         residual = self.section.of_soils("residual_cohesion")
         is_none = self.peak == 0.0
-        divisor = np.where(is_none, 1.0, self.peak)
-        share = np.where(is_none, 1.0, residual / divisor)
+        share = np.where(is_none, 1.0, residual / np.where(is_none, 1.0, self.peak))
         return residual, self.growth * share
 
     @cached_property

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
-from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Values
+from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
@@ -305,7 +305,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Friction of the arc as a whole, for a `Scene`."""
         return self.arc_strength.friction
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages, including about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
         found = super().mistakes(friction, effects)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
+from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
@@ -112,7 +113,7 @@ def distinct(soils: Iterable[Soil]) -> list[Soil]:
     return list(by_identity.values())
 
 
-def soil_mistakes(soil: Soil) -> list[str]:
+def soil_mistakes(soil: Soil) -> Texts:
     """Return a message for each invalid number of a soil."""
     bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
     if soil.saturated_unit_weight is None:
@@ -134,7 +135,7 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
-def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> list[str]:
+def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> Texts:
     """Return a message for each mistake in the layers of a section, its foreland and its surcharges.
 
     Without ``strength`` the section does not move.
@@ -184,7 +185,7 @@ def top_of(foreland: Soil, layers: Layers) -> Any:
     return next(iter(_tops(foreland, layers)), None)
 
 
-def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
+def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
     """Return a message if the cohesion of the foreland grows with depth and its soil has not one top."""
     if foreland is None or foreland.datum is not None or not np.any(foreland.cohesion_gradient):
         return []
@@ -195,7 +196,7 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
     return [f"soils.{foreland.name}.datum: {why}"]
 
 
-def _load_mistakes(k: int, load: Any) -> list[str]:
+def _load_mistakes(k: int, load: Any) -> Texts:
     """Return messages about a surcharge, counted from 0."""
     words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
@@ -212,7 +213,7 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
     return [words]
 
 
-def _top_mistakes(k: int, top: Any) -> list[str]:
+def _top_mistakes(k: int, top: Any) -> Texts:
     """Return messages about the top of a layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
@@ -244,7 +245,7 @@ def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
     return len(laws) <= 1
 
 
-def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
+def _together_mistakes(soils: list[Soil], strength: str) -> Texts:
     """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws."""
     names = [soil.name for soil in soils]
     twice = [name for name in sorted({*names}) if names.count(name) > 1]

@@ -42,8 +42,7 @@ def summary(motion: Any) -> str:
 def ensemble_summary(motion: Any) -> str:
     """Return the number of lanes by status, and the range of their run-outs."""
     counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
-    unknown = np.isnan(motion.run_out)
-    known = motion.run_out[~unknown]
+    known = motion.run_out[~np.isnan(motion.run_out)]
     span = "not known"
     if known.size:
         least = shown(known.min())

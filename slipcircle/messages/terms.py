@@ -9,7 +9,7 @@ import numpy as np
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from generated.flow import COEFFICIENTS, EQUATION_QUANTITIES, SOIL_COEFFICIENTS, SOIL_TERMS, TERMS
 from generated.program import OF_COHESION
-from slipcircle.base.kinds import Names, Parameters
+from slipcircle.base.kinds import Names, Parameters, Texts
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.effects import rotates, soil_number, without_soil
@@ -118,7 +118,7 @@ def _term_of_law(symbol: str, law: str) -> EquationTerm:
     return EquationTerm(symbol, formula, law, latex=latex)
 
 
-def symbols_in(formula: str) -> list[str]:
+def symbols_in(formula: str) -> Texts:
     """Return the symbols in a formula."""
     return re.findall(r"[A-Za-z_]\w*'?", formula)
 

@@ -12,7 +12,7 @@ from difflib import get_close_matches
 from itertools import chain
 from typing import Any
 
-from slipcircle.base.kinds import TextDict, ValueDict, Values
+from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
@@ -43,10 +43,10 @@ class Document:
         self.arguments: dict[str, ValueDict] = {}
         self.typed: TextDict = {}
         self.uncertain: ValueDict = {}
-        self.mistakes: list[str] = []
+        self.mistakes: Texts = []
         self.wrong: set[str] = set()
         self._tables = tables
-        self._odd_distributions: dict[str, list[str]] = {}
+        self._odd_distributions: dict[str, Texts] = {}
         self._missing: TextDict = {}
         self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
@@ -264,7 +264,7 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
     return "", f"known are {', '.join(here)}"
 
 
-def _similar(unknown: str, here: list[str], table: Table) -> str:
+def _similar(unknown: str, here: Texts, table: Table) -> str:
     """Return the key or table most similar to an unknown key, or the only key with its unit; "" without a candidate."""
     units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
     of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Texts, ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
@@ -92,7 +92,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
     return schema
 
 
-def _object(properties: Values, title: str, required: list[str]) -> ValueDict:
+def _object(properties: Values, title: str, required: Texts) -> ValueDict:
     return {
         "type": "object",
         "title": title,

@@ -259,11 +259,8 @@ class SlopeScene(Scene[Numbers]):
 
 def at_circle(slope: Slope, section: Section) -> Critical:
     """Return the given circle of a section of a slope with its factors of safety."""
-    ends = sorted([tuple(section.entry), tuple(section.exit)])
-    left, right = np.array(ends)[:, None]
-    centre = np.array([section.centre])
-    radius = np.array([section.radius])
-    found = circle_of(slope, centre, radius, left, right)
+    left, right = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
+    found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
     return replace(found, refused=int(None in found.factors_of_safety.values()))
 
 
@@ -276,8 +273,7 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
     factors = circle_factors(slope.arrays(), *circle, rule=_PIECES)
     without_k_h = None
     if slope.k_h:
-        unshaken = replace(slope.arrays(), k_h=0.0)
-        without_k_h = _by_method(circle_factors(unshaken, *circle))
+        without_k_h = _by_method(circle_factors(replace(slope.arrays(), k_h=0.0), *circle))
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
     first = _point(left)

@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import ArrayDict, Floats, Shape, ValueDict
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
@@ -24,7 +24,6 @@ from slipcircle.workbench.studies.motions import factors_at_start, motions
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.searched import SEARCHED, searched_factors
 
-Result = dict[str, NDArray[Any]]
 # Statuses of samples that slide without a known end: they move and exceed every threshold.
 NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s < Status.INVALID)
 METHODS = ("monte-carlo", "sobol")
@@ -163,7 +162,7 @@ class Design:
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
 
-    def task(self, index: int) -> tuple[Callable[[int], Result], int]:
+    def task(self, index: int) -> tuple[Callable[[int], Columns], int]:
         """Return the function that computes a block and its argument, with the records of the block alone."""
         if self.records is None:
             return self.run_block, index
@@ -193,12 +192,12 @@ class Design:
 
     def _si(self, index: int) -> ArrayDict:
         """Return the values of the inputs in the scenes of a block by name, in SI units."""
-        with np.errstate(all="ignore"):
+        with quiet():
             return {
                 name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
             }
 
-    def run_block(self, index: int) -> Result:
+    def run_block(self, index: int) -> Columns:
         """Compute a block and return its results by the names of `outputs`."""
         si = self._si(index)
         scene = self.scene
@@ -230,7 +229,7 @@ class Design:
         """Whether factors of safety are stored with the motions, as for grids and searches of every sample."""
         return self.search_each or self.method == "grid"
 
-    def at_start(self, index: int) -> Result:
+    def at_start(self, index: int) -> Columns:
         """Return the factors of safety of a block of samples by method, without integration."""
         return factors_at_start(self.scene, self._si(index), self.accuracy)
 

@@ -213,7 +213,7 @@ def grid(
     if n > _MOST_GRID:
         found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
-    axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
+    axes = tuple(np.asarray(values, float) for values in levels.values())
     accuracy = plan(scene, accuracy).accuracy
     independent = np.eye(len(inputs))
     design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import raise_all, real_number, shown
-from slipcircle.base.kinds import ArrayPair, Floats, Pair
+from slipcircle.base.checks import plain, raise_all, real_number, shown
+from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
 from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
 from slipcircle.derivatives import DIP, parameter_value
@@ -56,8 +56,7 @@ class SearchProblem:
         )  # standard errors for all observations, or for none
         exit = float(np.ravel(scene.arc.exit)[0])  # x of the toe before the motion
         self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
-        values = np.array([value for value, _ in pairs])
-        self.targets = values - self.origins
+        self.targets = np.array([value for value, _ in pairs]) - self.origins
         sigmas = [sigma for _, sigma in pairs]
         self.scales = np.array([sigma or abs(value) or 1.0 for value, sigma in zip(self.targets, sigmas, strict=True)])
 
@@ -119,8 +118,7 @@ class SearchProblem:
         """Return residuals and their derivatives with respect to the shares, (observations, fields), at one point."""
         here = shares[:, None]
         steps = _STEP * np.eye(len(shares))
-        moved_up = np.minimum(here + steps, 1.0)
-        places = np.hstack([here, moved_up, np.maximum(here - steps, 0.0)])
+        places = np.hstack([here, np.minimum(here + steps, 1.0), np.maximum(here - steps, 0.0)])
         residuals = self.residuals(places)
         at_here = residuals[:, 0]
         is_known = ~np.isnan(residuals).any(axis=0)
@@ -247,7 +245,7 @@ def _default_field(scene: Scene) -> str:
     )
 
 
-def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> list[str]:
+def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> Texts:
     """Return a message for each mistake in the choice of fields."""
     mistakes = []
     names = [f.name for f in fields]
@@ -296,9 +294,8 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     """Return usual values of a parameter in SI units, from scales of the arc or about the scene's value, or None."""
     arc = scene.arc
     scales = (arc.static_normal_stress, arc.radius, arc.gravity)
-    stress, radius, gravity = (float(np.asarray(scale)) for scale in scales)
-    next_to_one = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
-    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], next_to_one])
+    stress, radius, gravity = map(plain, scales)
+    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     by_scale = {
         "initial_velocity": 2 * math.sqrt(gravity * radius) * np.linspace(-1.0, 1.0, 241),
         "dip": np.pi / 2 * np.concatenate([-to_one[:0:-1], to_one]),
@@ -337,7 +334,7 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     creeps = "speed" in depends_on(
         law_names(scene.friction)
     )  # with more friction the mass creeps, which takes long to solve
-    has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
+    has_speed = plain(scene.initial_velocity) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # shaking moves a mass that would stay at rest
