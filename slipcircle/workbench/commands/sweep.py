@@ -28,7 +28,6 @@ from slipcircle.workbench.outputs.pictures import studyplots
 from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.outputs.studytables import parts
-from slipcircle.workbench.outputs.suitereport import suite_report
 from slipcircle.workbench.outputs.tables import Answer, Files, Part
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import FACTOR, METHODS
@@ -117,16 +116,20 @@ def run(options: argparse.Namespace) -> Answer:
         )
         raise ValueError(f"sweep: a worker or the scheduler died; {remedy}") from error
     if study.design.records is not None:
-        return _answer_of_records(study, options, content)
-    tables = _of_grid(study) if levels else _of_samples(study, options.verbose)
+        tables = _of_records(study, options)
+    else:
+        tables = _of_grid(study) if levels else _of_samples(study)
+    kind = "study" if study.design.records is None else "suite"
     contents: Files = {
-        "plot": partial(picture, "study", study),
-        "report": lambda _: study_report(study, content, options.line).encode(),
-        "csv": lambda _: files.table(tables.head, tables.rows),
+        "plot": partial(picture, kind, study),
+        "report": lambda _: study_report(study, content, options.line, tables.parts(True), tables.record()).encode(),
+        "csv": lambda _: files.table(tables.head, tables.rows()),
         "npz": lambda _: files.arrays(export.arrays(study)),
+        "fragility": lambda _: _table(study.fragility_columns()),
     }
     warnings = [f"{scene.name}: {warning}" for warning in study.warnings]
-    return Answer(lambda: [tables.record()], tables.parts, warnings, contents)
+    record = tables.record if kind == "suite" else lambda: [tables.record()]
+    return Answer(record, tables.parts(options.verbose), warnings, contents)
 
 
 def _check_options(options: argparse.Namespace) -> None:
@@ -150,23 +153,6 @@ def _check_options(options: argparse.Namespace) -> None:
         raise ValueError(f"sweep: --units {options.units}: must be SI or US; other units are those of --records")
     if options.period is not None and not 0.0 <= options.period < math.inf:
         raise ValueError(f"sweep: --period {options.period:g}: must be a time in s, at least 0")
-
-
-def _answer_of_records(study: Study, options: argparse.Namespace, scene_file: bytes) -> Answer:
-    """Return the tables and file contents of a study over records."""
-    magnitude = math.nan if options.magnitude is None else options.magnitude
-    compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
-    tables = list(suite.parts(study, compared))
-    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
-    contents: Files = {
-        "plot": partial(picture, "suite", study),
-        "csv": lambda _: _table({name: column.tolist() for name, column in study.columns().items()}),
-        "npz": lambda _: files.arrays(export.arrays(study)),
-        "fragility": lambda _: _table(study.fragility_columns()),
-        "report": lambda _: suite_report(study, tables, record, scene_file, options.line).encode(),
-    }
-    shown_tables = tables if options.verbose else tables[1:]  # `slipcircle records` prints the first
-    return Answer(lambda: record, shown_tables, [f"{study.scene.name}: {line}" for line in study.warnings], contents)
 
 
 def _table(columns: Mapping[str, Sequence[Any]]) -> bytes:
@@ -207,12 +193,26 @@ def _compute(scene: Scene, levels: Values, options: argparse.Namespace) -> Study
 
 
 class _Tables(NamedTuple):
-    """Results of a study: head and rows of the CSV file, JSON record, and printed parts."""
+    """Results of a study: head and rows of the CSV file, JSON record, and tables, verbose or brief."""
 
     head: Sequence[str]
-    rows: Sequence[Sequence[Any]]
+    rows: Callable[[], Iterable[Sequence[Any]]]
     record: Callable[[], Any]
-    parts: Iterable[Part | str]
+    parts: Callable[[bool], Sequence[Part | str]]
+
+
+def _of_records(study: Study, options: argparse.Namespace) -> _Tables:
+    """Return the results of a study over records: displacements, their statistics, fragility and regressions."""
+    magnitude = math.nan if options.magnitude is None else options.magnitude
+    compared = study.regressions(study.own_scale, magnitude, options.period or 0.0)
+    record = study.to_dict() | {"regressions": [c._asdict() for c in compared]}
+    columns = {name: column.tolist() for name, column in study.columns().items()}
+    tables = [*suite.parts(study, compared)]
+
+    def parts(verbose: bool) -> Sequence[Part | str]:
+        return tables if verbose else tables[1:]  # `slipcircle records` prints the first
+
+    return _Tables([*columns], lambda: zip(*columns.values(), strict=True), lambda: record, parts)
 
 
 def _of_grid(study: Study) -> _Tables:
@@ -228,7 +228,7 @@ def _of_grid(study: Study) -> _Tables:
         shared = {"factors_of_safety": _factors_of_grid(study), "outside_range": study.outside_range}
         return {"scene": study.scene.name, "rows": scenes} | shared
 
-    return _Tables(head, rows, record, [_grid_part(study, keys, statuses)])
+    return _Tables(head, lambda: rows, record, lambda _: [_grid_part(study, keys, statuses)])
 
 
 def _grid_part(study: Study, keys: Sequence[str], statuses: Sequence[int]) -> Part | str:
@@ -278,9 +278,11 @@ def _factors_of_grid(study: Study) -> dict[str, dict[str, float]]:
     return shares
 
 
-def _of_samples(study: Study, verbose: bool) -> _Tables:
+def _of_samples(study: Study) -> _Tables:
     """Return all estimates of a study with their intervals."""
     design = study.design
     drawn = [f"{design.n} samples", design.method, f"seed {study.seed}", *filter(None, [design.correlations_text])]
     title = f"{study.scene.name}: {', '.join(drawn)}\n"
-    return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study, verbose)])
+    return _Tables(
+        export.HEAD, lambda: export.rows(study), study.to_dict, lambda verbose: [title, *parts(study, verbose)]
+    )

@@ -84,7 +84,7 @@ def curves(
     styles = _styles(motions)
     if not styles:
         return empty(STILL, ax, "x", "y")
-    for k, style in reversed(styles.items()):
+    for k, style in sorted(styles.items(), key=lambda item: item[1] != REST):
         colour, dashes, _ = style
         times, values = drawn(motions[k])["time"], drawn(motions[k])[column]
         curve(ax, motions[k], times, values, color=colour, ls=dashes, lw=0.8 if style == REST else 1.5)
