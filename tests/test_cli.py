@@ -102,7 +102,7 @@ def test_a_motion_is_printed_on_twelve_lines(name: str, tmp_path: Path, said: An
 
 
 def test_json_has_full_precision(records: Any) -> None:
-    """The very numbers of the motion's record, which `test_outputs` holds."""
+    """The very numbers of the motion's record, which `test_printed_motions` holds."""
     for found, name in zip(records("run", *NAMES), NAMES, strict=True):
         motion = solve(load(name))
         assert found == {"format": "slipcircle-json-1"} | json.loads(json.dumps(record(motion)))
@@ -272,7 +272,9 @@ def test_no_command_is_silent(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> N
         ("info all", 2, "all"),
     ],
 )
-def test_errors(words: str, status: int, told: str, asked: Any, refused: Any) -> None:
+def test_wrong_input_and_wrong_calls_have_their_exit_status(
+    words: str, status: int, told: str, asked: Any, refused: Any
+) -> None:
     """Status 1 for input that is refused, in one line, 2 for a wrong call; stdout stays empty."""
     found, out, err = asked(words)
     assert (found, out) == (status, "")
@@ -439,7 +441,7 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     assert [p.name for p in tmp_path.glob("a.*")] == []
 
 
-def test_info(said: Any) -> None:
+def test_info_lists_versions_speed_and_digests(said: Any) -> None:
     facts = json.loads(said("info --json"))
     assert facts.pop("format") == "slipcircle-json-1"
     scene, factor = map(float, re.findall(r"([\d.]+) us a scene .* ([\d.]+) times", facts.pop("speed"))[0])

@@ -443,7 +443,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
         ensemble(SCENE, 100, 1, pool)
 
 
-def test_progress(capsys: pytest.CaptureFixture[str], told_at_once: None) -> None:
+def test_progress_is_printed_at_growing_intervals(capsys: pytest.CaptureFixture[str], told_at_once: None) -> None:
     """Progress in a pipe is printed at growing intervals, and not at all inside other counted work."""
     with Progress(100, "scenes") as progress:
         for _ in range(10):

@@ -397,7 +397,7 @@ def test_indices_of_a_scene(file: Path) -> None:
 # --- the command -----------------------------------------------------------------------------------------------------
 
 
-def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
+def test_the_command_prints_and_writes_the_estimates_of_a_study(file: Path, tmp_path: Path, asked: Any) -> None:
     line = f"sweep {file} --samples 3e3 --seed 4 --sensitivity 64"
     table, arrays = tmp_path / "a.csv", tmp_path / "a.npz"
     _, out, err = asked(line, "--json --csv", table, "--npz", arrays)
@@ -418,7 +418,7 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]
 
 
-def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
+def test_a_grid_is_printed_written_and_resumed(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
     table, line = tmp_path / "a.csv", "sweep vaiont --grid friction.angle_deg=8:12:41 --grid arc.radius_m=1000,1500"
     for _ in range(2):  # the second time from the blocks of the first
         out = said(line, "--csv", table, "--resume", tmp_path / "blocks")

@@ -140,7 +140,7 @@ def test_above_the_limit_it_does_not_move(capsys: Any) -> None:
         (["--pore-pressure-kPa", "9e4", "--unit-weight-kN-m3", "20"], "does not certainly press"),
     ],
 )
-def test_undecided(options: list[str], words: str, capsys: Any) -> None:
+def test_an_undecided_theorem_states_no_number(options: list[str], words: str, capsys: Any) -> None:
     """No number of the motion is given."""
     assert main(["theorem", *options, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)

@@ -193,7 +193,7 @@ SHEETS = [
 
 
 @pytest.mark.parametrize(("text", "unit", "found"), SHEETS)
-def test_spreadsheets(tmp_path: Path, text: str, unit: str, found: str) -> None:
+def test_spreadsheets_of_several_countries_are_read(tmp_path: Path, text: str, unit: str, found: str) -> None:
     (tmp_path / "sheet.csv").write_bytes(text.encode())
     assert read_points(tmp_path, "sheet.csv", unit, "points_file_unit") == (LINE, found)
 
@@ -225,7 +225,7 @@ def test_spreadsheets_that_are_refused(tmp_path: Path, text: str, unit: str, sai
         read_points(tmp_path, "sheet.csv", unit, "points_file_unit")
 
 
-def test_drawings(tmp_path: Path) -> None:
+def test_lines_of_drawings_are_joined_by_their_ends(tmp_path: Path) -> None:
     """Polylines and lines, drawn in any order and direction, joined by their ends; the unit is the drawing's."""
     ezdxf = pytest.importorskip("ezdxf")
     drawing = ezdxf.new(units=21)
