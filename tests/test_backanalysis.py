@@ -213,19 +213,6 @@ def test_intervals_count_as_uniform_distributions() -> None:
     assert found.intervals == intervals
 
 
-@pytest.mark.parametrize(
-    ("degrees", "missed", "slow", "climb"),
-    [(10.0, {"run_out", "toe_rise"}, 348, 229), (13.6, set[str](), 249, 135), (14.0, set[str](), 238, 126)],
-)
-def test_what_one_friction_angle_meets_of_vaiont(degrees: float, missed: set[str], slow: int, climb: int) -> None:
-    """Reported ranges that a friction angle misses by more than a tenth."""
-    motion = solve(replace(VAIONT, friction=math.tan(math.radians(degrees))))
-    outcomes = observed_of_vaiont(motion)
-    outside = {n for n, (low, high) in VAIONT.observed.items() if not 0.9 * low <= outcomes[n] <= 1.1 * high}
-    assert outside == missed
-    assert (round(motion.slow_run_out), round(motion.journey.rise)) == (slow, climb)
-
-
 def test_tables_and_json_show_what_was_observed_beside_the_motion() -> None:
     """Intervals with a verdict, a number with its error without one."""
     seen = {"run_out": Interval(600.0, 700.0), "peak_velocity": Interval(20.0, 25.0), "duration": (40.0, 5.0)}

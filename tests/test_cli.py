@@ -336,26 +336,15 @@ def test_ctrl_c_while_modules_load(module: str) -> None:
 
 def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:
     """Commands have their own help with a sentence; the first help lists scenes and exit status, in 100 columns."""
-    commands = [
-        "new",
-        "run",
-        "plan",
-        "sweep",
-        "records",
-        "backanalyse",
-        "sensitivity",
-        "search",
-        "schema",
-        "cost",
-        "info",
-    ]
-    for name in ("", *commands):
+    assert {*COMMANDS} >= {"new", "run", "plan", "sweep", "records", "backanalyse", "sensitivity", "search", "info"}
+    for name in ("", *COMMANDS):
         text = said(name, "--help")
+        assert text.startswith(f"usage: slipcircle {name}".rstrip())
         assert max(map(len, text.splitlines())) <= 100
         assert re.search(r"\n\n[A-Z][^\n]*(\n[^\n]+)*\.\n", text), name
     text = said("--help")
     assert "0 success, 1 invalid input, 2 invalid call, 130 interrupted" in text
-    assert all(name in text for name in (*shipped(), *commands))
+    assert all(name in text for name in (*shipped(), *COMMANDS))
     assert said("--version") == f"slipcircle {slipcircle.__version__}\n"
 
 
@@ -476,14 +465,8 @@ def test_every_file_that_is_written_is_named(tmp_path: Path, asked: Any) -> None
     assert asked("run vaiont --csv /dev/null")[2] == ""
 
 
-HELPS = [("slipcircle", ["", *COMMANDS]), ("derive", ["", *derive_line.COMMANDS])]
-
-
-@pytest.mark.parametrize(("program", "name"), [(program, name) for program, names in HELPS for name in names])
-def test_every_command_has_help(program: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """Commands of both programs print their help."""
-    main = {"slipcircle": line.main, "derive": derive_line.main}[program]
-    with pytest.raises(SystemExit) as leaving:
-        main([*filter(None, [name]), "--help"])
-    assert leaving.value.code == 0
-    assert capsys.readouterr().out.startswith(f"usage: {'python -m ' * (program == 'derive')}{program} {name}".rstrip())
+@pytest.mark.parametrize("name", ["", *derive_line.COMMANDS])
+def test_every_command_of_derive_has_help(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="0"):
+        derive_line.main([*filter(None, [name]), "--help"])
+    assert capsys.readouterr().out.startswith(f"usage: python -m derive {name}".rstrip())

@@ -300,16 +300,6 @@ def test_quantiles_of_a_monotone_answer(method: str) -> None:
     np.testing.assert_allclose(curve.probability, 1 - np.searchsorted(samples, curve.at) / 65536, atol=1e-14)
 
 
-def test_intervals_of_means_are_of_95_percent() -> None:
-    """1.96 standard errors to either side; a standard deviation has no interval."""
-    study = ensemble(ONE, 4000, 1, sensitivity=0)
-    values = study.samples["run_out"]
-    mean, std = study.mean("run_out"), study.std("run_out")
-    assert (mean.high - mean.low) / 2 / stats.norm.ppf(0.975) == pytest.approx(stats.sem(values))
-    assert (mean.value, std.value) == pytest.approx((values.mean(), values.std(ddof=1)))
-    assert np.all(np.isnan(std[1:]))
-
-
 def test_what_is_no_scene_is_counted_apart() -> None:
     """An end of the arc before its start."""
     study = ensemble(replace(VAIONT, uncertain={"arc.theta_2_deg": stats.uniform(205, 75)}), 4000, 1)

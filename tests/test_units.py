@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from contextvars import copy_context
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ import pytest
 from slipcircle import Arc, Scene, Section, Slope, Soil, critical, load
 from slipcircle.__main__ import main
 from slipcircle.base.text import PRINTED
+from slipcircle.messages.warnings import _submergence
 from slipcircle.workbench.commands import backanalyse
 from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.common.units import SYSTEMS
@@ -387,6 +389,41 @@ def test_sweep_in_feet(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
         rows = list(csv.DictReader(opened))
     for shown, row in zip((first, second), rows, strict=True):
         assert float(shown[1]) == pytest.approx(float(row["run_out (m)"]) / 0.3048, rel=1e-3)
+
+
+@pytest.mark.parametrize("command", ["records", "sweep"])
+def test_tables_of_records_in_feet(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each cell below a head in ft or ft/s is the cell in SI units over 0.3048, the others are equal."""
+    words = [*{"records": ["records"], "sweep": ["sweep", "shaken-slope"]}[command], "--synthetic", "3:1.5:12"]
+    tables = []
+    for units in ("SI", "US"):
+        assert main([*words, "--units", units]) == 0
+        tables.append([re.split(r"  +", line) for line in capsys.readouterr().out.splitlines() if "  " in line])
+    heads: list[str] = []
+    converted = 0
+    for row, shown in zip(*tables, strict=True):
+        heads = shown if any(re.search(r"\((ft|g|s)", cell) for cell in shown) else heads
+        for head, cell, other in zip(heads, row, shown, strict=False):
+            if "ft" in head and re.fullmatch(r"[\d.]+", cell):
+                assert float(other) == pytest.approx(float(cell) / 0.3048, rel=2e-3)
+                converted += 1
+            elif re.fullmatch(r"[\d.]+", cell):
+                assert other == cell
+    assert converted >= 6
+    assert not any(re.search(r"\(m(/s)?\)| m$", cell) for row in tables[1] for cell in row)
+
+
+def test_a_warning_in_feet() -> None:
+    """A depth below the water level in the unit of output."""
+    state = SimpleNamespace(rotation=0.1)
+    arc = SimpleNamespace(in_standing_water=False, radius=10.0, drowned=lambda *_: 3.048)
+    slide = SimpleNamespace(plan=SimpleNamespace(scene=SimpleNamespace(arc=arc)), farthest=state, end=state)
+    token = PRINTED.set(SYSTEMS["US"])
+    try:
+        (words,) = _submergence(slide)
+    finally:
+        PRINTED.reset(token)
+    assert "down to 10 ft below" in words
 
 
 # --- profiles of many points -----------------------------------------------------------------------------------------

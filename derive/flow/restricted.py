@@ -8,6 +8,7 @@ Statements outside this grammar are rejected with file and line.
 import ast
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import factorial
 from pathlib import Path
 from typing import Any
 
@@ -42,7 +43,7 @@ _OF_LANES = {
     **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
     **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
-    **{f"has.{x}": ("HAS", "N") for x in layout.ROLES},
+    **{f"has.{x.removeprefix('cell_')}": ("HAS", "N") for x in layout.ROLES},
     **dict.fromkeys(("samples", "timed", "autonomous", "highest"), ("SHARED", "N")),
 }
 _OF_TABLE = {
@@ -61,7 +62,7 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "sqrt", "hypot", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),
@@ -73,6 +74,9 @@ PRIMITIVES = {
     "none_of": "M",
     "isnan": "B",
 }
+
+
+GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS")  # constants that `one_lane` defines
 
 
 class GrammarError(Exception):
@@ -103,10 +107,10 @@ class Function:
 
 @dataclass
 class Text:
-    """Functions of the text by name, in order, and its constants."""
+    """Functions of the text by name, in order, and its constants, numbers or tuples of numbers."""
 
     functions: dict[str, Function] = field(default_factory=dict)
-    constants: dict[str, float] = field(default_factory=lambda: {"EPS": one_lane.EPS, "INFINITY": one_lane.INFINITY})
+    constants: dict[str, Any] = field(default_factory=lambda: {x: getattr(one_lane, x) for x in GIVEN})
 
     def read(self, source: str, path: str) -> None:
         """Add a module."""
@@ -117,7 +121,7 @@ class Text:
                     result = annotation(returns, path, node)
                     self.functions[node.name] = Function(node.name, path, node, parameters, result)
                 case ast.Assign(targets=[ast.Name(id=name)], value=value):
-                    self.constants[name] = eval(ast.unparse(value), dict(self.constants))
+                    self.constants[name] = eval(ast.unparse(value), {"factorial": factorial, **self.constants})
                 case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
                     pass
                 case _:

@@ -68,6 +68,7 @@ FORMS = {
     "where.M": "pick",
     "abs": "fabs",
     "abs.V": "magnitude",
+    "sqrt.V": "sqrt_of",
     "minimum": "fmin",
     "minimum.V": "minimum",
     "minimum.I": "({a} < {b} ? {a} : {b})",
@@ -147,7 +148,9 @@ def functions(text: Text) -> str:
     """Return all functions, preceded by constants."""
     lines = []
     for x, value in text.constants.items():
-        if x not in ("EPS", "INFINITY"):
+        if isinstance(value, tuple):
+            lines.append(f"static const double {x}[] = {{{', '.join(map(repr, value))}}};")
+        elif x not in ("EPS", "INFINITY"):
             lines.append(f"#define {x} {value.hex() if isinstance(value, float) else value}")
     lines.append("")
     for f in text.functions.values():

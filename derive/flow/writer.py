@@ -133,7 +133,7 @@ class Writer:
             return Value(text, here)
         if name not in self.all.constants:
             self.refuse(e, f"{name} has no value here")
-        return Value(name, "K")
+        return Value(name, "N" if isinstance(self.all.constants[name], int) else "K")
 
     def _entry(self, e: ast.expr) -> Value:
         """Return a member of an enumeration, or an entry of lanes, of a table or of a state, by its kind."""
@@ -151,6 +151,8 @@ class Writer:
     def _element(self, e: ast.Subscript) -> Value:
         index = bare(self.value(e.slice).text)
         match e.value:
+            case ast.Name(id=name) if name in self.all.constants:
+                return Value(f"{name}[{index}]", "K")
             case ast.Attribute(value=ast.Name(id=holder), attr="inverse") if holder == self.state:
                 return Value(self.say("inverse", index), "K")
             case ast.Attribute(value=ast.Name(id=holder), attr="coefficients") if self.kinds.get(holder) == "T":

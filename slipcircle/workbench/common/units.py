@@ -33,6 +33,8 @@ SYSTEMS: Mapping[str, Mapping[str, tuple[str, float]]] = {  # units of output by
         "m/s^2": ("ft/s^2", _FOOT),
         "m^2": ("ft^2", _FOOT**2),
         "Pa": ("psf", _PSF),
+        "Pa/m": ("psf/ft", _PSF / _FOOT),
+        "N/m^3": ("pcf", _POUND / _FOOT**3),
         "kg/m": ("lb/ft", _POUND_MASS / _FOOT),
         "J": ("kip-ft", 1e3 * _POUND * _FOOT),
     },

@@ -16,6 +16,7 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
+from slipcircle.base.text import printed
 from slipcircle.core import Scene, law_names
 from slipcircle.derivatives import possible_parameters
 from slipcircle.layers import LayeredSection
@@ -26,7 +27,7 @@ from slipcircle.workbench.common.distributions import (
     distribution_mistakes,
     distribution_of,
 )
-from slipcircle.workbench.common.units import published
+from slipcircle.workbench.common.units import published, suffix
 from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
 from slipcircle.workbench.files.keys import Number as Number
 from slipcircle.workbench.files.slopekeys import WITH_LAYERS
@@ -104,6 +105,15 @@ def by_key(scene: Any) -> dict[str, Number]:
         key = f"{_POINTS[field]}.{place}"
         found[key] = Number(key, p.name, p.unit, p.lower, p.upper, si=p.unit)
     return found
+
+
+def in_output_unit(number: Number) -> Number:
+    """Return a number with its key in the unit of output, such as ``cohesion.cohesion_psf``."""
+    factor, unit = printed(number.si)
+    if factor == 1.0:
+        return number
+    key = number.key.removesuffix(suffix(number.unit)) + suffix(unit)
+    return number.in_unit(key, unit, 1.0 / (factor * number.per_unit))
 
 
 def by_name(scene: Any) -> dict[str, Number]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
 from slipcircle.base.kinds import Floats, Pair, Tell, Texts, Values
+from slipcircle.base.text import measured
 from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import Critical, circle_of
 from slipcircle.workbench.stability.factors import YIELD
@@ -98,7 +99,9 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
             sentences.append(f"the {name} is at a limit of the search, x = {x:.6g}; the factor may be lower beyond")
     centre, radius, _, _ = search.circles(q)
     if search.depth and search.thickness(q, centre, radius)[0] < search.depth + near:
-        sentences.append(f"the mass is as thin as the search allows, {search.depth:.6g} m; thinner ones may be worse")
+        sentences.append(
+            f"the mass is as thin as the search allows, {measured(search.depth, 'm', 6)}; thinner ones may be worse"
+        )
     return sentences
 
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Pair
+from slipcircle.base.text import printed
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
@@ -152,18 +153,19 @@ def _height(line: Line, is_left: bool, view: View) -> float:
 
 
 def axes(frame: Frame, names_left: bool) -> Raw:
-    """Return ticks in metres along the bottom and both sides as SVG, with numbers on the side opposite the names."""
+    """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names."""
     view = frame.view
+    factor, unit = printed("m")
     drawn = ""
-    for x in _round_numbers(view.left, view.right, _TICKS[0]):
-        across, _ = frame.points([x, 0.0])
+    for x in _round_numbers(factor * view.left, factor * view.right, _TICKS[0]):
+        across, _ = frame.points([x / factor, 0.0])
         drawn += f'<path class="tick" d="M{across:.1f} {frame.height:.1f}v-9" />'
-        drawn += f'<text class="unit" x="{across:.1f}" y="{frame.height - _INSET:.1f}">{x:g} m</text>'
+        drawn += f'<text class="unit" x="{across:.1f}" y="{frame.height - _INSET:.1f}">{x:g} {unit}</text>'
     side, edge = ("side", WIDTH - _INSET) if names_left else ("side left", _INSET)
-    for y in _round_numbers(view.bottom, view.top, _TICKS[1]):
-        _, down = frame.points([0.0, y])
+    for y in _round_numbers(factor * view.bottom, factor * view.top, _TICKS[1]):
+        _, down = frame.points([0.0, y / factor])
         drawn += f'<path class="tick" d="M{WIDTH:g} {down:.1f}h-9M0 {down:.1f}h9" />'
-        drawn += f'<text class="unit {side}" x="{edge:g}" y="{down:.1f}">{y:g} m</text>'
+        drawn += f'<text class="unit {side}" x="{edge:g}" y="{down:.1f}">{y:g} {unit}</text>'
     return Raw(drawn)
 
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import drawn_unit, shown
 from slipcircle.core import Arc
 from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.pictures.shapes import Mass, View
@@ -167,9 +167,7 @@ def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
 def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], view: View) -> Iterator[Line]:
     """Yield pressures on the ground as proportional arrows below a line, with their values in kPa."""
     greatest = max((float(np.max(load[2:])) for load in loads), default=0.0)
-    factor, unit = printed("Pa")
-    if unit == "Pa":
-        factor, unit = 1e-3, "kPa"
+    factor, unit = drawn_unit("Pa")
     for left, right, *pressures in loads if greatest > 0.0 else ():
         start, end = max(left, ground[0, 0]), min(right, ground[-1, 0])
         if start >= end:
