@@ -56,7 +56,7 @@ class _Edges(NamedTuple):
         return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
 
 
-def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
+def cut_circle(points: Floats, centre: Floats, radius: Floats) -> Cut:
     """Return the parts of grounds (n or 1, V, 2) inside circles with centres (n, 2) and radii (n,).
 
     A vertex closer to a circle than the rounding of its coordinates lies on the circle and separates two stretches.
@@ -164,7 +164,7 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     return start, np.minimum(2 * root / square, 1.0 - start)
 
 
-def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
+def ground_stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     """Return circle and number of every complete stretch, and whether each circle contains an end of the ground."""
     leaves_first = parts.leaves & (parts.stretch < 0)
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle

@@ -67,13 +67,13 @@ class SectionGeometry(TurningMass):
 
     @cached_property
     def _cut(self) -> Cut:
-        return circles.cut(*self._circle)
+        return circles.cut_circle(*self._circle)
 
     @cached_property
     def _candidates(self) -> tuple[Any, ...]:
         """Lane, number, left and right x of candidate stretches, and whether circles contain an end of the ground."""
         _, centre, radius = self._circle
-        lane, number, held = circles.stretches(self._cut)
+        lane, number, held = circles.ground_stretches(self._cut)
         of_stretches = self._cut.only(lane)
         first, last = circles.ends(of_stretches, number)
         r = radius[lane]

@@ -15,7 +15,7 @@ import numpy as np
 
 from generated import slopes
 from slipcircle.base.kinds import Floats
-from slipcircle.ground.circles import Cut, cut
+from slipcircle.ground.circles import Cut, cut_circle
 from slipcircle.ground.ground import continued
 from slipcircle.ground.plane import Vectors, each_lane
 
@@ -126,7 +126,7 @@ def height_integrals(points: Floats, centre: Floats, radius: Floats) -> HeightIn
     line = from_centre / radius[:, None, None]
     edges = Vectors.of(points).edges
     slope = _slope(edges)
-    parts = cut(points, centre, radius)
+    parts = cut_circle(points, centre, radius)
     vertices = Vectors.of(line)
     lower, upper = _halves(parts, vertices, slope)
 

@@ -39,7 +39,7 @@ _INTEGRAL = chebyshev.chebint(np.eye(_COUNT), lbnd=-1.0) @ _TO_CHEBYSHEV  # from
 _DEVELOPING = np.concatenate([_INTEGRAL, _TO_CHEBYSHEV[:2], _TO_CHEBYSHEV[-2:]])
 
 
-class Part(NamedTuple):
+class LoadPart(NamedTuple):
     """Integrals along the arcs of some circles from their left ends, in pieces.
 
     Attributes
@@ -79,11 +79,11 @@ class Part(NamedTuple):
         up_to += within
         return up_to.reshape(*beta.shape, columns, integrals)
 
-    def combined(self, weights: Floats) -> "Part":
+    def combined(self, weights: Floats) -> "LoadPart":
         """Return the load in a single column, the sum of all columns with weights, (columns, circles)."""
         before = np.einsum("kcsi,sc->kci", self.before[..., :PRESSING], weights)
         series = np.einsum("kcsit,sc->kcit", self.series[..., :PRESSING, :], weights)
-        return Part(self.edges, before[:, :, None], series[:, :, None])
+        return LoadPart(self.edges, before[:, :, None], series[:, :, None])
 
 
 class Profile(NamedTuple):
@@ -98,7 +98,7 @@ class Profile(NamedTuple):
     """
 
     whole: Floats
-    parts: Sequence[Part]
+    parts: Sequence[LoadPart]
 
     def up_to(self, beta: Floats) -> Floats:
         """Return the integrals up to directions (M, circles) within the arcs, (integrals, columns, M, circles)."""
@@ -163,7 +163,7 @@ def profile_of(strips: Strips, weights: Floats, steps: Floats) -> Profile:
         up_to_ends = np.cumsum(each, axis=0)
         before = np.concatenate([nothing, up_to_ends])
         ends = np.stack([*firsts, lasts[-1]])
-        part = Part(ends, before, series)
+        part = LoadPart(ends, before, series)
         whole.append(part.before[-1])
         if has_many:
             part = part.combined(steps[:, some])

@@ -107,7 +107,7 @@ class Soil:
 Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
 
 
-def distinct(soils: Iterable[Soil]) -> list[Soil]:
+def distinct_soils(soils: Iterable[Soil]) -> list[Soil]:
     """Return each of the soils once."""
     by_identity = {id(soil): soil for soil in soils}
     return list(by_identity.values())
@@ -157,7 +157,7 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
     used = [soil for soil, _ in pairs]
     if isinstance(foreland, Soil):
         used.append(foreland)
-    soils = distinct(used)
+    soils = distinct_soils(used)
     found += _together_mistakes(soils, strength)
     if not found:
         found += datum_mistakes(foreland, pairs)

@@ -19,7 +19,7 @@ from generated.program import OF_SOIL
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names, Parameters, ValueDict
 from slipcircle.core.scene.effects import Law
 from slipcircle.layers.cohesion import SoilCohesion
-from slipcircle.layers.soils import Soil, distinct, share_one_law
+from slipcircle.layers.soils import Soil, distinct_soils, share_one_law
 from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
 
@@ -227,7 +227,7 @@ class ArcStrength(StretchIntegrals):
     @property
     def distinct_soils(self) -> list[Soil]:
         """Soils of the layers and of the foreland, without repetition."""
-        return distinct(self.section.soils)
+        return distinct_soils(self.section.soils)
 
     def _is_soil(self, soil: Soil) -> Floats:
         """Return 1 for a soil and 0 for the other soils, (soils, 1)."""

@@ -23,9 +23,9 @@ from slipcircle.layers import LayeredSection
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
-    described,
     distribution_mistakes,
     distribution_of,
+    distribution_record,
 )
 from slipcircle.workbench.common.units import published, suffix
 from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
@@ -183,7 +183,7 @@ class Uncertain:
     @property
     def record(self) -> ValueDict:
         """Key and distribution as values of JSON."""
-        given = dict(self.given) if isinstance(self.given, Mapping) else described(self.given)
+        given = dict(self.given) if isinstance(self.given, Mapping) else distribution_record(self.given)
         return {"key": self.key} | given
 
 

@@ -10,7 +10,7 @@ from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import words
 from slipcircle.workbench.files.numbers import Number, by_name
 from slipcircle.workbench.outputs.pictures.tornado import size_of
-from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.outputs.tables import ResultTable
 
 _MOST = 10  # rows
 _TERMS = {
@@ -41,7 +41,9 @@ def _is_point(name: str) -> bool:
     return name.startswith(("ground.", "level.", "centre."))
 
 
-def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str) -> Part:
+def sensitivity_part(
+    table: Sensitivity, stops: Mapping[str, float], names: Mapping[str, float], name: str
+) -> ResultTable:
     """Return a table of derivatives of the outputs per unit of the key of each number.
 
     Parameters
@@ -68,7 +70,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapp
         rows.append([_label(table, key), shown(value, 6), *limit, *cells])
     head = ["by", "value", "F = 1 at", "distance"]
     head += [words(output, printed(unit)[1]) for output, unit in table.outputs.items()]
-    return Part(head, rows, name, _note(table, names))
+    return ResultTable(head, rows, name, _note(table, names))
 
 
 def _label(table: Sensitivity, key: Number) -> str:
@@ -85,12 +87,17 @@ def _cell(table: Sensitivity, output: str, parameter: str, key: Number) -> str:
     value = float(key.from_si(table.at[parameter]))
     per_si = table.derivative(output, parameter)
     is_noise = abs(per_si) <= table.error(output, parameter)
-    per_unit = 0.0 if is_noise else float(per_si * key.slope(value))
+    if is_noise:
+        per_unit = 0.0
+    else:
+        per_unit = float(per_si * key.slope(value))
     text = shown(printed(table.outputs[output])[0] * per_unit)
     if at and per_unit * value and per_unit == per_unit:
         text += f" ({per_unit * value / at:+.2g})"
     kind = table.kind(output, parameter)
-    return text if kind == "smooth" else f"{text} {kind}"
+    if kind == "smooth":
+        return text
+    return f"{text} {kind}"
 
 
 def _note(table: Sensitivity, names: Mapping[str, float]) -> str:

@@ -17,9 +17,9 @@ from slipcircle.base.progress import track
 from slipcircle.base.text import printed, shown
 from slipcircle.core import Motion, Plan, Scene, Status, law_names, plan
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.common.markup import Raw, document, escaped, table, tag, terms
+from slipcircle.workbench.common.markup import Raw, document, escaped, html_table, html_terms, tag
 from slipcircle.workbench.common.quantities import json_text, prefixed
-from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.common.summary import key_results
 from slipcircle.workbench.common.trace import toe_words
 from slipcircle.workbench.files.loaded import stability_of, warnings_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
@@ -28,10 +28,10 @@ from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.outputs.page import live
 from slipcircle.workbench.outputs.pictures.files import picture
 from slipcircle.workbench.outputs.pictures.plotstyle import width, work
-from slipcircle.workbench.outputs.provenance import inputs, uncertain_part
-from slipcircle.workbench.outputs.studytables import parts
+from slipcircle.workbench.outputs.provenance import scene_inputs, uncertain_part
+from slipcircle.workbench.outputs.studytables import study_tables
 from slipcircle.workbench.outputs.tables import (
-    Part,
+    ResultTable,
     beside,
     cell_text,
     in_unit,
@@ -53,7 +53,9 @@ PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = "") -> str:
+def report_page(
+    title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], command: str, script: str = ""
+) -> str:
     """Return a page of parts under its heading, with instructions to reproduce it.
 
     The instructions are the command, digests of the scene files, and installed versions. ``files`` are the scene files
@@ -66,8 +68,8 @@ def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes]], c
     body = [tag("h1", title), facts_of_report, *parts, tag("h2", "To repeat it")]
     body.append(tag("p", "This command, with the versions and files below, writes this report again:"))
     body += [tag("pre", command), _scrolling(versions)]
-    body += [live.engine()] * bool(script)
-    return document(title, body, live.style() + live.text("report.css"), script, compiles=bool(script))
+    body += [live.engine_element()] * bool(script)
+    return document(title, body, live.style() + live.page_file("report.css"), script, compiles=bool(script))
 
 
 def _heading(title: str, files: Iterable[bytes]) -> tuple[str, Raw]:
@@ -79,11 +81,11 @@ def _heading(title: str, files: Iterable[bytes]) -> tuple[str, Raw]:
     except (ValueError, OverflowError, OSError) as error:
         raise ValueError("SOURCE_DATE_EPOCH: must be a time in seconds since 1970") from error
     heading = {"title": title, "date": date} | (next(filter(None, reports), None) or {})
-    return heading.pop("title"), Raw(f'<dl class="facts">{terms(heading.items())}</dl>')
+    return heading.pop("title"), Raw(f'<dl class="facts">{html_terms(heading.items())}</dl>')
 
 
 def chapter(
-    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], record: Any, unit: str, file: bytes
+    plan: Plan, warnings: Iterable[str], parts: Iterable[ResultTable | Raw], record: Any, unit: str, file: bytes
 ) -> Iterable[Raw]:
     """Yield note and warnings of a scene, its parts, its result as JSON, and its file.
 
@@ -110,7 +112,7 @@ def chapter(
 
 def _scrolling(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
     """Return a table that scrolls on a narrow screen, also by keyboard."""
-    return Raw(f'<div class="scroll" tabindex="0">{table(rows, head)}</div>')
+    return Raw(f'<div class="scroll" tabindex="0">{html_table(rows, head)}</div>')
 
 
 def figure(name: str, caption: str, drawing: bytes) -> Raw:
@@ -127,7 +129,7 @@ def _number(value: float) -> str:
     return shown(float(value), 6)
 
 
-def slope_parts(scene: Scene, with_tables: bool = True) -> Iterator[Part | Raw]:
+def slope_parts(scene: Scene, with_tables: bool = True) -> Iterator[ResultTable | Raw]:
     """Yield the section with its circle, and tables of factors of safety and of the circle if they are known."""
     name, critical = scene.name, stability_of(scene)
     if critical is None:
@@ -137,22 +139,22 @@ def slope_parts(scene: Scene, with_tables: bool = True) -> Iterator[Part | Raw]:
     yield figure(f"Slope of {name}", caption, picture("search", (name, critical), "svg"))
     titles = ("Factors of safety", "Slip circle") if with_tables else ()
     for title, column in zip(titles, stability_columns(critical), strict=False):
-        yield Part([], [*column.items()], title)
+        yield ResultTable([], [*column.items()], title)
 
 
-def input_parts(plan: Plan, file: bytes) -> Iterable[Part | Raw]:
+def input_parts(plan: Plan, file: bytes) -> Iterable[ResultTable | Raw]:
     """Yield inputs with units and sources, effects, friction law, equation of motion, and assumptions."""
     given = []
-    for path, *cells in inputs(plan.scene, file.decode("utf-8-sig")):
+    for path, *cells in scene_inputs(plan.scene, file.decode("utf-8-sig")):
         given.append([Raw(f'<code class="path">{escaped(path)}</code>'), *cells])
-    yield Part(["input", "value", "unit", "what it is", "source"], given, "Inputs")
+    yield ResultTable(["input", "value", "unit", "what it is", "source"], given, "Inputs")
     effects = []
     for name, effect in EFFECTS.items():
         use = "used" if name in plan.effects else "not included" if name in plan.left_out else "by the soils"
         effects.append([name, use, effect.help, effect.source])
-    yield Part(["effect", "", "what it does", "source"], effects)
+    yield ResultTable(["effect", "", "what it does", "source"], effects)
     laws = [f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction)]
-    yield Part([], [["friction law", " times ".join(laws)]])
+    yield ResultTable([], [["friction law", " times ".join(laws)]])
     yield tag("h3", "Equation of motion")
     yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
@@ -171,17 +173,17 @@ def report(motions: Sequence[Motion], files: Sequence[bytes], command: str) -> s
     body: list[Raw] = []
     if several := len(motions) > 1:
         links = [Raw(f'<a href="#scene-{number}">{escaped(name)}</a>') for number, name in enumerate(names, 1)]
-        body.append(_scrolling(beside([*map(summary, motions)]), ["", *links]))
+        body.append(_scrolling(beside([*map(key_results, motions)]), ["", *links]))
     for number, (motion, name, file) in enumerate(zip(motions, names, files, strict=True), 1):
         about = [live.fragment(motion, f"slide-{number}"), *_of_motion(motion, file)]
         body.append(Raw(f'<section id="scene-{number}">'))
         body += [tag("h2", name)] * several
         body += chapter(motion.plan, (), about, record(motion), " in SI units and radians", file)
         body.append(Raw("</section>"))
-    return page(", ".join(names), body, zip(names, files, strict=True), command, live.script())
+    return report_page(", ".join(names), body, zip(names, files, strict=True), command, live.page_script())
 
 
-def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
+def _of_motion(motion: Motion, file: bytes) -> Iterable[ResultTable | Raw]:
     """Yield the chapter of a motion below its slide: pictures, all results, inputs, accuracy and energy."""
     plan = motion.plan
     if plan.scene.uncertain:
@@ -193,7 +195,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
     if stability_of(plan.scene):
         yield from slope_parts(plan.scene, with_tables=False)
     for title, rows in motion_groups(motion).items():
-        yield Part([], [*rows.items()], title or "Results")
+        yield ResultTable([], [*rows.items()], title or "Results")
     if layered := stretches_part(motion):
         yield layered._replace(title="Soils along the slip surface")
     yield from input_parts(plan, file)
@@ -203,7 +205,7 @@ def _of_motion(motion: Motion, file: bytes) -> Iterable[Part | Raw]:
         ["relative error estimated, of peak, run-out and duration", _number(error)],
         ["warnings", "; ".join(warnings_of(motion)) or "none"],
     ]
-    yield Part([], method, "Method and accuracy")
+    yield ResultTable([], method, "Method and accuracy")
     yield _energy(motion)
 
 
@@ -231,7 +233,7 @@ def _captions(motion: Motion) -> dict[str, str]:
     return captions
 
 
-def _energy(motion: Motion) -> Part:
+def _energy(motion: Motion) -> ResultTable:
     """Return the energy balance with its residual as a table."""
     labels = {
         "kinetic_start": "kinetic energy at the start",
@@ -241,14 +243,15 @@ def _energy(motion: Motion) -> Part:
         "residual": "residual: start + work - dissipation - end",
     }
     of_width, per, of_one = width(motion)
-    rows, energies = [], []
+    rows = []
+    energies = []
     for name, words in labels.items():
         energies.append(float(getattr(motion.energy, name)))
         factor, unit = prefixed(energies[-1], "J")
         rows.append([words, f"{_number(of_one * factor * energies[-1])} {unit}{per}"])
     *others, residual = map(abs, energies)
     note = f"The residual is {_number(residual / (max(others) or 1.0))} of the largest of them."
-    return Part([], rows, f"Energy check, {of_width}", note)
+    return ResultTable([], rows, f"Energy check, {of_width}", note)
 
 
 # --- studies ---------------------------------------------------------------------------------------------------------
@@ -262,7 +265,7 @@ _CAPTION_OF_SUITE = (
 
 
 def study_report(
-    study: Study, file: bytes, command: str, tables: Iterable[Part | str] | None = None, record: Any = None
+    study: Study, file: bytes, command: str, tables: Iterable[ResultTable | str] | None = None, record: Any = None
 ) -> str:
     """Return a report on samples or on a suite of records as HTML. The seed is added to the command if it is missing.
 
@@ -273,20 +276,20 @@ def study_report(
         Content of the scene file.
     command : str
         Command that writes the report.
-    tables, record : iterable of Part and object, optional
+    tables, record : iterable of ResultTable and object, optional
         Tables, and the result for JSON; by default those of samples.
     """
     name = study.scene.name or "scene"
     if "--seed" not in command:
         command += f" --seed {study.design.seed}"
-    contents = _of_study(study, parts(study) if tables is None else tables, file)
+    contents = _of_study(study, study_tables(study) if tables is None else tables, file)
     chosen = plan(study.scene, study.design.accuracy)
     of_study = chapter(chosen, study.warnings, contents, record or study.to_dict(), "", file)
     title = "Uncertain slide" if study.design.records is None else "Shaken slope"
-    return page(f"{title}: {name}", of_study, [(name, file)], command)
+    return report_page(f"{title}: {name}", of_study, [(name, file)], command)
 
 
-def _of_study(study: Study, tables: Iterable[Part | str], file: bytes) -> Iterable[Part | Raw]:
+def _of_study(study: Study, tables: Iterable[ResultTable | str], file: bytes) -> Iterable[ResultTable | Raw]:
     """Yield the chapter of a study: picture, tables, inputs with their distributions, method and accuracy."""
     design = study.design
     ends = [f"{count} {Status(status).words}" for status, count in enumerate(study.counts) if count]
@@ -303,13 +306,13 @@ def _of_study(study: Study, tables: Iterable[Part | str], file: bytes) -> Iterab
         yield figure(f"Exceedance of {study.scene.name}", caption, picture("study", study, "svg"))
     else:
         yield figure(f"Suite of {study.scene.name}", _CAPTION_OF_SUITE, picture("suite", study, "svg"))
-        yield Raw(f'<dl class="facts">{terms(_key_numbers(study))}</dl>')
+        yield Raw(f'<dl class="facts">{html_terms(_key_numbers(study))}</dl>')
         method = [["records", str(len(study.suite))], ["motions", str(study.displacement.size)], *method]
     yield from slope_parts(study.scene)
-    yield from (part for part in tables if isinstance(part, Part))
+    yield from (part for part in tables if isinstance(part, ResultTable))
     yield from input_parts(plan(study.scene, design.accuracy), file)
     yield from uncertain_part(design)
-    yield Part([], method, "Method and accuracy")
+    yield ResultTable([], method, "Method and accuracy")
 
 
 def _key_numbers(study: Study) -> Iterator[tuple[str, str]]:

@@ -14,8 +14,8 @@ from slipcircle.base.text import printed
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
-from slipcircle.workbench.outputs.pictures.scenery import Line, lines
-from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, Mass, View, mass_of
+from slipcircle.workbench.outputs.pictures.scenery import Line, scenery_lines
+from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, MassShape, View, mass_of
 
 WIDTH = 1000.0  # width of the drawing in its own unit
 _LOWEST = 0.42  # least height over width
@@ -70,25 +70,31 @@ def frame_around(motion: Motion, magnification: float) -> Frame:
     """Return the frame around the mass at the start and at its magnified run-out."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil)
-    rotation = float(motion.farthest.rotation) if motion.moves else 0.0
+    if motion.moves:
+        rotation = float(motion.farthest.rotation)
+    else:
+        rotation = 0.0
     view = View.around(mass.outline(), mass.outline(magnification * rotation * float(soil.facing)))
     view = view.grown(_MARGIN * view.size, _MARGIN * view.size)
     view = view._replace(bottom=min(view.bottom, view.top - _LOWEST * view.width))
     view = view.grown(max(view.height / _TALLEST - view.width, 0.0) / 2, 0.0)
     # Lower where the lowest visible soil is too thin for its name.
-    named = [line for line in lines(mass, soil, view) if line.name and line.role not in _INSIDE]
+    named = [line for line in scenery_lines(mass, soil, view) if line.name and line.role not in _INSIDE]
     heights = [height for line in named if (height := _height(line, float(soil.facing) > 0.0, view)) > view.bottom]
     view = view._replace(bottom=min([view.bottom, *(height - _NAME * view.height for height in heights)]))
     scale = WIDTH / view.width
     return Frame(view, scale, scale * view.height)
 
 
-def section(motion: Motion, frame: Frame, magnification: float, name: str) -> DrawnSection:
+def drawn_section(motion: Motion, frame: Frame, magnification: float, name: str) -> DrawnSection:
     """Return the drawing of a motion in a frame; ``name`` is the prefix of the identifiers of its clipping paths."""
     soil = motion.plan.scene.arc
     mass = mass_of(soil)
-    around = [*lines(mass, soil, frame.view)]
-    top = around[0].points if isinstance(soil, Arc) else mass.ground
+    around = [*scenery_lines(mass, soil, frame.view)]
+    if isinstance(soil, Arc):
+        top = around[0].points
+    else:
+        top = mass.ground
     ground, soils = (frame.area(kind, top, min(frame.view.bottom, top[:, 1].min())) for kind in ("", "soil"))
     layers = [(line.soil % len(SOILS), line.points) for line in around if line.soil is not None]
     bands = "".join(frame.area(f"band band-{number}", points, frame.view.bottom) for number, points in layers)
@@ -103,7 +109,7 @@ def section(motion: Motion, frame: Frame, magnification: float, name: str) -> Dr
     return DrawnSection("".join(parts), (x, y), turn)
 
 
-def _mass(mass: Mass, frame: Frame, bands: str, name: str, behind: Iterable[str]) -> Iterator[str]:
+def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable[str]) -> Iterator[str]:
     """Yield the scar, lines behind the mass, slip circle, mass with bands, and the ground over it; ``name`` clips."""
     first, last = mass.ends
     opening = last - first
@@ -125,8 +131,11 @@ def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:
     """Yield the lines with one of the roles as SVG paths, free water as an area down to the ground."""
     for line in around:
         if line.role in roles:
-            bottom = () if line.lower is None else np.column_stack([line.points[:, 0], line.lower])[::-1]
-            yield frame.path(line.role, [*line.points, *bottom], closed=line.lower is not None)
+            points = line.points
+            if line.lower is not None:
+                bottom = np.column_stack([points[:, 0], line.lower])
+                points = np.concatenate([points, bottom[::-1]])
+            yield frame.path(line.role, points, closed=line.lower is not None)
 
 
 # --- names and axes --------------------------------------------------------------------------------------------------
@@ -152,7 +161,7 @@ def _height(line: Line, is_left: bool, view: View) -> float:
     return float(np.interp(view.left if is_left else view.right, *line.points.T))
 
 
-def axes(frame: Frame, names_left: bool) -> Raw:
+def section_ticks(frame: Frame, names_left: bool) -> Raw:
     """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names."""
     view = frame.view
     factor, unit = printed("m")
@@ -174,5 +183,6 @@ def _round_numbers(low: float, high: float, most: int) -> list[float]:
     span = high - low
     steps = _STEPS * 10.0 ** math.floor(math.log10(span / most))
     step = float(steps[steps >= span / most][0])
-    first, last = math.ceil((low + _FREE[0] * span) / step), math.floor((high - _FREE[1] * span) / step)
+    first = math.ceil((low + _FREE[0] * span) / step)
+    last = math.floor((high - _FREE[1] * span) / step)
     return [n * step + 0.0 for n in range(first, last + 1)]

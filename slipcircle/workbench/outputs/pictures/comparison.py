@@ -11,23 +11,23 @@ import numpy as np
 
 from slipcircle.core import Motion
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.common.trace import columns_of_picture
 from slipcircle.workbench.cost.ladder import Rung
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     REST,
     SERIES,
-    amount,
+    add_label,
+    anchors_along,
     area,
     curve,
     empty,
     ending,
-    label,
+    formatted_amount,
+    formatted_number,
     name_rows,
-    number,
     panel,
-    points_of,
 )
 from slipcircle.workbench.outputs.pictures.sectionplot import surroundings
 from slipcircle.workbench.outputs.pictures.shapes import mass_of
@@ -41,7 +41,7 @@ _BAR = 0.3
 _RUN_OUT = "run-out along the arc", "m"
 
 
-def overview(motions: Sequence[Motion]) -> Drawing:
+def comparison_overview(motions: Sequence[Motion]) -> Drawing:
     """Return a picture of several motions; the first eight that move have their own colours and labels."""
     first, *others = (mass_of(motion.plan.scene.arc).outline() for motion in motions)
     has_one_slope = all(other.shape == first.shape and np.allclose(other, first, rtol=1e-9) for other in others)
@@ -71,7 +71,7 @@ def _sections(motions: Sequence[Motion], ax: Any) -> Any:
     area(ax, start, "start")
     for (colour, dashes, _), outline in zip(_styles(motions).values(), ends.values(), strict=True):
         area(ax, outline, "end", edgecolor=colour, ls=dashes, lw=1.6, hatch="", zorder=3)
-    label(ax, "start", start.mean(axis=0), "0.3", inside=True)
+    add_label(ax, "start", start.mean(axis=0), "0.3", inside=True)
     view.show(ax)
     return ax
 
@@ -86,12 +86,13 @@ def curves(
         return empty(STILL, ax, "x", "y")
     for k, style in sorted(styles.items(), key=lambda item: item[1] != REST):
         colour, dashes, _ = style
-        times, values = drawn(motions[k])["time"], drawn(motions[k])[column]
+        times = columns_of_picture(motions[k])["time"]
+        values = columns_of_picture(motions[k])[column]
         curve(ax, motions[k], times, values, color=colour, ls=dashes, lw=0.8 if style == REST else 1.5)
         size = np.abs(values)
         is_high = size >= 0.6 * size.max()
         if style != REST and len(motions) > 1:
-            label(ax, names[k], points_of(times[is_high], values[is_high]), colour, parse_math=False)
+            add_label(ax, names[k], anchors_along(times[is_high], values[is_high]), colour, parse_math=False)
     ax.margins(y=0.12)
     return ax
 
@@ -106,7 +107,7 @@ def _run_outs(motions: Sequence[Motion], ax: Any) -> Any:
         words.append(_words(m.run_out, speed, f"{ending(m)} after", m.settling_time) if m.moves else STILL)
     more = ""
     if hidden := order[_MOST_BARS:]:
-        more = f"; {len(hidden)} more, each at most {amount(abs(motions[hidden[0]].run_out), 'm')}"
+        more = f"; {len(hidden)} more, each at most {formatted_amount(abs(motions[hidden[0]].run_out), 'm')}"
     panel(ax, "run-out", (*_RUN_OUT, more))
     _draw_run_outs(ax, [m.plan.scene.name for m in shown], [(m.run_out, m.arrested) for m in shown], words)
     return ax
@@ -123,7 +124,9 @@ def _draw_run_outs(ax: Any, names: Sequence[str], outcomes: Sequence[tuple[float
 
 
 def _words(run_out: float, speed: float, end: str, duration: float) -> str:
-    return f"{amount(run_out, 'm')}, peak {amount(speed, 'm/s')}, {end} {number(duration)} s"
+    return (
+        f"{formatted_amount(run_out, 'm')}, peak {formatted_amount(speed, 'm/s')}, {end} {formatted_number(duration)} s"
+    )
 
 
 def ladder(rungs: Sequence[Rung], ax: Any = None) -> Any:
@@ -132,12 +135,15 @@ def ladder(rungs: Sequence[Rung], ax: Any = None) -> Any:
     A dotted line marks the run-out with all effects. Without an axis, a new figure is created.
     """
     most = rungs[-1].run_out
-    more = f"; dotted: with all effects, {amount(most, 'm')}"
+    more = f"; dotted: with all effects, {formatted_amount(most, 'm')}"
     ax = panel(ax, "run-out as effects are added", (*_RUN_OUT, more), size=(9.0, 3.5))
     names = [f"+ {r.added.replace('_', ' ')}" if r.added else "no effect" for r in rungs]
     words = []
     for r in rungs:
-        end = "at rest after" if r.arrested else "still moving at"
+        if r.arrested:
+            end = "at rest after"
+        else:
+            end = "still moving at"
         words.append(_words(r.run_out, r.peak_velocity, end, r.duration) if r.peak_velocity else STILL)
     _draw_run_outs(ax, names, [(r.run_out, r.arrested) for r in rungs], words)
     ax.axvline(most, **LINES["help"])

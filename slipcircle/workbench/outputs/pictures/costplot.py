@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.workbench.cost.rows import BEATEN, RECOMMENDED, Row
-from slipcircle.workbench.outputs.pictures.plotstyle import MARKS, MEASURED, SERIES, label, legend, panel
+from slipcircle.workbench.cost.rows import BEATEN, RECOMMENDED, CostRow
+from slipcircle.workbench.outputs.pictures.plotstyle import MARKS, MEASURED, SERIES, add_label, legend, panel
 
 SIZE = (8.6, 5.0)  # inches
 _LEAST, _NONE = 1e-17, 1.0  # ends of the axis of errors; errors beyond are drawn there
 
 
-def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
+def frontier(rows: Sequence[CostRow], ax: Any = None) -> Any:
     """Draw error against time by group, with the name of each way; return the axis.
 
     A line connects the ways on the frontier, and a bar extends from each error to its bound.
@@ -27,7 +27,7 @@ def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
     return axes
 
 
-def _group(rows: Sequence[Row], style: tuple[str, Any, str], axes: Any) -> None:
+def _group(rows: Sequence[CostRow], style: tuple[str, Any, str], axes: Any) -> None:
     """Draw the ways of a group."""
     colour, dashes, marker = style
     for row in rows:
@@ -38,7 +38,7 @@ def _group(rows: Sequence[Row], style: tuple[str, Any, str], axes: Any) -> None:
             axes.plot([row.seconds, row.seconds], [height, bound], "-_", color=colour, lw=0.8)
         if row.verdict == RECOMMENDED:
             axes.plot(row.seconds, height, "o", ms=16, mfc="none", mec=MARKS["peak"]["color"], mew=2, label=RECOMMENDED)
-        label(axes, row.way, (row.seconds, height), colour, gid=MEASURED)
+        add_label(axes, row.way, (row.seconds, height), colour, gid=MEASURED)
     front = sorted((row.seconds, row.error) for row in rows if not row.verdict.startswith(BEATEN))
     seconds, errors = np.transpose(front)
     name = f"{rows[0].group}, filled on the frontier"

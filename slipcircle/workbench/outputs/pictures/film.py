@@ -8,7 +8,7 @@ import numpy as np
 from slipcircle.base.kinds import Floats
 from slipcircle.base.text import printed
 from slipcircle.core import Motion
-from slipcircle.workbench.outputs.pictures.plotstyle import area, number, pace, panel
+from slipcircle.workbench.outputs.pictures.plotstyle import area, formatted_number, pace, panel
 from slipcircle.workbench.outputs.pictures.sectionplot import magnified, set_stage
 
 _FRAMES = 60
@@ -35,9 +35,12 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     states = motion.at(times)
     turns = magnification * float(motion.plan.scene.arc.facing) * states.rotation
     (far, length), (fast, velocity) = printed("m"), printed("m/s")
-    words = f"; {pace(motion.settling_time, seconds)}" if motion.moves else ""
+    if motion.moves:
+        words = f"; {pace(motion.settling_time, seconds)}"
+    else:
+        words = ""
     if magnification > 1.0:
-        words += f", displacements {number(magnification)} times as large"
+        words += f", displacements {formatted_number(magnification)} times as large"
     title = ax.figure.suptitle(" ", fontsize="medium")
 
     def draw(frame: int) -> tuple[Any, ...]:
@@ -51,7 +54,7 @@ def film(motion: Motion, figure: Any, frames: int, seconds: float) -> Film:
     return Film(ax.figure, (body, title), draw, times, seconds)
 
 
-def animate(motion: Motion, seconds: float = 5.0, figure: Any = None) -> Any:
+def slide_animation(motion: Motion, seconds: float = 5.0, figure: Any = None) -> Any:
     """Return the slide as a `matplotlib.animation.FuncAnimation` that plays for ``seconds``.
 
     The section shows the mass at equidistant times, with a single frame if it does not move. A given figure has to be

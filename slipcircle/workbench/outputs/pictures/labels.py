@@ -97,7 +97,8 @@ def _beside(ax: Any) -> list[Any]:
 
 def _cost(sums: Any, frame: Any, centres: Floats, half: Floats) -> Any:
     """Return the costs of edge pixels and of the frame that a label of a half size covers at centres, (..., 2)."""
-    low, high = centres - half - frame.min, centres + half - frame.min
+    low = centres - half - frame.min
+    high = centres + half - frame.min
     outside = np.maximum(-low, 0.0) + np.maximum(high - frame.size, 0.0)
     corners = np.clip([low, high], 0, np.subtract(sums.shape[::-1], 1)).astype(int)
     (x_0, x_1), (y_0, y_1) = np.moveaxis(corners, -1, 0)

@@ -8,9 +8,9 @@ import numpy as np
 from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
-from slipcircle.workbench.outputs.pictures.plotstyle import LINES, SOILS, label, panel, points_of
-from slipcircle.workbench.outputs.pictures.scenery import key_of, numbers_of
-from slipcircle.workbench.outputs.pictures.shapes import Mass
+from slipcircle.workbench.outputs.pictures.plotstyle import LINES, SOILS, add_label, anchors_along, panel
+from slipcircle.workbench.outputs.pictures.scenery import key_of, soil_numbers
+from slipcircle.workbench.outputs.pictures.shapes import MassShape
 
 _ACROSS = 400  # number of points of the stress curve
 _START = 6.0  # width of the arc at the start, in points
@@ -18,13 +18,13 @@ _TURNED = 2.5  # width of the turned arc, in points
 _NAMED = 0.03  # relative to the arc; shorter stretches are not named
 
 
-def draw_stretches(ax: Any, mass: Mass, section: LayeredSection, turns: Sequence[float]) -> None:
+def draw_stretches(ax: Any, mass: MassShape, section: LayeredSection, turns: Sequence[float]) -> None:
     """Draw the arc in the colours of its soils, at the start as a broad line, turned as a narrow one.
 
     ``turns`` are rotations in rad. Where the strength belongs to the base, the colours stay in place; beyond the exit
     the soil at the exit, or the foreland, continues.
     """
-    numbers = numbers_of(section.layers)
+    numbers = soil_numbers(section.layers)
     facing = float(section.facing)
     for turn, width in zip((0.0, *turns), (_START, _TURNED), strict=False):
         soils, ends = soils_under(section, facing * turn)
@@ -56,15 +56,15 @@ def stress_along(motion: Motion, ax: Any = None) -> Any:
     ax.plot(along, stress, **LINES["main"])
     ax.axhline(mean, **LINES["total"])
     _soils_behind(ax, section, float(np.max(stress)))
-    label(ax, "by strips", points_of(along, stress), LINES["main"]["color"])
-    label(ax, "mean", points_of(along, mean))
+    add_label(ax, "by strips", anchors_along(along, stress), LINES["main"]["color"])
+    add_label(ax, "mean", anchors_along(along, mean))
     ax.set_xlim(0.0, length)
     return ax
 
 
 def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
     """Shade the soil of each stretch behind curves along the arc, with its name; ``height`` is their maximum."""
-    numbers = numbers_of(section.layers)
+    numbers = soil_numbers(section.layers)
     rows = stretches(section)
     ends = np.cumsum([0.0, *(row.length for row in rows)])
     for row, start, end in zip(rows, ends[:-1], ends[1:], strict=True):
@@ -72,4 +72,4 @@ def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
         ax.axvspan(start, end, color=band, lw=0)
         if row.soil.name and row.length > _NAMED * ends[-1]:
             places = [((start + end) / 2, share * height) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]
-            label(ax, row.soil.name, places, strong)
+            add_label(ax, row.soil.name, places, strong)

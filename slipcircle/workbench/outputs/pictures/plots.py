@@ -17,25 +17,25 @@ from slipcircle.layers import LayeredSection
 from slipcircle.messages import standing, swings_back
 from slipcircle.tables import in_time
 from slipcircle.workbench.common.quantities import HISTORY, Quantity, prefixed
-from slipcircle.workbench.common.trace import drawn
+from slipcircle.workbench.common.trace import columns_of_picture
 from slipcircle.workbench.outputs.pictures.comparison import ladder
-from slipcircle.workbench.outputs.pictures.film import animate
+from slipcircle.workbench.outputs.pictures.film import slide_animation
 from slipcircle.workbench.outputs.pictures.layerplot import stress_along
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
-    amount,
+    add_label,
+    add_mark,
+    anchors_along,
+    check_choice,
     curve,
     empty,
     ending,
-    known,
-    label,
-    mark,
-    measure,
-    number,
-    outcome,
+    formatted_amount,
+    formatted_number,
+    label_direction,
+    outcome_words,
     panel,
-    points_of,
     still,
     width,
     work,
@@ -43,7 +43,7 @@ from slipcircle.workbench.outputs.pictures.plotstyle import (
 from slipcircle.workbench.outputs.pictures.sectionplot import section
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, heading, sheet
 
-__all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
+__all__ = ["HISTORIES", "history", "ladder", "motion_overview", "phase_plane", "section", "shaking", "slide_animation"]
 
 # Symbols of the quantities that `history` draws.
 HISTORIES: Mapping[str, str] = {
@@ -70,8 +70,9 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     required for equilibrium at the same position. In a ``brief`` panel the marks are not named, as the panel beside it
     names them.
     """
-    known("history: what", what, HISTORIES)
-    columns, quantity = drawn(motion), HISTORY[what]
+    check_choice("history: what", what, HISTORIES)
+    columns = columns_of_picture(motion)
+    quantity = HISTORY[what]
     times = columns["time"]
     name, second, name_of_second = _COMPARED.get(what, ("", what, ""))
     curves = {"main": columns[what]}
@@ -90,13 +91,15 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     if what == "displacement":
         _rotation_axis(ax, motion)
     for line, words in zip(curves, (name, name_of_second) * (len(curves) > 1), strict=False):
-        label(ax, words, _in_view(ax, times, curves[line]), LINES[line]["color"])
+        add_label(ax, words, _in_view(ax, times, curves[line]), LINES[line]["color"])
     return ax
 
 
 def _unit(quantity: Quantity, curves: Sequence[Floats]) -> tuple[float, str]:
     """Return the factor from SI units to the unit of drawn curves of a quantity, and the name of the unit."""
-    return (math.degrees(1.0), "deg") if quantity.degrees else prefixed(np.concatenate(curves), quantity.unit)
+    if quantity.degrees:
+        return (math.degrees(1.0), "deg")
+    return prefixed(np.concatenate(curves), quantity.unit)
 
 
 def _limit(ax: Any, motion: Motion, from_zero: bool, curves: Sequence[Floats]) -> None:
@@ -118,11 +121,14 @@ def _mark_times(ax: Any, motion: Motion, curve: ArrayPair, unit: str, with_run_o
     """Mark times on a curve with their values, and unless ``brief`` with their names and times."""
     for role, time, name in _marks(motion, with_run_out):
         value = _read(time, *curve)
-        words = f"{number(value)} {unit}".rstrip()
+        words = f"{formatted_number(value)} {unit}".rstrip()
         if not brief or role == "farthest":
-            words = f"{name}: {words}\nat {number(time)} s" if value else f"{name}\nafter {number(time)} s"
+            if value:
+                words = f"{name}: {words}\nat {formatted_number(time)} s"
+            else:
+                words = f"{name}\nafter {formatted_number(time)} s"
         ax.axvline(time, **LINES["help"])
-        mark(ax, time, value, role, words)
+        add_mark(ax, time, value, role, words)
 
 
 def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
@@ -131,8 +137,11 @@ def _in_view(ax: Any, times: Floats, values: Floats) -> Floats:
     low, high = ax.get_ylim()
     margin = 0.1 * (right - left)
     inside = (left + margin < times) & (times < right - margin) & (low < values) & (values < high)
-    shown = inside if np.any(inside) else slice(None)
-    return points_of(times[shown], values[shown])
+    if np.any(inside):
+        shown = inside
+    else:
+        shown = slice(None)
+    return anchors_along(times[shown], values[shown])
 
 
 def _rotation_axis(ax: Any, motion: Motion) -> None:
@@ -154,7 +163,9 @@ def _marks(motion: Motion, with_run_out: bool = False) -> Iterator[tuple[str, fl
 def _read(time: float, times: Floats, values: Floats) -> float:
     """Return the value of a column at a time; exactly 0 where only rounding error is left."""
     value = float(np.interp(time, times, values))
-    return 0.0 if abs(value) < 1e-9 * float(np.max(np.abs(values))) else value
+    if abs(value) < 1e-9 * float(np.max(np.abs(values))):
+        return 0.0
+    return value
 
 
 def _differs(one: Floats, other: Floats) -> bool:
@@ -168,11 +179,14 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     Dissipation and kinetic energy make up the work. If the mass turns back, the path travelled replaces the
     displacement.
     """
-    columns = drawn(motion)
+    columns = columns_of_picture(motion)
     steps = np.diff(columns["displacement"])
     turns_back = bool(np.any(steps < 0.0) and np.any(steps > 0.0))
     along = columns["path" if turns_back else "displacement"]
-    across = "path travelled, as it turns back" if turns_back else "displacement $s$"
+    if turns_back:
+        across = "path travelled, as it turns back"
+    else:
+        across = "displacement $s$"
     ax = panel(ax, "speed and energy", (across, "m"))
     _energies(motion, ax, along)
     if not motion.moves:
@@ -182,22 +196,22 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
     curve(right, motion, along, speed, **LINES["main"])
-    measure(right.yaxis, "speed $|v|$", "m/s")
+    label_direction(right.yaxis, "speed $|v|$", "m/s")
     right.yaxis.label.set_color(LINES["main"]["color"])
     right.set_ylim(0.0, 1.2 * float(np.max(speed)))
     for role, time, words in _marks(motion):
         place = _read(time, columns["time"], along)
         height = _read(time, columns["time"], speed)
-        measured = f"{words}:\n{amount(height, 'm/s')} at {amount(place, 'm')}"
-        mark(right, place, height, role, measured if height else "")
+        measured = f"{words}:\n{formatted_amount(height, 'm/s')} at {formatted_amount(place, 'm')}"
+        add_mark(right, place, height, role, measured if height else "")
     onwards = along * math.copysign(1.0, farthest)
-    label(right, "speed", _in_view(right, onwards, speed), LINES["main"]["color"])
+    add_label(right, "speed", _in_view(right, onwards, speed), LINES["main"]["color"])
     return ax
 
 
 def _energies(motion: Motion, ax: Any, along: Floats) -> None:
     """Draw dissipation and kinetic energy, stacked, and the work that supplies them; label the axis."""
-    columns = drawn(motion)
+    columns = columns_of_picture(motion)
     at_start = float(columns["kinetic_energy"][0])
     supplied = at_start + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([supplied, columns["dissipation"]]), "J")
@@ -216,11 +230,11 @@ def _energies(motion: Motion, ax: Any, along: Floats) -> None:
     ax.set_ylim(0.0, 1.2 * float(np.max(total)))
     words = work(motion) + (" and first kinetic energy" if at_start else "")
     later = slice(len(along) // 4, None)
-    label(ax, words, points_of(along[later], supplied[later]), LINES["total"]["color"])
-    label(ax, "dissipation", points_of(along[later], dissipation[later] / 2), "0.25", inside=True)
+    add_label(ax, words, anchors_along(along[later], supplied[later]), LINES["total"]["color"])
+    add_label(ax, "dissipation", anchors_along(along[later], dissipation[later] / 2), "0.25", inside=True)
     thickest = int(np.argmax(kinetic))
     middle = dissipation[thickest] + kinetic[thickest] / 2
-    label(ax, "kinetic energy", (along[thickest], middle), "0.25")
+    add_label(ax, "kinetic energy", (along[thickest], middle), "0.25")
 
 
 def shaking(motion: Motion, ax: Any = None) -> Any:
@@ -235,20 +249,21 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     if not functions:
         return empty("not shaken", ax, "x", "y")
     if motion.moves:
-        last, times = motion.settling_time, drawn(motion)["time"]
+        last = motion.settling_time
+        times = columns_of_picture(motion)["time"]
     else:
         kinks = np.concatenate([np.asarray(function.kinks) for function in functions.values()])
         last = float(np.max(kinks))
         times = np.union1d(np.linspace(0, last, 401), kinks)
     for (line, words), function in functions.items():
         ax.plot(times, function(times), **{**LINES[line], "lw": 1.2})
-        label(ax, words, points_of(times, function(times), 40), LINES[line]["color"])
+        add_label(ax, words, anchors_along(times, function(times), 40), LINES[line]["color"])
     yields = motion.yield_coefficient
     ax.axhline(yields, **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
     ax.margins(y=0.25)
     side = ax.secondary_yaxis("right")
-    side.set_yticks([yields], [f"yields at\nthe start:\n$k_y$ = {number(yields)}"], fontsize="small")
+    side.set_yticks([yields], [f"yields at\nthe start:\n$k_y$ = {formatted_number(yields)}"], fontsize="small")
     return ax
 
 
@@ -258,7 +273,7 @@ _SHAKING: Mapping[str, tuple[str, str]] = {  # style and label of each component
 }
 
 
-def overview(motion: Motion) -> Drawing:
+def motion_overview(motion: Motion) -> Drawing:
     """Return the picture of a motion: the section, and the other panels in pairs below it."""
     arc = motion.plan.scene.arc
     panels: list[Callable[..., Any]] = []
@@ -267,7 +282,7 @@ def overview(motion: Motion) -> Drawing:
     panels += [partial(shaking, motion)] * ("shaking" in motion.plan.effects)
     panels += [partial(stress_along, motion)] * isinstance(arc, LayeredSection)
     pairs = [(_PANEL, panels[k : k + 2]) for k in range(0, len(panels), 2)]
-    words = heading(motion.plan.scene.name, outcome(motion) if motion.moves else standing(motion))
+    words = heading(motion.plan.scene.name, outcome_words(motion) if motion.moves else standing(motion))
     return sheet([(_SECTION, [partial(section, motion)]), *pairs], words)
 
 

@@ -13,7 +13,7 @@ from slipcircle.base.kinds import Floats
 from slipcircle.base.text import drawn_unit, shown
 from slipcircle.core import Arc
 from slipcircle.ground import free_water
-from slipcircle.workbench.outputs.pictures.shapes import Mass, View
+from slipcircle.workbench.outputs.pictures.shapes import MassShape, View
 
 _ACROSS = 400  # number of points of a boundary
 _ON_CIRCLE = 100  # number of points of the ground along a circle
@@ -39,7 +39,7 @@ class Line(NamedTuple):
     lower: Floats | None = None  # lower edge of the filled area; a soil is filled to the bottom of the view
 
 
-def lines(mass: Mass, soil: Any, view: View) -> Iterator[Line]:
+def scenery_lines(mass: MassShape, soil: Any, view: View) -> Iterator[Line]:
     """Yield the lines of an arc, a section or a slope in a view; names of soils keep clear of the mass.
 
     The chord of an arc replaces the ground; beyond the toe the ground is assumed to follow the circle.
@@ -59,7 +59,7 @@ def lines(mass: Mass, soil: Any, view: View) -> Iterator[Line]:
     yield from _surcharges(mass.ground, getattr(soil, "surcharge", ()), view)
 
 
-def _below_arc(mass: Mass, facing: float, view: View) -> Floats:
+def _below_arc(mass: MassShape, facing: float, view: View) -> Floats:
     """Return the surface below an arc: the chord continued up-slope, the arc, and the circle beyond the toe."""
     first, last = mass.ends
     (left, low), (right, high) = mass.ground
@@ -75,7 +75,10 @@ def _below_arc(mass: Mass, facing: float, view: View) -> Floats:
 def _beyond(ground: Floats, facing: float, view: View) -> Iterator[Line]:
     """Yield the level ground that the method assumes beyond the last point down-slope, if it is in view."""
     x, y = ground[0] if facing < 0.0 else ground[-1]
-    edge = view.left if facing < 0.0 else view.right
+    if facing < 0.0:
+        edge = view.left
+    else:
+        edge = view.right
     if facing * (edge - x) > 0.0:
         far = x + facing * view.size  # the axis may show more than the view
         yield Line(
@@ -85,13 +88,19 @@ def _beyond(ground: Floats, facing: float, view: View) -> Iterator[Line]:
 
 def _free_water(ground: Floats, soil: Any) -> Iterator[Line]:
     """Yield the free water on the ground of a section or a slope, filled down to the ground."""
-    level = None if soil.level is None else np.asarray(soil.level, dtype=np.float64)[None]
+    if soil.level is None:
+        level = None
+    else:
+        level = np.asarray(soil.level, dtype=np.float64)[None]
     for start, end, height in free_water(ground[None], level, soil.confined, soil.ponds).of_one:
         x = ground[:, 0]
         inside = x[(start < x) & (x < end)]
         across = np.array([start, *inside, end])
         surface = np.stack([across, np.full_like(across, height)], axis=-1)
-        name = "pond" if level is None else ""
+        if level is None:
+            name = "pond"
+        else:
+            name = ""
         yield Line("pond", surface, name, surface[1:-1], lower=np.interp(across, *ground.T))
 
 
@@ -108,7 +117,7 @@ def _along_ground(role: str, name: str, points: Any, ground: Floats, view: View)
 # --- soils -----------------------------------------------------------------------------------------------------------
 
 
-def _soils(mass: Mass, soil: Any, view: View) -> Iterator[Line]:
+def _soils(mass: MassShape, soil: Any, view: View) -> Iterator[Line]:
     """Yield the tops of soils, each with the name at places where it is thick and free of the mass."""
     layers = getattr(soil, "layers", ())
     if not layers:
@@ -119,10 +128,13 @@ def _soils(mass: Mass, soil: Any, view: View) -> Iterator[Line]:
     across = np.abs(x - mass.centre[0])
     with np.errstate(invalid="ignore"):
         below_mass = mass.centre[1] - np.nan_to_num(np.sqrt(mass.radius**2 - across**2), nan=-np.inf)
-    numbers = numbers_of(layers)
+    numbers = soil_numbers(layers)
     for (of_layer, _), top, lower in zip(layers, tops, [*tops[1:], bottom], strict=True):
         places = _thick_places(x, np.minimum(top, below_mass), np.maximum(lower, bottom), view)
-        name = of_layer.name if len(places) else ""
+        if len(places):
+            name = of_layer.name
+        else:
+            name = ""
         yield Line("soil", np.stack([x, top], axis=-1), name, places, numbers[key_of(of_layer)])
 
 
@@ -155,7 +167,7 @@ def key_of(soil: Any) -> str:
     return soil.name or str(id(soil))
 
 
-def numbers_of(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
+def soil_numbers(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
     """Return the numbers of the soils of layers, from the ground down, by `key_of`."""
     keys = dict.fromkeys(key_of(soil) for soil, _ in layers)
     return {key: number for number, key in enumerate(keys)}
@@ -169,7 +181,8 @@ def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], 
     greatest = max((float(np.max(load[2:])) for load in loads), default=0.0)
     factor, unit = drawn_unit("Pa")
     for left, right, *pressures in loads if greatest > 0.0 else ():
-        start, end = max(left, ground[0, 0]), min(right, ground[-1, 0])
+        start = max(left, ground[0, 0])
+        end = min(right, ground[-1, 0])
         if start >= end:
             continue
         spaces = max(1, round((end - start) / (_APART * view.size)))

@@ -20,16 +20,16 @@ from slipcircle.workbench.outputs.pictures.plotstyle import (
     LINES,
     SCENERY,
     SOILS,
-    amount,
+    add_label,
     area,
     ending,
-    label,
-    number,
+    formatted_amount,
+    formatted_number,
     panel,
     to_scale,
 )
-from slipcircle.workbench.outputs.pictures.scenery import lines
-from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, Mass, View, mass_of
+from slipcircle.workbench.outputs.pictures.scenery import scenery_lines
+from slipcircle.workbench.outputs.pictures.shapes import ON_ARC, MassShape, View, mass_of
 from slipcircle.workbench.stability.critical import Critical
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -75,14 +75,14 @@ def section(motion: Motion, ax: Any = None) -> Any:
     if farthest:  # the circle beyond the toe, as the method assumes
         points = stage.mass.on_circle(stage.mass.ends[int(farthest > 0.0)] + np.linspace(0.0, farthest, 60))
         ax.plot(*points.T, **{**LINES["help"], "zorder": 4})
-        label(ax, "toe assumed to follow the circle", points[20:50:5], LINES["help"]["color"])
+        add_label(ax, "toe assumed to follow the circle", points[20:50:5], LINES["help"]["color"])
     rightwards = (farthest or float(soil.facing)) > 0.0
     for pose in stage.poses:
         outline = stage.mass.outline(pose.turn)
         area(ax, outline, pose.role, label=pose.role)
         rear, front = tips = outline[[0, ON_ARC - 1]][:: 1 if rightwards else -1]
         anchors = {"start": rear, "end": front}.get(pose.role, tips)
-        label(ax, pose.words, anchors, AREAS[pose.role]["edgecolor"])
+        add_label(ax, pose.words, anchors, AREAS[pose.role]["edgecolor"])
     if isinstance(soil, LayeredSection):
         draw_stretches(ax, stage.mass, soil, turns[1:2])
     name_circle(ax, stage.mass, soil)
@@ -105,7 +105,7 @@ def slope(soil: Any, ax: Any = None) -> Any:
 class Stage(NamedTuple):
     """Scenery of the section of a motion: its mass, the positions of the mass, and the view."""
 
-    mass: Mass
+    mass: MassShape
     poses: Sequence[Pose]
     view: View
 
@@ -118,12 +118,15 @@ def set_stage(motion: Motion, ax: Any) -> Stage:
     return Stage(mass, poses, surroundings(ax, mass, soil, [mass.outline(pose.turn) for pose in poses]))
 
 
-def surroundings(ax: Any, mass: Mass, soil: Any, outlines: Sequence[Floats]) -> View:
+def surroundings(ax: Any, mass: MassShape, soil: Any, outlines: Sequence[Floats]) -> View:
     """Draw slope and circle to scale, with room for the given outlines of the mass; return the view."""
     view = View.around(*outlines)
     margin = _MARGIN * view.size
     view = scenery(ax, mass, soil, view.grown(margin, margin))
-    origin = " from the centre K" if isinstance(soil, Arc) else ""
+    if isinstance(soil, Arc):
+        origin = " from the centre K"
+    else:
+        origin = ""
     view.show(ax)
     to_scale(ax, origin)
     return view
@@ -138,16 +141,19 @@ def _poses(motion: Motion) -> Iterator[Pose]:
     scale = magnified(motion) * float(motion.plan.scene.arc.facing)
     words, time = ("farthest", farthest.time) if swings_back(motion) else (ending(motion), motion.settling_time)
     has_toe = isinstance(motion.plan.scene.arc, Section)
-    toe = f",\ntoe {amount(motion.journey.run_out, 'm')} further" if has_toe else ""
+    if has_toe:
+        toe = f",\ntoe {formatted_amount(motion.journey.run_out, 'm')} further"
+    else:
+        toe = ""
     yield Pose("end", scale * float(farthest.rotation), f"{words} {_after(farthest, time)}{toe}")
     if peak.rotation not in (0.0, farthest.rotation):
-        words = f"peak velocity {amount(abs(float(peak.velocity)), 'm/s')} {_after(peak, peak.time)}"
+        words = f"peak velocity {formatted_amount(abs(float(peak.velocity)), 'm/s')} {_after(peak, peak.time)}"
         yield Pose("peak", scale * float(peak.rotation), words)
 
 
 def _after(state: Any, time: float) -> str:
     """Return time and displacement of a state as text."""
-    return f"\nafter {number(time)} s and {amount(state.displacement, 'm')}"
+    return f"\nafter {formatted_number(time)} s and {formatted_amount(state.displacement, 'm')}"
 
 
 def _notes(motion: Motion) -> Iterator[str]:
@@ -156,14 +162,15 @@ def _notes(motion: Motion) -> Iterator[str]:
         yield factors
     if both := starts(motion):
         yield start_words(motion, both)
-    toe, outside = toe_words(motion), f"{OUTSIDE} {range_words(motion)}"
+    toe = toe_words(motion)
+    outside = f"{OUTSIDE} {range_words(motion)}"
     if toe or motion.outside_range:
         yield "; ".join([f"toe {toe}"] * bool(toe) + [outside] * bool(motion.outside_range))
     # The paper turns the mass (1.2) but evaluates J_r and J_theta, which it finds practically constant, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
         yield "frozen geometry: the mass turns by $s/R$, its forces remain as at the start"
     if (magnification := magnified(motion)) > 1.0:
-        yield f"displacements drawn {number(magnification)} times as large"
+        yield f"displacements drawn {formatted_number(magnification)} times as large"
 
 
 def magnified(motion: Motion) -> float:
@@ -182,15 +189,20 @@ def magnified(motion: Motion) -> float:
 
 def factors_in_words(critical: Critical | None) -> str:
     """Return the factors of safety with the names of their methods as text; empty without any."""
-    factors = critical.factors_of_safety if critical else {}
+    if critical:
+        factors = critical.factors_of_safety
+    else:
+        factors = {}
     known = [f"{value:.3f} by {METHODS[method][0]}" for method, value in factors.items() if value is not None]
-    return f"factor of safety {', '.join(known)}" if known else ""
+    if known:
+        return f"factor of safety {', '.join(known)}"
+    return ""
 
 
 # --- ground, water and circle ----------------------------------------------------------------------------------------
 
 
-def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
+def scenery(ax: Any, mass: MassShape, soil: Any, view: View) -> View:
     """Draw the circle and the surroundings of the mass; return the view, extended down to the firm layer."""
     ax.plot(*mass.arc.T, zorder=4, **LINES["main"])
     base = getattr(soil, "base", None)
@@ -198,7 +210,7 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
     if base is not None:
         bottom = base
         view = view._replace(bottom=min(view.bottom, base - _BELOW * view.size))
-    for line in lines(mass, soil, view):
+    for line in scenery_lines(mass, soil, view):
         colour = _NAMES.get(line.role, "0.2")
         style = SCENERY[line.role]
         if line.role == "soil":
@@ -212,19 +224,23 @@ def scenery(ax: Any, mass: Mass, soil: Any, view: View) -> View:
         else:
             ax.plot(*line.points.T, **style)
         if line.name:
-            label(ax, line.name, line.places, colour, inside=line.role == "soil")
+            add_label(ax, line.name, line.places, colour, inside=line.role == "soil")
     return view
 
 
-def name_circle(ax: Any, mass: Mass, soil: Any) -> None:
+def name_circle(ax: Any, mass: MassShape, soil: Any) -> None:
     """Label the circle, and the chord of an arc."""
-    words = f"slip circle, $R$ = {amount(mass.radius, 'm')}"
-    colour = "0.25" if isinstance(soil, LayeredSection) else LINES["main"]["color"]
-    label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 6], colour)
+    words = f"slip circle, $R$ = {formatted_amount(mass.radius, 'm')}"
+    if isinstance(soil, LayeredSection):
+        colour = "0.25"
+    else:
+        colour = LINES["main"]["color"]
+    add_label(ax, words, mass.arc[ON_ARC // 4 : -ON_ARC // 4 : 6], colour)
     if not isinstance(soil, Arc):
         return
     chord = 2 * mass.radius * math.sin(float(soil.half_angle))
     dip = math.degrees(1.5 * math.pi - mass.ends.mean())
-    words = f"chord {amount(chord, 'm')}, dip {number(dip)} deg, depth {amount(float(soil.depth), 'm')}"
+    depth = formatted_amount(float(soil.depth), "m")
+    words = f"chord {formatted_amount(chord, 'm')}, dip {formatted_number(dip)} deg, depth {depth}"
     left, right = mass.ground
-    label(ax, words, left + np.linspace(0.2, 0.8, 7)[:, None] * (right - left))
+    add_label(ax, words, left + np.linspace(0.2, 0.8, 7)[:, None] * (right - left))

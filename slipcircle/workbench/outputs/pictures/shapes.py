@@ -11,7 +11,7 @@ from slipcircle.core import Arc
 ON_ARC = 61  # number of points along the arc, the first points of an outline
 
 
-class Mass(NamedTuple):
+class MassShape(NamedTuple):
     """Geometry of a slip circle and the mass on it, in m and rad."""
 
     ground: Floats  # (n, 2); the chord of an arc
@@ -31,7 +31,8 @@ class Mass(NamedTuple):
     def outline(self, turn: float = 0.0) -> Floats:
         """Return the outline, (n, 2), turned counterclockwise: the arc from left to right, then back on the ground."""
         arc = self.arc
-        first, last = arc[0], arc[-1]
+        first = arc[0]
+        last = arc[-1]
         is_between = (first[0] <= self.ground[:, 0]) & (self.ground[:, 0] <= last[0])
         is_inside = np.hypot(*(self.ground - self.centre).T) < (1 - 1e-9) * self.radius
         leftwards = self.ground[is_between & is_inside][::-1]
@@ -97,13 +98,13 @@ class View(NamedTuple):
         ax.set_ylim(self.bottom, self.top, auto=None)
 
 
-def mass_of(circle: Any, slope: Any = None) -> Mass:
+def mass_of(circle: Any, slope: Any = None) -> MassShape:
     """Return the mass of an arc, a section, or a critical circle in a slope; an arc has its chord as the ground."""
     radius = float(circle.radius)
     if isinstance(circle, Arc):
         ends = np.array([circle.theta_1, circle.theta_2])
-        return Mass(radius * _directions(ends), np.zeros(2), radius, ends)
+        return MassShape(radius * _directions(ends), np.zeros(2), radius, ends)
     centre = np.asarray(circle.centre, dtype=np.float64)
     across, up = (np.stack([circle.entry, circle.exit]) - centre).T
     ends = np.sort(1.5 * math.pi + np.arctan2(across, -up))  # measured from straight below, angles do not jump
-    return Mass(np.asarray((slope or circle).ground, dtype=np.float64), centre, radius, ends)
+    return MassShape(np.asarray((slope or circle).ground, dtype=np.float64), centre, radius, ends)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Pair
 from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, Quantity, observable
 from slipcircle.workbench.files.numbers import Number, number_in
@@ -17,21 +18,21 @@ from slipcircle.workbench.outputs.pictures.plotstyle import (
     LINES,
     SERIES,
     WIDTH,
-    amount,
+    add_label,
+    add_mark,
+    add_note,
+    anchors_along,
     axis_words,
+    check_choice,
     empty,
-    known,
-    label,
-    mark,
-    measure,
+    formatted_amount,
+    formatted_number,
+    key_unit,
+    label_direction,
     name_rows,
-    note,
-    number,
     panel,
-    points_of,
     quantity_words,
     title,
-    unit_of,
 )
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.studies.motions import motions
@@ -68,16 +69,24 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     values = np.column_stack([first, (curve.probability, curve.low, curve.high)])
     ax.fill_between(at, *values[1:], **AREAS["band"])
     ax.plot(at, values[0], **LINES["main"])
-    # From 0, or from where the probability starts to decrease if that is far from 0.
-    certain = float(np.max(at, initial=0.0, where=values[0] == 1.0))
-    left = certain - 0.05 * (at[-1] - certain) if certain > 0.4 * at[-1] else 0.0
-    ax.set_xlim(left, at[-1] + 0.02 * (at[-1] - certain))
+    ax.set_xlim(*_limits(at, values[0]))
     if rare:
         ax.set(yscale="log", ylim=(0.5 / study.n, 1.5))
     notes = _mark_quantiles(study, output, ax, rare)
     if not rare:
-        note(ax, [_samples(study), f"{100 * study.confidence:g} % confidence at each place", *notes])
+        add_note(ax, [_samples(study), f"{100 * study.confidence:g} % confidence at each place", *notes])
     return ax
+
+
+def _limits(at: Any, probability: Any) -> Pair:
+    """Return limits of an axis from 0, or from where the probability starts to decrease if that is far from 0."""
+    greatest = float(at[-1])
+    certain = float(np.max(at, initial=0.0, where=probability == 1.0))
+    width = greatest - certain
+    right = greatest + 0.02 * width
+    if certain > 0.4 * greatest:
+        return certain - 0.05 * width, right
+    return 0.0, right
 
 
 def _mark_quantiles(study: "Study", output: str, ax: Any, rare: bool) -> list[str]:
@@ -89,8 +98,8 @@ def _mark_quantiles(study: "Study", output: str, ax: Any, rare: bool) -> list[st
         if place == np.inf:
             beyond.append(f"{words}: {BEYOND}")
         elif place > 0.0:
-            value = f"{words}: {amount(place, OUTCOMES[output].unit)}"
-            mark(ax, place, np.interp(place, at, probability), role, "" if rare else value)
+            value = f"{words}: {formatted_amount(place, OUTCOMES[output].unit)}"
+            add_mark(ax, place, np.interp(place, at, probability), role, "" if rare else value)
     return beyond
 
 
@@ -120,7 +129,10 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
     quantities = np.array([quantity_words(u) for u in study.design.inputs.values()])
     first, total = (np.array(kind) for kind in study.sensitivity[output])  # values, low and high ends: (inputs, 3)
     order = np.argsort(-total[:, 0], kind="stable")
-    name = OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
+    if output in OUTCOMES:
+        name = OUTCOMES[output].label
+    else:
+        name = "whether it moves"
     ax = panel(ax, f"influence on {name}", size=(7.0, 1.6 + 0.6 * len(order)))
     ax.set_xlabel(f"share of the variance of {name} (–)", fontsize="small")
     name_rows(ax, quantities[order].tolist())
@@ -143,7 +155,7 @@ def _index_bars(ax: Any, estimates: Any, offset: float, style: str, words: str) 
     error = np.nan_to_num([value - low, high - value])
     ax.errorbar(value, at, xerr=error, fmt="none", ecolor="black", elinewidth=1.2, capsize=3)
     if words:
-        label(ax, words, (high[-1], at[-1]))
+        add_label(ax, words, (high[-1], at[-1]))
 
 
 # --- grids and back-analyses -----------------------------------------------------------------------------------------
@@ -154,7 +166,7 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
 
     For a second number there is a curve for each of its values, or a map for many values.
     """
-    known("response: output", output, OUTCOMES)
+    check_choice("response: output", output, OUTCOMES)
     levels = study.design.levels
     numbers = [*study.design.inputs.values()]
     check_grid([len(x) for x in levels])
@@ -169,8 +181,8 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
     for k, (column, (colour, dashes, marker)) in enumerate(zip(values.T, SERIES, strict=False)):
         ax.plot(levels[0], column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
         if len(levels) > 1:
-            words = f"{quantity_words(numbers[1])} {number(levels[1][k])} {unit_of(numbers[1])}"
-            label(ax, words.rstrip(), points_of(levels[0], column, 100), colour)
+            words = f"{quantity_words(numbers[1])} {formatted_number(levels[1][k])} {key_unit(numbers[1])}"
+            add_label(ax, words.rstrip(), anchors_along(levels[0], column, 100), colour)
     ax.margins(0.08, 0.15)
     return ax
 
@@ -181,12 +193,14 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
 
     ax = panel(ax, quantity.label, (axis_words(numbers[0]),), (axis_words(numbers[1]),))
     columns, rows = map(np.argsort, levels)
-    across, up = np.asarray(levels[0])[columns], np.asarray(levels[1])[rows]
+    across = np.asarray(levels[0])[columns]
+    up = np.asarray(levels[1])[rows]
     ordered = values[np.ix_(columns, rows)].T
     cells = ax.pcolormesh(across, up, ordered, shading="nearest", cmap="viridis_r", rasterized=True)
-    measure(ax.figure.colorbar(cells, ax=ax).ax.yaxis, quantity.label, quantity.unit)
+    label_direction(ax.figure.colorbar(cells, ax=ax).ax.yaxis, quantity.label, quantity.unit)
     seen = printed(quantity.unit)[0] * ordered
-    low, high = np.nanmin(seen), np.nanmax(seen)
+    low = np.nanmin(seen)
+    high = np.nanmax(seen)
     if low < high:
         ticks = MaxNLocator(5).tick_values(low, high)
         between = ticks[(low < ticks) & (ticks < high)]
@@ -198,7 +212,8 @@ def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any,
 
 def explained(analysis: "BackAnalysis") -> Drawing:
     """Return a picture of computed and observed outcomes over each fitted number, near the first solution."""
-    rows, columns = len(analysis.observed), len(analysis.units)
+    rows = len(analysis.observed)
+    columns = len(analysis.units)
     return Drawing(partial(_draw_explained, analysis), (min(WIDTH, 2.0 + 4.5 * columns), 0.6 + 3.0 * rows))
 
 
@@ -209,7 +224,7 @@ def _draw_explained(analysis: "BackAnalysis", figure: Any) -> Any:
         _explained_by(analysis, key, column)
         column[-1].set_xlabel(axis_words(number_in(analysis.motion.plan.scene, key)))
     for ax, name in zip(axes[:, 0], analysis.observed, strict=True):
-        measure(ax.yaxis, OBSERVABLE[name].label, OBSERVABLE[name].unit)
+        label_direction(ax.yaxis, OBSERVABLE[name].label, OBSERVABLE[name].unit)
         title(ax, f"{OBSERVABLE[name].label}: computed and observed")
     return figure
 
@@ -220,17 +235,20 @@ def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> No
     field = number_in(scene, key)
     solved = [s.values[key] for s in analysis.solutions]
     error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
-    error = error if np.isfinite(error) else 0.0
+    if np.isfinite(error):
+        error = error
+    else:
+        error = 0.0
     at = _around(field, solved, error)
     lanes = motions(scene, {field.name: field.to_si(at)})
     for ax, (name, observed) in zip(axes, analysis.observed.items(), strict=True):
         curve = observable(lanes, name)
         ax.plot(at, curve, **LINES["main"])
-        label(ax, "computed", points_of(at, curve), LINES["main"]["color"])
+        add_label(ax, "computed", anchors_along(at, curve), LINES["main"]["color"])
         _draw_observed(ax, name, observed, analysis.intervals.get(name), at)
         reached = [observable(s.motion, name) for s in analysis.solutions]
         for value, outcome in zip(solved, reached, strict=True):
-            mark(ax, value, outcome, "end", f"{number(value)} {unit_of(field)}")
+            add_mark(ax, value, outcome, "end", f"{formatted_number(value)} {key_unit(field)}")
         if error > 0.0:
             ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
         ax.set_xlim(at[0], at[-1])
@@ -253,7 +271,7 @@ def _draw_observed(
         ax.axhspan(band.low, band.high, **AREAS["band"])
     if interval is None:
         ax.axhline(seen, **LINES["total"])
-    label(ax, words, points_of(places, seen))
+    add_label(ax, words, anchors_along(places, seen))
 
 
 def _around(field: Number, solved: Sequence[float], error: float) -> Any:
@@ -271,7 +289,7 @@ def check_grid(counts: Sequence[int]) -> None:
         )
 
 
-def overview(study: "Study") -> Drawing:
+def study_overview(study: "Study") -> Drawing:
     """Return the picture of a study: exceedance of run-out and peak velocity above the sensitivity indices.
 
     For a grid, run-out and peak velocity are drawn over its numbers.
@@ -281,7 +299,10 @@ def overview(study: "Study") -> Drawing:
         words = f"{study.design.n} scenes on a grid"
     else:
         rows = [(3.0, [partial(exceedance, study, x), partial(exceedance, study, x, rare=True)]) for x in DRAWN]
-        words = f"{100 * study.moving.value:.3g} % of {study.n} samples move" if study.n else ""
+        if study.n:
+            words = f"{100 * study.moving.value:.3g} % of {study.n} samples move"
+        else:
+            words = ""
     if study.sensitivity:
         named = [partial(indices, study, output, named=output == DRAWN[0]) for output in DRAWN]
         rows.append((1.6 + 0.55 * len(study.design.inputs), named))
@@ -297,6 +318,6 @@ PANELS = {output: partial(_of_outcome, output=output) for output in OUTCOMES}  #
 
 
 def _check(study: "Study", output: str, choice: Iterable[str]) -> None:
-    known("Study: output", output, choice)
+    check_choice("Study: output", output, choice)
     if study.design.method == "grid":
         raise ValueError("Study: probabilities need samples of uncertain numbers; this study is a grid")

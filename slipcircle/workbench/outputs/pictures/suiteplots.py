@@ -11,18 +11,18 @@ from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
     SERIES,
-    amount,
+    add_label,
+    add_note,
+    anchors_along,
     empty,
-    label,
+    formatted_amount,
+    label_direction,
     legend,
-    measure,
-    note,
     panel,
-    points_of,
 )
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, Row, heading, sheet
 from slipcircle.workbench.studies.fragility import interval_note
-from slipcircle.workbench.studies.statistics import distribution, exceedance
+from slipcircle.workbench.studies.statistics import distribution, exceedance_probabilities
 
 if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
@@ -57,7 +57,7 @@ def displacements(study: "Study", ax: Any = None) -> Any:
     if known.size and known.max() > _SKEW * np.median(known):
         ax.set_xscale("symlog", linthresh=known.max() / _SKEW**2)
     ax.set_xlim(left=0.0)
-    measure(ax.xaxis, f"displacement at {study.scale_text(scale)}", "m")
+    label_direction(ax.xaxis, f"displacement at {study.scale_text(scale)}", "m")
     if values.shape[1] > 1:
         legend(ax)
     return ax
@@ -65,7 +65,10 @@ def displacements(study: "Study", ax: Any = None) -> Any:
 
 def incremental(study: "Study", ax: Any = None) -> Any:
     """Draw displacement against scale: each record (mean of polarities), median, 16 to 84 %; return the axis."""
-    across = "peak acceleration of each record (g)" if study.records.to_pga else "factor on the records (–)"
+    if study.records.to_pga:
+        across = "peak acceleration of each record (g)"
+    else:
+        across = "factor on the records (–)"
     ax = panel(ax, "displacement by scale", (across,), ("displacement", "m"))
     values = np.median(study.displacement, axis=-1).mean(axis=1)
     levels = [distribution(study.displacement, k) for k in range(study.scales.size)]
@@ -81,9 +84,9 @@ def incremental(study: "Study", ax: Any = None) -> Any:
     ax.plot(study.scales, middle, **LINES["main"])
     in_view = (middle > least) & (middle < np.inf)
     if np.any(in_view):
-        label(ax, "median", points_of(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
+        add_label(ax, "median", anchors_along(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
     ax.set(yscale="log", ylim=(least, 1.5 * greatest))
-    note(ax, ["grey: records; band: 16 to 84 %"])
+    add_note(ax, ["grey: records; band: 16 to 84 %"])
     return ax
 
 
@@ -98,7 +101,7 @@ def fragility(study: "Study", ax: Any = None) -> Any:
     ax = panel(ax, "fragility", ("peak acceleration (g)",), ("exceedance probability (–)",), notes)
     levels = np.median(study.pga, axis=0)
     pga = np.linspace(0.0, 1.05 * (levels if levels.size > 1 else study.pga).max(), 201)[1:]
-    estimates = np.array(exceedance(study.displacement, study.records.thresholds))
+    estimates = np.array(exceedance_probabilities(study.displacement, study.records.thresholds))
     for curve, shares, style in zip(study.fragility(), np.swapaxes(estimates, 0, 1), cycle(SERIES), strict=False):
         colour, dashes, marker = style
         _shares(ax, levels, *shares.T, color=colour, marker=marker)
@@ -112,7 +115,7 @@ def fragility(study: "Study", ax: Any = None) -> Any:
             off = np.abs(probability - 0.6)
             steep = off <= max(0.3, off.min())
             anchors = (pga[steep], probability[steep])
-        label(ax, f"D > {amount(curve.threshold, 'm')}", points_of(*anchors), colour)
+        add_label(ax, f"D > {formatted_amount(curve.threshold, 'm')}", anchors_along(*anchors), colour)
     ax.set(xlim=(0.0, pga[-1]), ylim=(-0.02, 1.02))
     return ax
 
@@ -128,7 +131,10 @@ def _history(study: "Study", what: str, ax: Any = None) -> Any:
     scale = study.own_scale
     record = study.median_record(scale)
     words = f"median: {study.suite.entries[record].name}"
-    words = words if len(words) <= _LONGEST else f"{words[: _LONGEST - 1]}…"
+    if len(words) <= _LONGEST:
+        words = words
+    else:
+        words = f"{words[: _LONGEST - 1]}…"
     return curves(study.motions_of(record, scale), _POLARITIES, what, ax, [words])
 
 
@@ -141,9 +147,12 @@ PANELS = {
 }
 
 
-def overview(study: "Study") -> Drawing:
+def suite_overview(study: "Study") -> Drawing:
     """Return the picture of a suite: displacements by record, curves by scale, histories of the median record."""
-    records = 1.2 + 0.15 * len(study.suite) if len(study.suite) <= _NAMED else 1.2 * _PANEL
+    if len(study.suite) <= _NAMED:
+        records = 1.2 + 0.15 * len(study.suite)
+    else:
+        records = 1.2 * _PANEL
     rows: list[Row] = [(records, [partial(displacements, study)])]
     if study.scales.size > 1:
         rows.append((_PANEL, [partial(incremental, study), partial(fragility, study)]))

@@ -11,15 +11,15 @@ from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
-    amount,
+    check_choice,
     empty,
-    known,
+    formatted_amount,
+    formatted_number,
+    key_unit,
     legend,
     name_rows,
-    number,
     panel,
     quantity_words,
-    unit_of,
 )
 from slipcircle.workbench.outputs.pictures.sheets import Drawing, sheet
 
@@ -52,19 +52,20 @@ def tornado(
     gravity change by 1 %, ends of the arc by 1 % of its half angle and points of a section by 1 % of its depth. Of the
     coordinates of a line of points, only the most influential is drawn. ``named`` adds a legend.
     """
-    known("tornado: output", output, table.outputs)
+    check_choice("tornado: output", output, table.outputs)
     steps, how = _steps(table, changes)
     bars = sorted((_bar(table, output, name, *step) for name, step in steps.items()), key=lambda bar: -abs(bar.change))
     bars = [bar for bar in bars if np.isfinite(bar.change)]
     if changes is None:
         largest = {bar.line: bar for bar in reversed(bars)}
         bars = [bar for bar in bars if bar.change and largest[bar.line] is bar]
-    shown, hidden = bars[:_MOST_BARS], bars[_MOST_BARS:]
+    shown = bars[:_MOST_BARS]
+    hidden = bars[_MOST_BARS:]
     unit, at, words = table.outputs[output], table.at[output], OUTCOMES[output].label
     more = ""
     if hidden:
-        more = f"\n{len(hidden)} more numbers change it by at most {amount(abs(hidden[0].change), unit)} each"
-    across = f"change of {words} from {amount(at, unit)}{how}", unit, more
+        more = f"\n{len(hidden)} more numbers change it by at most {formatted_amount(abs(hidden[0].change), unit)} each"
+    across = f"change of {words} from {formatted_amount(at, unit)}{how}", unit, more
     ax = panel(ax, f"influence on {words}", across, size=(7.0, 1.6 + 0.4 * max(2, len(shown))))
     if not at or not shown:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
@@ -89,7 +90,7 @@ def _bar(table: "Sensitivity", output: str, name: str, key: Number, step: float)
     """Return the bar of an output for a step of a number in the unit of its key."""
     value = float(key.from_si(table.at[name]))
     change = table.derivative(output, name) * key.slope(value) * step
-    words = f"{quantity_words(key)} {number(value)} ± {step:.3g} {unit_of(key)}"
+    words = f"{quantity_words(key)} {formatted_number(value)} ± {step:.3g} {key_unit(key)}"
     return Bar(change, words.rstrip(), re.sub(r"\.\d+\..*", "", name))
 
 
@@ -99,7 +100,7 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
     keys = {name: by_names[name] for name in table.parameters}
     if changes is not None:
         for changed in changes:
-            known("tornado: changes", changed, [key.key for key in keys.values()])
+            check_choice("tornado: changes", changed, [key.key for key in keys.values()])
         return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
     uncertain = {name: each for name, each in uncertain_numbers(table.scene).items() if name in keys}
     if uncertain:
@@ -118,7 +119,9 @@ def size_of(table: "Sensitivity", name: str) -> float:
     arc: Any = table.scene.arc
     if name in lengths(arc):
         return float(arc.depth)
-    return float(arc.half_angle) if name.startswith("theta_") else abs(table.at[name]) or 1.0
+    if name.startswith("theta_"):
+        return float(arc.half_angle)
+    return abs(table.at[name]) or 1.0
 
 
 def panels(table: "Sensitivity") -> Drawing:
