@@ -25,7 +25,7 @@ def first_rotation(last: Floats, upslope: bool) -> Floats:
     return np.zeros_like(last)
 
 
-def water_table(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
+def table_of(section: Any, function: Function, rotates: bool, upslope: bool, tolerance: float) -> Data:
     """Return a function of the rotation of a section as a table, up to loss of contact."""
 
     def pressure(rotation: Any) -> Any:

@@ -18,7 +18,7 @@ _OF_RECORDS = ("record", "units", "column", "columns", "step", "start", "gaps")
 _IN_FILES = "{{record}}: file names are for scene files; in Python use {} = slipcircle.Record.read(path, ...)"
 
 
-def resolved_forcing(name: str, given: Parameters) -> ValueDict:
+def resolved(name: str, given: Parameters) -> ValueDict:
     """Return the parameters of an effect with functions of time built from pulses and lists.
 
     Raises
@@ -42,7 +42,7 @@ def resolved_forcing(name: str, given: Parameters) -> ValueDict:
     return dict(given)
 
 
-def forcing_factor(effect: str, given: Parameters, name: str) -> Any:
+def factor(effect: str, given: Parameters, name: str) -> Any:
     """Return the factor of a parameter of a resolved effect. Shaking has an amplitude, a scale or a peak."""
     if effect != "shaking":
         return 1.0
@@ -59,7 +59,7 @@ def record_numbers(shaking: Parameters) -> ValueDict:
     record = shaking["horizontal"]
     if not isinstance(record, Series):
         return {}
-    scale = forcing_factor("shaking", shaking, "horizontal")
+    scale = factor("shaking", shaking, "horizontal")
     return {"shaking.scale": scale, "shaking.peak": scale * record.greatest}
 
 
@@ -69,7 +69,7 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
     for effect, given in called.items():
         for name, value in given.items():
             if isinstance(value, Series | Pulse):
-                functions[f"{effect}.{name}"] = value.scaled(float(forcing_factor(effect, given, name)))
+                functions[f"{effect}.{name}"] = value.scaled(float(factor(effect, given, name)))
     return functions
 
 
@@ -129,7 +129,7 @@ def _check_strength(given: Parameters) -> None:
         record = given.get(name)
         if not isinstance(record, Series):
             continue
-        peak = float(np.max(np.abs(forcing_factor("shaking", given, name)))) * record.greatest
+        peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
         if peak > STRONGEST:
             unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
             unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'

@@ -294,10 +294,10 @@ def _of_study(study: Study, tables: Iterable[ResultTable | str], file: bytes) ->
     design = study.design
     ends = [f"{count} {Status(status).words}" for status, count in enumerate(study.counts) if count]
     method = [
-        ["samples of uncertain numbers", f"{design.n}, {design.method}"],
+        ["samples", f"{design.n}, {design.method}"],
         ["seed", str(study.seed)],
         ["samples of a block", str(study.size)],
-        ["motions by how they ended", ", ".join(ends)],
+        ["samples by how they ended", ", ".join(ends)],
         ["requested relative error of each solution", _number(design.accuracy)],
     ]
     if design.records is None:
