@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "104c931c71497437b8a6c24f70ef1e54f0030f23be58b942abfe27d325a3586d"
+#define DIGEST "39201b74883663f6dd19a614a3818cf51538425c080e2a24dd57b72a890aa747"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1736,8 +1736,8 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Compute the series of all registers, where states have one order more than rates, and return the highest order.
- * If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+/* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
+ * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
  * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
  * `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
@@ -2164,7 +2164,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
+/* Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
  * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
 INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {
@@ -2698,9 +2698,8 @@ static V peak_of_swing(V *e, V end, M which)
     return x;
 }
 
-/* Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
- * turn. A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is
- * there. */
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
+ * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
 INLINE M stays_positive(V start, V sine, V vers, V *f)
 {
     V sine_end = sine * (f[0] - f[3]);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4fafeb24117bb9127d4b707cab7218287a72947510aafd5c6b5242dd24c6ccad
+# sha256 of the text below: 3543ce432d902ab2392be11b8a40a43269caf9ca6707bd43e8b0cfa1983a98b0
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -103,6 +103,7 @@ def none_of(s: Lanes) -> Mask:
 
 
 def all_lanes(mask: Mask) -> bool:
+    """Return whether a mask is true for all lanes."""
     return bool(np.all(mask))
 
 
@@ -117,6 +118,7 @@ def least(x: Floats) -> int:
 
 
 def integer(x: Floats) -> Index:
+    """Return whole numbers as integers."""
     return np.asarray(x, dtype=np.intp)
 
 
@@ -742,8 +744,7 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
 
 
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
-    """Compute the series of all registers, where states have one order more than rates, and return the highest
-    order."""
+    """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
@@ -1187,8 +1188,7 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
 
 def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
         by_load: Floats) -> Mask:
-    """Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an
-    end."""
+    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends."""
     c = lane.cells
     after = c[lane.roles.drive, i] + by_drive
     lowest = np.where(net < after, net, after)
@@ -1701,8 +1701,7 @@ def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
 
 
 def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a
-    turn."""
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
     sine_end = sine * (f[0] - f[3])
     at_end = start + (sine_end + vers * f[2])
     cosine = 1.0 - f[2]

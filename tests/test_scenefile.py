@@ -345,7 +345,7 @@ def tables_of(law: str) -> dict[str, Table]:
 def test_every_key_has_a_title_and_says_what_is_allowed() -> None:
     keys = [(key, row) for law in LAWS for table in tables_of(law).values() for key, row in table.keys.items()]
     for key, row in keys:
-        assert row.title, key
+        assert row.help, key
         assert row.allowed, key
         unit = re.search(r"_(deg|kPa|m|s|m_s|m_s2|kN_m3)$", key)
         assert not unit or row.allowed.endswith(")"), key

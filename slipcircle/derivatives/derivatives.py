@@ -67,14 +67,18 @@ class Sensitivity:
 
     def error(self, output: str, parameter: str) -> float:
         """Return the error bound of a derivative."""
-        return float(self.errors[self._place(output, parameter)])
+        place = self._place(output, parameter)
+        return float(self.errors[place])
 
     def kind(self, output: str, parameter: str) -> str:
         """Return the kind of a derivative, such as "smooth" or "kink"."""
-        return str(self.kinds[self._place(output, parameter)])
+        place = self._place(output, parameter)
+        return str(self.kinds[place])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
-        return list(self.outputs).index(output), list(self.parameters).index(parameter)
+        row = list(self.outputs).index(output)
+        column = list(self.parameters).index(parameter)
+        return row, column
 
     def __str__(self) -> str:
         """Return the table of derivatives and elasticities as text."""

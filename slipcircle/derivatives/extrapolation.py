@@ -30,7 +30,8 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
         # The greatest difference of each entry from its neighbours in the preceding column and in its own.
         longer = column[..., :-1]
         shorter = column[..., 1:]
-        next_one = np.concatenate([following[..., 1:], following[..., -2:-1]], axis=-1)
+        last_but_one = following[..., -2:-1]
+        next_one = np.concatenate([following[..., 1:], last_but_one], axis=-1)
         changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
         error = CAUTION * np.max(changes, axis=0) + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
@@ -49,13 +50,19 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
     """Return the next column of a tableau without a power of h, or its noise if ``sign`` is positive."""
     factor = 2.0**power
     longer = column[..., :-1]
-    return np.asarray((factor * column[..., 1:] + sign * longer) / (factor - 1))
+    shorter = factor * column[..., 1:]
+    combined = shorter + sign * longer
+    return np.asarray(combined / (factor - 1))
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     """Return by how much values at shorter steps differ beyond their noise."""
-    differences = np.abs(following[..., :, None] - following[..., None, :])
-    return np.triu(differences - (NOISY * noise)[..., None, :]).max(axis=-1)
+    rows = following[..., :, None]
+    columns = following[..., None, :]
+    differences = np.abs(rows - columns)
+    of_noise = NOISY * noise
+    beyond = np.triu(differences - of_noise[..., None, :])
+    return beyond.max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
@@ -63,4 +70,6 @@ def noise_of(values: Floats) -> Floats:
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)
-    return np.asarray(np.max(np.nan_to_num(np.abs(np.diff(column))), axis=-1, keepdims=True))
+    differences = np.abs(np.diff(column))
+    known = np.nan_to_num(differences)
+    return np.asarray(np.max(known, axis=-1, keepdims=True))

@@ -68,7 +68,8 @@ def neighbour_derivatives(
     for ladder in range(LADDERS):
         scales = np.array([[[number.scale]] for number in remaining])
         first = RUNGS * ladder
-        steps = FIRST * scales * 2.0 ** -np.arange(first, first + RUNGS)
+        rungs = np.arange(first, first + RUNGS)
+        steps = FIRST * scales * 2.0 ** (-rungs)
         here, beside = _solved(scene, outcomes, remaining, steps)
         off = CAUTION * max(ACCURACY, error)
         every, goals = _judged(here, beside, steps, scales, off)
@@ -114,9 +115,12 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
     beside = []
     for part in filter(np.size, parts):
         offsets = steps[part] * SIDES
-        values = _neighbours(scene, outcomes, [numbers[k] for k in part.tolist()], offsets)
-        here.append(np.repeat(values[:, :1], len(part), axis=1))
-        beside.append(values[:, 1:].reshape(-1, *offsets.shape))
+        some = [numbers[k] for k in part.tolist()]
+        values = _neighbours(scene, outcomes, some, offsets)
+        of_scene = values[:, :1]
+        of_neighbours = values[:, 1:]
+        here.append(np.repeat(of_scene, len(part), axis=1))
+        beside.append(of_neighbours.reshape(-1, *offsets.shape))
     in_order = np.argsort(np.concatenate(parts))
     all_here = np.concatenate(here, axis=1)
     all_beside = np.concatenate(beside, axis=1)

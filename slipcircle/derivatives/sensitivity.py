@@ -28,7 +28,9 @@ def sensitivity(motion: Motion) -> Sensitivity:
     if not motion.moves and motion.limit_friction == motion.friction:
         raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
     scene = motion.plan.scene
-    outputs = {name: float(value) if motion.moves else 0.0 for name, value in motion.outcomes.items()}
+    outputs = dict.fromkeys(motion.outcomes, 0.0)
+    if motion.moves:
+        outputs |= {name: float(value) for name, value in motion.outcomes.items()}
     free = parameters(scene)
     warnings = []
     if any(outputs.values()):
@@ -78,7 +80,8 @@ def _warnings(found: Derivatives, free: Mapping[str, Free]) -> Texts:
             if kind == JUMP:
                 by_side = found.jumps[row, k]
                 side = int(np.argmax(np.abs(by_side)))
-                jumps.append(f"{output} {by_side[side]:+.3g} {unit} {SIDES[side]}")
+                size = by_side[side]
+                jumps.append(f"{output} {size:+.3g} {unit} {SIDES[side]}")
             elif kind == UNRESOLVED:
                 unresolved.append(output)
         if jumps:

@@ -56,7 +56,7 @@ class _Edges(NamedTuple):
         return _Edges(self.last, self.first, edge, self.last_clear, self.first_clear)
 
 
-def cut_circle(points: Floats, centre: Floats, radius: Floats) -> Cut:
+def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     """Return the parts of grounds (n or 1, V, 2) inside circles with centres (n, 2) and radii (n,).
 
     A vertex closer to a circle than the rounding of its coordinates lies on the circle and separates two stretches.
@@ -65,7 +65,9 @@ def cut_circle(points: Floats, centre: Floats, radius: Floats) -> Cut:
     middle = Vectors.of(centre)
     from_centre = line - middle[:, None]
     clear = _clearances(line, from_centre, middle, radius)
-    edges = _Edges(from_centre.starts, from_centre.ends, line.edges, clear[:, :-1], clear[:, 1:])
+    first_clear = clear[:, :-1]
+    last_clear = clear[:, 1:]
+    edges = _Edges(from_centre.starts, from_centre.ends, line.edges, first_clear, last_clear)
     start, share = _with_an_end_inside(edges)
     at = np.nonzero(_may_pass_through(edges))
     lane, _ = at
@@ -100,10 +102,12 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
     is_near = np.abs(clear) < 0.1 * square  # the difference of nearly equal numbers requires double-double
     near = np.nonzero(is_near)
     lane, _ = near
-    accurate = _clearance(_doubled(line[near]) - _doubled(centre[lane]), radius[lane])
+    doubled = _doubled(line[near]) - _doubled(centre[lane])
+    accurate = _clearance(doubled, radius[lane])
     clear[near] = accurate.high
     size = line.largest + centre.largest[:, None]
-    return np.where(clear > 32 * EPS * r * (r + size), clear, 0.0)
+    rounding = 32 * EPS * r * (r + size)
+    return np.where(clear > rounding, clear, 0.0)
 
 
 def _doubled(vectors: Vectors) -> Vectors:
@@ -137,14 +141,19 @@ def _share_from_inside(edges: _Edges) -> Floats:
     d = edges.edge.square
     g = edges.first_clear
     root = np.sqrt(b * b + d * g)
-    return np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
+    forward = g / (b + root)
+    backward = (root - b) / d
+    share = np.where(b > 0.0, forward, backward)
+    return np.minimum(share, 1.0)
 
 
 def _may_pass_through(edges: _Edges) -> Flags:
     """Return whether both ends are outside and the foot of the perpendicular from the centre is between them."""
     to_foot = -edges.first.dot(edges.edge)
     square = edges.edge.square
-    return (to_foot > 0.0) & (to_foot < square) & (edges.first_clear == 0.0) & (edges.last_clear == 0.0)
+    is_between = (to_foot > 0.0) & (to_foot < square)
+    is_outside = (edges.first_clear == 0.0) & (edges.last_clear == 0.0)
+    return is_between & is_outside
 
 
 def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> ArrayPair:
@@ -157,24 +166,30 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     from_centre = begin - _doubled(centre)
     b = from_centre.dot(edge)
     d = edge.square
-    not_negative = np.maximum((b * b + d * _clearance(from_centre, radius)).high, 0.0)
+    clearance = _clearance(from_centre, radius)
+    discriminant = b * b + d * clearance
+    not_negative = np.maximum(discriminant.high, 0.0)
     root = np.sqrt(not_negative)
     square = d.high
     start = np.maximum((-b.high - root) / square, 0.0)
     return start, np.minimum(2 * root / square, 1.0 - start)
 
 
-def ground_stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
+def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     """Return circle and number of every complete stretch, and whether each circle contains an end of the ground."""
     leaves_first = parts.leaves & (parts.stretch < 0)
     from_start = leaves_first.any(axis=1)  # the ground begins inside the circle
     count = parts.leaves.sum(axis=1) - from_start
     to_end = parts.enters.sum(axis=1) > count
     first_clear = parts.first[:, 0]
-    all_inside = (first_clear > 0.0) & (parts.second[:, -1] > 0.0) & ~parts.leaves.any(axis=1)
+    last_clear = parts.second[:, -1]
+    ends_inside = (first_clear > 0.0) & (last_clear > 0.0)
+    all_inside = ends_inside & ~parts.leaves.any(axis=1)
     lanes = np.repeat(np.arange(len(count)), count)
     before = np.cumsum(count) - count
-    return lanes, np.arange(len(lanes)) - np.repeat(before, count), from_start | to_end | all_inside
+    number = np.arange(len(lanes)) - np.repeat(before, count)
+    has_end = from_start | to_end | all_inside
+    return lanes, number, has_end
 
 
 def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
@@ -206,7 +221,9 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
     """Return `moments` of one block, short edges by quadrature of rings and long edges by sectors and triangles."""
     start = parts.start
     edge = parts.part.where(mine)
-    is_long = edge.square > (slopes.REACH * (start.length + (start + edge).length)) ** 2
+    end = start + edge
+    distance = slopes.REACH * (start.length + end.length)
+    is_long = edge.square > distance**2
     total = _ring_moments(parts, edge.where(~is_long))
     at = np.nonzero(is_long)
     lane, _ = at
@@ -235,7 +252,8 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     totals = np.zeros((len(MEASURES), *square.shape))
     for s, weight in _GAUSS:
         rest = 1.0 - s
-        gap = rest * first + s * second + s * rest * square
+        of_ends = rest * first + s * second
+        gap = of_ends + s * rest * square
         rings = np.array(slopes.rings(gap))
         totals[:5] += weight * rings
         vectors = rings[3:]
@@ -244,7 +262,8 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     area, polar, inertia, radial, moment, radial_s, moment_s = totals
     start = parts.start
     of_radial = start * radial + edge * radial_s
-    by_edge = np.array([area, polar, inertia, *of_radial, *start * moment + edge * moment_s])
+    of_moment = start * moment + edge * moment_s
+    by_edge = np.array([area, polar, inertia, *of_radial, *of_moment])
     return (by_edge * start.cross(edge)).sum(axis=2)
 
 

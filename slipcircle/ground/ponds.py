@@ -55,13 +55,17 @@ class Ponds(NamedTuple):
 
 def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Ponds:
     """Return free water over grounds (n or 1, V, 2): ponds, and water below unconfined levels (n or 1, W, 2)."""
-    bodies = [_bodies(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
+    pairs = _pairs(grounds, levels)
+    bodies = [_bodies(ground, level, confined, ponds) for ground, level in pairs]
     lanes = len(bodies)
     count = max(map(len, bodies), default=0)
     x, y = grounds[:, 0].min(axis=0, initial=np.inf)
     outside = x - 1.0
     nothing = [outside, outside, y, 0.0]  # where a lane has less water
-    padded = [of_lane + (count - len(of_lane)) * [nothing] for of_lane in bodies]
+    padded = []
+    for of_lane in bodies:
+        missing = count - len(of_lane)
+        padded.append(of_lane + missing * [nothing])
     table: Floats = np.reshape(padded, (lanes, count, 4))
     return Ponds(*table.T)
 
@@ -70,7 +74,10 @@ def _pairs(grounds: Floats, levels: Floats | None) -> Iterator[tuple[Floats, Any
     """Return each ground with its level, or None without a level."""
     if levels is None:
         return zip(grounds, repeat(None), strict=False)
-    lanes = len(levels) if len(grounds) == 1 else len(grounds)
+    if len(grounds) == 1:
+        lanes = len(levels)
+    else:
+        lanes = len(grounds)
     of_grounds = each_lane(grounds, lanes)
     of_levels = each_lane(levels, lanes)
     return zip(of_grounds, of_levels, strict=True)
@@ -90,7 +97,12 @@ def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
     """Return the water of a pond from shore to shore."""
     first, last, level = pond
     line = np.array([[first, level], [last, level]])
-    return [body for body in _below(ground, line) if body[0] < last and body[1] > first]
+    bodies = []
+    for body in _below(ground, line):
+        left, right, *_ = body
+        if left < last and right > first:
+            bodies.append(body)
+    return bodies
 
 
 def _below(ground: Floats, level: Floats) -> Bodies:
@@ -114,7 +126,8 @@ def _below(ground: Floats, level: Floats) -> Bodies:
         heights = np.interp(x[first : last + 1], *level.T)
         low = heights.min()
         high = heights.max()
-        bodies.append([x[first], x[last], (low + high) / 2, high - low])
+        middle_height = (low + high) / 2
+        bodies.append([x[first], x[last], middle_height, high - low])
     return bodies
 
 
@@ -137,7 +150,8 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
 
 def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
     """Return the error of levels beside the ground, sloping free water, and ponds that are dry or too short."""
-    words = [_mistake(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
+    pairs = _pairs(grounds, levels)
+    words = [_mistake(ground, level, confined, ponds) for ground, level in pairs]
     return np.array(words) != "", lambda k: words[k]
 
 
@@ -195,3 +209,30 @@ def ends_above(levels: Floats, left: Floats, right: Floats) -> Fault:
         return f"{{level}}: ends at x = {x:.10g}, above {mass}; extend it beyond the mass"
 
     return inside.any(axis=0), sentence
+
+
+def other_water(section: Any, left: Floats, right: Floats) -> Fault:
+    """Return the error of masses under free water of another level than at the exit, with ends at x, (n,)."""
+    _, centre, radius = section._circle
+    water = section.free_water
+    first = np.maximum(water.first, left)
+    last = np.minimum(water.last, right)
+    at_exit = centre[:, 1] + radius * section.standing_level
+    difference = np.abs(water.level - at_exit)
+    differs = difference > 1e-9 * radius
+    covers = last > first
+    other = covers & differs
+
+    def sentence(k: int) -> str:
+        levels = np.broadcast_to(water.level, other.shape)
+        of_lane = levels[:, k]
+        level = of_lane[other[:, k]][0]
+        if np.isinf(at_exit[k]):
+            why = "not its exit"
+        else:
+            why = f"free water at y = {at_exit[k]:.6g} its exit"
+        return (
+            f"{{level}}: free water at y = {level:.6g} covers the mass, and {why}; a motion takes the level at the exit"
+        )
+
+    return other.any(axis=0), sentence

@@ -12,7 +12,7 @@ import numpy as np
 
 from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.base.kinds import ArrayTriple, Floats
-from slipcircle.ground.coordinates import replace_unchecked
+from slipcircle.core.scene.tree import replace_unchecked
 from slipcircle.ground.errors import geometry_errors
 from slipcircle.ground.plane import each_lane
 from slipcircle.ground.section import Section

@@ -60,7 +60,7 @@ def record_numbers(shaking: Parameters) -> ValueDict:
     if not isinstance(record, Series):
         return {}
     scale = factor("shaking", shaking, "horizontal")
-    return {"shaking.scale": scale, "shaking.peak": scale * record.greatest}
+    return {"scale": scale, "peak": scale * record.greatest}
 
 
 def in_time(called: Effects) -> dict[str, Series | Pulse]:

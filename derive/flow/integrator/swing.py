@@ -181,7 +181,7 @@ def peak_of_swing(e: S, end: V, which: M) -> V:
 
 
 def stays_positive(start: V, sine: V, vers: V, f: S) -> M:
-    """Return whether start + sine sin + vers (1 - cos) is positive and concave up to a rotation of at most half a turn.
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn.
 
     A sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there.
     """

@@ -7,12 +7,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.conversions import Pictured
 from slipcircle.base.kinds import Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
-from slipcircle.core import AS_ENTERED, Motion, Scene
+from slipcircle.core import AS_ENTERED, STORED, Motion, Parts, Scene
 from slipcircle.ground import Section, ends_above
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
@@ -248,13 +247,13 @@ class SlopeScene(Scene[Numbers]):
             found = at_rest_by(self, self.start, motion.end.rotation, friction, kept)
         return None if found is None or np.all(np.isnan(found)) else (found, self.start)
 
-    @cached_property
-    def numbers(self) -> Mapping[str, ArrayLike]:
-        """Numbers that may be arrays. The strength factor follows from the others unless it is explicit."""
-        numbers = super().numbers
-        if not self.starts_by_method:
-            return numbers
-        return {name: value for name, value in numbers.items() if name != "strength_factor"}
+    def parts(self) -> Parts:
+        """Return the parts of the scene. The strength factor follows from the others unless it is explicit."""
+        found = super().parts() | {"set_by_start": (self.set_by_start, STORED)}
+        if self.starts_by_method:
+            _, declaration = found["strength_factor"]
+            found["strength_factor"] = self.strength_factor, replace(declaration, kind="set")
+        return found
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:

@@ -16,7 +16,7 @@ from slipcircle.base.units import take_units
 from slipcircle.core import cohesion_mistakes, law_mistakes
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
-from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
+from slipcircle.workbench.stability.columns import BOUNDS, SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -147,7 +147,7 @@ class Slope:
             of_laws = self._law_mistakes()
             mistakes += of_laws
             fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
-        mistakes += slope_errors(fields)
+        mistakes += slope_errors(fields, BOUNDS)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
                 f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"

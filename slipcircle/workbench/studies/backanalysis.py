@@ -211,7 +211,7 @@ def backanalyse(
 def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> BackAnalysis:
     """Return the back-analysis of a problem; ``intervals`` are its observations given as intervals."""
     observed = problem.observed
-    units = {f.key: f.unit for f in problem.fields}
+    units = {f.key: f.written for f in problem.fields}
     is_exact = len(problem.fields) == len(observed) == 1
     solutions, warnings = _exact(problem) if is_exact else _fitted(problem)
     method = AT_LIMIT if problem.limit else ROOT if is_exact else FITTED

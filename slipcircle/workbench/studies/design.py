@@ -17,7 +17,8 @@ from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
-from slipcircle.workbench.files.numbers import Number, Uncertain
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import Uncertain
 from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
 from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.motions import factors_at_start, motions
@@ -47,7 +48,7 @@ class Design:
 
     scene: Scene  # its values apply unless an input varies them
     accuracy: float
-    inputs: Mapping[str, Number]  # that vary, by name
+    inputs: Mapping[str, Key]  # that vary, by name
     drawn: Mapping[str, Uncertain]  # distributions of the drawn inputs, by name
     levels: tuple[Floats, ...]  # values of each input, in its key's unit: a grid, the last input fastest
     method: str  # one of `METHODS`, or "grid"

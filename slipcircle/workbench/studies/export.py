@@ -206,7 +206,7 @@ def frame(study: Any) -> Any:
     found = optional("pandas", "to_pandas").DataFrame(study_columns(study))
     if study.design.method != "grid":
         found = found.set_index([*study_axes(study)])
-    found.attrs["units"] = {**RESULTS, **{number.key: number.unit for number in study.design.inputs.values()}}
+    found.attrs["units"] = {**RESULTS, **{number.key: number.written for number in study.design.inputs.values()}}
     return found
 
 

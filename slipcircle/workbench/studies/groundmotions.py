@@ -13,7 +13,7 @@ from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import ArrayDict, Floats, Names, Shape, Values
 from slipcircle.core import Scene
 from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series
-from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.records.suite import Entry, Suite
 from slipcircle.workbench.studies.statistics import THRESHOLDS
 
@@ -65,7 +65,7 @@ class GroundMotions:
 
 
 def ground_motions(
-    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: Values
+    scene: Scene, inputs: Mapping[str, Key], records: Any, settings: Values
 ) -> tuple[Scene, GroundMotions]:
     """Return the scene without its shaking, and the ground motions that replace it, from an ensemble's settings.
 
@@ -90,7 +90,7 @@ def ground_motions(
     return replace(scene, effects=still, uncertain={}), motions
 
 
-def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
+def _input_mistakes(inputs: Mapping[str, Key]) -> Iterator[str]:
     """Yield a message for each parameter that cannot be uncertain under records."""
     for name, number in inputs.items():
         if name.startswith("shaking."):

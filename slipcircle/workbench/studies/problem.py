@@ -12,10 +12,11 @@ from generated.effects import EFFECTS
 from slipcircle.base.checks import plain, raise_all, real_number, shown
 from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
-from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
-from slipcircle.derivatives import DIP, parameter_value
+from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_names
+from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
-from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
 Kinds = NDArray[Any]  # kind of each motion: its status and number of turnings
@@ -40,7 +41,7 @@ class SearchProblem:
     def __init__(
         self,
         scene: Scene,
-        fields: Sequence[Number],
+        fields: Sequence[Key],
         ranges: Sequence[Floats],
         observed: Observations,
         limit: Interval | None = None,
@@ -222,7 +223,7 @@ def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
     return limits[0] if limits else None
 
 
-def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
+def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
     """Return the values of each field to search, between its bounds if given."""
     ranges = []
     for number in fields:
@@ -245,7 +246,7 @@ def _default_field(scene: Scene) -> str:
     )
 
 
-def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> Texts:
+def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations) -> Texts:
     """Return a message for each mistake in the choice of fields."""
     mistakes = []
     names = [f.name for f in fields]
@@ -278,10 +279,10 @@ def _between(name: str, low: float, high: float) -> Floats:
     return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
 
 
-def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
+def _range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return the values of a field to search without bounds; a wider range if other fields vary as well."""
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
-    is_friction = is_coefficient and (field.tangent or not field.unit)
+    is_friction = is_coefficient and (field.tangent or not field.written)
     if is_friction:
         return np.unique(field.from_si(_friction_range(scene, field, is_alone)))
     values = _usual_range(scene, field.name)
@@ -318,7 +319,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     return (value or 1.0) * np.geomspace(1e-3, 1e3, 121)
 
 
-def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
+def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return friction values from many swings of the mass up to the limit of motion from rest."""
     at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
     limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])

@@ -20,7 +20,7 @@ from slipcircle.core import Motion, Scene, plan, problem_of
 from slipcircle.derivatives import parameter_value, with_parameter_arrays, with_parameters
 from slipcircle.history import OUTPUTS, energy_unit, stress_unit, with_outputs
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.outputs.page.start import NoFit, StartSeries, start_of
 from slipcircle.workbench.outputs.pictures.plotstyle import quantity_words
 
@@ -36,7 +36,7 @@ _LEAST_LOST = 0.1  # least friction lost with slip, over the greatest one betwee
 class Slider(NamedTuple):
     """Number of a scene with its range in the unit of its key."""
 
-    number: Number
+    number: Key
     low: float
     high: float
 
@@ -52,7 +52,7 @@ class Slider(NamedTuple):
             "key": number.key,
             "name": number.name,
             "label": quantity_words(number),
-            "unit": number.unit or "g" * number.key.endswith("_g"),
+            "unit": number.written or "g" * number.key.endswith("_g"),
             "low": self.low,
             "high": self.high,
             "value": float(number.from_si(parameter_value(scene, number.name))),

@@ -17,20 +17,20 @@ from slipcircle.history import OUTPUTS, of_means
 from slipcircle.messages import ROUNDED, RUNS, perturbed_runs
 from slipcircle.stiff import may_creep
 from slipcircle.workbench.common.quantities import HISTORY
-from slipcircle.workbench.files.numbers import Number, by_name, in_output_unit
+from slipcircle.workbench.files.numbers import Key, by_name, in_output_unit
 from slipcircle.workbench.outputs.page.inputs import SMOOTH, PageInputs, Slider, fits_of, greatest_error
 from slipcircle.workbench.outputs.page.start import NoFit, StartSeries
 from slipcircle.workbench.outputs.pictures.plotstyle import FIRST
 
 SHARES = (0.5, 0.3, 0.2)  # default ranges of a slider to both sides of the value, relative to it
 CODES = ("ENDED", "STOPPED", "TOO_LONG", "MOST_TURNS")  # for the page
-# Numbers with sliders by default; those that shape a section are cheap to lay out for an arc alone.
+# Numbers with sliders by default, of the shape for an arc alone, which is cheap to lay out.
 _STRENGTH = ("friction", "soils", "cohesion", "pore_pressure", "shaking")
 _SHAPE = ("radius", "dip")
 _MOST_OF_SHAPE = 0.1  # relative range of these
 _NOT_STRENGTH = ("unit_weight", "saturated_unit_weight", "crack", "start", "duration", "frequency")
 MOST_SLIDERS = 8
-MOST_COEFFICIENTS = 1969  # greatest number of numbers of interpolants, for a page below 130 kB
+MOST_COEFFICIENTS = 1600  # greatest number of numbers of interpolants, for a page below 130 kB
 MOST_NUMBERS = 60_000  # greatest number of values in tables
 
 
@@ -71,7 +71,7 @@ def interpolates(scene: Scene, sliders: Sequence[Slider], error: float, most: fl
         return False
 
 
-def _ranges(scene: Scene, number: Number) -> Iterator[Slider]:
+def _ranges(scene: Scene, number: Key) -> Iterator[Slider]:
     """Yield sliders around the scene's value with valid ends, from the widest to the narrowest."""
     value = float(number.from_si(parameter_value(scene, number.name)))
     for share in SHARES if value else ():
@@ -116,7 +116,7 @@ def page_model(scene: Scene, sliders: Sequence[Slider]) -> ValueDict:
         "runs": _runs(inputs),
         "start": inputs.start and _start(inputs, inputs.start),
         "rounded": ROUNDED,
-        "stresses": of_means(scene) is scene,
+        "stresses": of_means(scene) is scene and not scene.arc.in_standing_water,
         "input_error": greatest_error(inputs, fits),
         "statuses": [[status.name, end.get(status, status.words), status.reason] for status in Status],
         "of_end": STATUS_OF_END.tolist(),

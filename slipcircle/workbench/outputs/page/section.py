@@ -118,13 +118,13 @@ def _mass(mass: MassShape, frame: Frame, bands: str, name: str, behind: Iterable
     surface = [arc[0], *mass.outline()[: ON_ARC - 1 : -1], arc[-1]]
     radius = f"{mass.radius * frame.scale:.9g}"
     x, y = frame.points(arc[0]).tolist()
-    back = f"A{radius} {radius} 0 {int(opening > math.pi)} 1 {x:.3f} {y:.3f}Z"
-    scar, clip, body, edge = (frame.path(kind, surface, arc=back) for kind in ("scar", "", "body", "edge"))
+    back = f"A{radius} {radius} 0 {int(opening > math.pi)} 1 {x:.3f} {y:.3f}"
+    scar, clip, body, edge = (frame.path(kind, surface, arc=f"{back}Z") for kind in ("scar", "", "body", "edge"))
     yield from (scar, *behind)
-    yield frame.path("circle", mass.on_circle(np.linspace(first - beyond, last + beyond, ON_ARC)))
+    yield frame.path("circle", mass.on_circle(np.linspace(first - beyond, last + beyond, 40)))
     yield f'<clipPath id="{name}">{clip}</clipPath>'
     yield f'<g class="mass">{body}<g clip-path="url(#{name})">{bands}</g>{edge}</g>'
-    yield from (frame.path("slip", arc), frame.path("ghost", surface))
+    yield from (frame.path("slip", arc[-1:], arc=back), frame.path("ghost", surface))
 
 
 def _drawn(around: Sequence[Line], frame: Frame, *roles: str) -> Iterator[str]:

@@ -12,7 +12,8 @@ import numpy as np
 from slipcircle.base.kinds import Pair
 from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, Quantity, observable
-from slipcircle.workbench.files.numbers import Number, number_in
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
@@ -187,7 +188,7 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
     return ax
 
 
-def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, quantity: Quantity) -> Any:
+def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Key], values: Any, quantity: Quantity) -> Any:
     """Draw a map of an output over both numbers of a grid, darkest at its maximum, blank where results are missing."""
     from matplotlib.ticker import MaxNLocator
 
@@ -274,7 +275,7 @@ def _draw_observed(
     add_label(ax, words, anchors_along(places, seen))
 
 
-def _around(field: Number, solved: Sequence[float], error: float) -> Any:
+def _around(field: Key, solved: Sequence[float], error: float) -> Any:
     """Return values of a number around its solutions, within its open bounds."""
     margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
     return np.linspace(max(min(solved) - margin, field.low), min(max(solved) + margin, field.high), _POINTS // 2)[1:-1]

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import by_name, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     check_choice,
@@ -86,7 +87,7 @@ def _draw_bars(ax: Any, bars: Sequence[Bar]) -> None:
     ax.axvline(0.0, color="0.25", lw=0.8)
 
 
-def _bar(table: "Sensitivity", output: str, name: str, key: Number, step: float) -> Bar:
+def _bar(table: "Sensitivity", output: str, name: str, key: Key, step: float) -> Bar:
     """Return the bar of an output for a step of a number in the unit of its key."""
     value = float(key.from_si(table.at[name]))
     change = table.derivative(output, name) * key.slope(value) * step
@@ -94,7 +95,7 @@ def _bar(table: "Sensitivity", output: str, name: str, key: Number, step: float)
     return Bar(change, words.rstrip(), re.sub(r"\.\d+\..*", "", name))
 
 
-def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
+def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Key, float]], str]:
     """Return the step of each number in the unit of its key, and the rule for the steps in words."""
     by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
