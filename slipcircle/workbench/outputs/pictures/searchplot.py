@@ -110,7 +110,7 @@ def _map(critical: Critical, ax: Any, view: View) -> View:
         quantity = "factor of safety"
     words = f"least {quantity} of the circles about each centre, up to {most:.3g}, by {_whose(critical)}"
     ax.figure.colorbar(
-        cells, ax=ax, location="bottom", shrink=0.8, aspect=40, add_label=words, format=ScalarFormatter(useOffset=False)
+        cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format=ScalarFormatter(useOffset=False)
     )
     return view
 
