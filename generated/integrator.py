@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3543ce432d902ab2392be11b8a40a43269caf9ca6707bd43e8b0cfa1983a98b0
+# sha256 of the text below: 1a7ea43a016984d310818204cf8cfb329f2e381df96ec363b6e79d6c239f9d4a
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1774,17 +1774,21 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
-    """Complete phases in the closed form where it applies, and return these lanes."""
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    if not np.any(fits):
+        return fits
     e = np.zeros_like(s.registers[0])
     back = np.zeros_like(s.registers[0])
     f = np.zeros_like(s.registers[0])
     q = -2.0 * c[s.roles.net_square]
     factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
-    end = end_of_swing(e, c[s.roles.net_sine], which)
+    end = end_of_swing(e, c[s.roles.net_sine], fits)
     functions(f, np.minimum(end, FARTHEST), q)
     mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
-    fits = which & (end < FARTHEST) & (back[0] > 0.0)
+    fits = fits & (end < FARTHEST) & (back[0] > 0.0)
     fits = fits & (q >= 0.0) & (q * end < FADED)
     fits = fits & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
@@ -1795,16 +1799,6 @@ def swing(s: Lanes, which: Mask) -> Mask:
         if np.any(fits):
             finish(s, fits, e, end, duration)
     return fits
-
-
-def leap(s: Lanes, which: Mask) -> Mask:
-    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    c = s.cells
-    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
-    begins = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
-    if np.any(begins):
-        begins = swing(s, begins)
-    return begins
 
 
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
@@ -1969,7 +1963,7 @@ def advance(s: Lanes, here: Mask) -> None:
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
     if s.roles.net_sine >= 0 and (not s.samples):
-        moving = moving & np.logical_not(leap(s, moving))
+        moving = moving & np.logical_not(swing(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

@@ -429,7 +429,7 @@ def test_the_total_stress_includes_the_weight_of_free_water() -> None:
 
 
 def test_a_page_of_a_slope_with_free_water_starts_by_bishop() -> None:
-    """Its lanes have arcs of their own, as many as there are places of the sliders."""
+    """Lanes have arcs of their own, as many as the sliders have positions."""
     slope = Slope([[-24, 20], [0, 20], [40, 0], [60, 0]], 2e3, 0.32, 19e3, level=[[-24, 14], [0, 12], [30, 5], [60, 5]])
     scene = critical(slope).scene(["rotation"])
     assert [one.number.name for one in default_sliders(scene)]

@@ -96,7 +96,7 @@ SHORT_GROUND = [(-24, 20), (0, 20), (40, 0), (47, 0)]
 
 
 def test_cohesion_and_layers_show_strengths_in_kilopascals() -> None:
-    """phi = 0 mobilises its cohesion; both strengths are equal at the peak velocity, where nothing accelerates."""
+    """Cohesion alone is mobilised with phi = 0; strengths are equal at the peak velocity, where nothing accelerates."""
     section = Section(SHORT_GROUND, (26.0, 34.0), 38.0, 19e3)
     clay = solve(Scene(section, 0.0, {**{name: {} for name in TURNING}, "cohesion": {"cohesion": 35e3}}))
     layered = solve(Scene(profile("softening"), effects=TURNING))

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
+from slipcircle.base.text import PRINTED
+from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.outputs.pictures import plots, studyplots, tornado
 from slipcircle.workbench.outputs.report import study_report
 from slipcircle.workbench.outputs.tables import interval_text
@@ -105,7 +107,7 @@ def test_a_command_draws_what_it_found(command: str, tmp_path: Path, said: Any, 
 def test_indices_are_bars_with_errors() -> None:
     e = found("three, Sobol")
     ax = studyplots.indices(e, "run_out", drawn())
-    order = [("friction angle", "pore pressure ratio", "radius").index(key) for key in ticks(ax)]
+    order = [("friction angle", "pore pressure ratio", "radius").index(key.replace("\n", " ")) for key in ticks(ax)]
     first, total = ([each[k] for k in order] for each in e.sensitivity["run_out"])
     widths = [bar.get_width() for bar in ax.patches]
     assert widths == pytest.approx([*(max(i.value, 0.0) for i in first), *(i.value for i in total)])
@@ -135,6 +137,13 @@ def test_tornado_is_what_a_small_change_does() -> None:
     assert len(ticks(ax)) == 9  # one of all points of the ground; gravity is not uncertain
     assert {"y of ground point 2 35 ± 0.0282 m", "radius 28.64 ± 0.0282 m"} <= {*ticks(ax)}
     assert not any("gravity" in text for text in ticks(ax))
+    assert clashes(ax.figure) == []  # the legend beside the title
+    token = PRINTED.set(SYSTEMS["US"])
+    try:
+        ax = tornado.tornado(solve(load("real-slope")).sensitivity(), ax=drawn())
+    finally:
+        PRINTED.reset(token)
+    assert {"y of ground point 2 114.8 ± 0.0924 ft", "cohesion 62.66 ± 0.627 psf"} <= {*ticks(ax)}
 
 
 def test_tornado_compares_equals() -> None:

@@ -217,7 +217,7 @@ def test_what_moves_less_than_a_centimetre_counts_as_no_displacement() -> None:
 
 @pytest.mark.parametrize("period", [0.08, 0.5, 3.0])
 def test_a_response_is_that_of_the_oscillator_s_equation(period: float) -> None:
-    """u'' + 2 zeta omega u' + omega^2 u = -a of a random record, by SciPy's linear simulation between all samples."""
+    """Responses solve u'' + 2 zeta omega u' + omega^2 u = -a, by SciPy's linear simulation between all samples."""
     record = Series(np.linspace(0.0, 1.95, 40), np.random.default_rng(8).normal(size=40))
     frequency = 2.0 * math.pi / period
     times = np.linspace(0.0, record.time[-1] + 1.5 * period, 20_001)

@@ -46,7 +46,7 @@ def test_a_number_is_replaced_alone(name: str) -> None:
 
 
 def test_lenses_change_what_they_stand_for() -> None:
-    """By their definitions: a line moves as a whole, pressures stay in proportion, a dip turns both ends."""
+    """Lenses follow their definitions: a line moves as a whole, pressures stay in proportion, a dip turns both ends."""
     paths = {"layers.2.top": 17.0, "surcharge.1.pressure": 6e4, "soils.sand 1.2.friction.length": 0.7}
     arc: Any = with_parameters(LAYERED, paths).arc
     assert np.asarray(arc.layers[1][1]).tolist() == [[-60, 17.0], [10, 17.5], [20, 11.0]]

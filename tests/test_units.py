@@ -416,7 +416,7 @@ def test_sweep_in_feet(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
 
 @pytest.mark.parametrize("command", ["records", "sweep"])
 def test_tables_of_records_in_feet(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    """Each cell below a head in ft or ft/s is the cell in SI units over 0.3048, the others are equal."""
+    """Cells below a head in ft or ft/s are the cells in SI units over 0.3048, the others are equal."""
     words = [*{"records": ["records"], "sweep": ["sweep", "shaken-slope"]}[command], "--synthetic", "3:1.5:12"]
     tables = []
     for units in ("SI", "US"):
@@ -467,7 +467,7 @@ def test_a_rugged_valley_of_the_paper() -> None:
 
 
 def _points_of(slope: Slope) -> int:
-    """Number of points at which a search evaluates the stress on arcs."""
+    """Return the number of points at which a search evaluates the stress on arcs."""
     count = 0
 
     def counting(*arguments: Any) -> Any:
@@ -493,6 +493,6 @@ def test_the_work_of_a_search_hardly_grows_with_points_and_soils() -> None:
 
 
 def test_many_soils() -> None:
-    """As low a factor as when every circle of the family is evaluated, touching boundaries included."""
+    """The factor is as low as when every circle of the family is evaluated, touching boundaries included."""
     above, _ = profiles.excess(profiles.random_soils(21, np.random.default_rng(3)), "bishop")
     assert above < 1e-6

@@ -127,20 +127,23 @@ def formatted_amount(value: float, unit: str) -> str:
 
 def label_direction(line: Any, words: str, unit: str | None = None, more: str = "") -> None:
     """Label an axis line of a plot; if its values have an SI unit, with numbers in the unit of output."""
-    from matplotlib.ticker import AutoLocator, FuncFormatter
+    from matplotlib.ticker import AutoLocator, FuncFormatter, LogLocator
 
     factor, name = (1.0, "") if unit is None else printed(unit)
     line.set_label_text(words if unit is None else f"{words} ({name or '–'}){more}")
     if factor == 1.0:
         return
 
-    class Scaled(AutoLocator):
+    is_log = line.get_scale() == "log"
+    base: Any = LogLocator if is_log else AutoLocator
+
+    class Scaled(base):
         """Round values in the unit of output."""
 
         def tick_values(self, low: float, high: float) -> Any:
             return np.divide(super().tick_values(factor * low, factor * high), factor)
 
-    if line.get_scale() == "linear":
+    if is_log or line.get_scale() == "linear":
         line.set_major_locator(Scaled())
     line.set_major_formatter(FuncFormatter(lambda value, _: f"{factor * value:.6g}"))
 

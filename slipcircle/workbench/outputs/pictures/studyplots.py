@@ -5,6 +5,7 @@ Every function of a single outcome draws on the given matplotlib axis, or on a n
 
 from collections.abc import Iterable, Sequence
 from functools import partial
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
     from slipcircle.workbench.studies.study import Study
 
 DRAWN = ("run_out", "peak_velocity")
+_WRAPPED = 18  # characters of names of inputs on a line
 _POINTS = 801  # number of points of a curve, from 0 to the largest value
 
 
@@ -57,9 +59,10 @@ def exceedance(study: "Study", output: str = "run_out", ax: Any = None, rare: bo
     every value. With ``rare`` the axis is logarithmic; the linear panel beside it has the legend.
     """
     _check(study, output, OUTCOMES)
-    words = f"{OUTCOMES[output].label}{', logarithmic' * rare}"
     quantity = OBSERVABLE[output]
-    ax = panel(ax, words, (quantity.label, quantity.unit), ("exceedance probability (–)",))
+    ax = panel(
+        ax, "log scale" if rare else quantity.label, (quantity.label, quantity.unit), ("exceedance probability (–)",)
+    )
     ax.set_ylim(-0.02, 1.02)
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
@@ -136,7 +139,7 @@ def indices(study: "Study", output: str = "run_out", ax: Any = None, named: bool
         name = "whether it moves"
     ax = panel(ax, f"influence on {name}", size=(7.0, 1.6 + 0.6 * len(order)))
     ax.set_xlabel(f"share of the variance of {name} (–)", fontsize="small")
-    name_rows(ax, quantities[order].tolist())
+    name_rows(ax, [fill(words, _WRAPPED) for words in quantities[order].tolist()])
     if not np.all(np.isfinite([first[:, 0], total[:, 0]])):
         has_missing = output in OUTCOMES and study.without_result
         return empty("omitted: results are missing for some samples" if has_missing else "does not vary", ax, "x")

@@ -69,7 +69,7 @@ def incremental(study: "Study", ax: Any = None) -> Any:
         across = "peak acceleration of each record (g)"
     else:
         across = "factor on the records (–)"
-    ax = panel(ax, "displacement by scale", (across,), ("displacement", "m"))
+    ax = panel(ax, "displacement by scale", (across,))
     values = np.median(study.displacement, axis=-1).mean(axis=1)
     levels = [distribution(study.displacement, k) for k in range(study.scales.size)]
     greatest = float(np.max(values, initial=0.0, where=np.isfinite(values)))
@@ -86,6 +86,7 @@ def incremental(study: "Study", ax: Any = None) -> Any:
     if np.any(in_view):
         add_label(ax, "median", anchors_along(study.scales[in_view], middle[in_view]), LINES["main"]["color"])
     ax.set(yscale="log", ylim=(least, 1.5 * greatest))
+    label_direction(ax.yaxis, "displacement", "m")
     add_note(ax, ["grey: records; band: 16 to 84 %"])
     return ax
 
@@ -97,8 +98,8 @@ def fragility(study: "Study", ax: Any = None) -> Any:
     of the records, joined where a curve is missing; they have intervals where some motions exceed the threshold and
     some do not.
     """
-    notes = [interval_note(len(study.suite)), ""]
-    ax = panel(ax, "fragility", ("peak acceleration (g)",), ("exceedance probability (–)",), notes)
+    across = f"peak acceleration (g)\n{interval_note(len(study.suite))}"
+    ax = panel(ax, "fragility", (across,), ("exceedance probability (–)",))
     levels = np.median(study.pga, axis=0)
     pga = np.linspace(0.0, 1.05 * (levels if levels.size > 1 else study.pga).max(), 201)[1:]
     estimates = np.array(exceedance_probabilities(study.displacement, study.records.thresholds))

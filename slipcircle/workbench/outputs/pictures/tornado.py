@@ -9,7 +9,7 @@ import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.keys import Key
-from slipcircle.workbench.files.numbers import by_name, lengths, uncertain_numbers
+from slipcircle.workbench.files.numbers import by_name, in_output_unit, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     check_choice,
@@ -91,7 +91,10 @@ def _bar(table: "Sensitivity", output: str, name: str, key: Key, step: float) ->
     """Return the bar of an output for a step of a number in the unit of its key."""
     value = float(key.from_si(table.at[name]))
     change = table.derivative(output, name) * key.slope(value) * step
-    words = f"{quantity_words(key)} {formatted_number(value)} ± {step:.3g} {key_unit(key)}"
+    drawn = in_output_unit(key)
+    value = float(drawn.from_si(table.at[name]))
+    drawn_step = step * key.per_unit / drawn.per_unit
+    words = f"{quantity_words(key)} {formatted_number(value)} ± {drawn_step:.3g} {key_unit(drawn)}"
     return Bar(change, words.rstrip(), re.sub(r"\.\d+\..*", "", name))
 
 
