@@ -13,10 +13,11 @@ from itertools import chain
 from typing import Any
 
 from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
+from slipcircle.core import joined
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
-from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
+from slipcircle.workbench.files.keys import VARYING, Key, Table
 
 _UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 
@@ -49,21 +50,17 @@ class Document:
         self._missing: TextDict = {}
         self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
-        self._report_missing()
+        for path, words in self._missing.items():
+            if path in self._meant:
+                self._report(path)
+            else:
+                self._report(path, f"{path}: is missing: {words}")
         self._put_in_order_of_samples()
 
     def _report(self, path: str, *sentences: str) -> None:
         """Store messages about a path, and mark its top-level table as wrong."""
         self.mistakes.extend(sentences)
         self.wrong.add(path.partition(".")[0])
-
-    def _report_missing(self) -> None:
-        """Report missing keys and tables, except keys already reported as misspelt."""
-        for path, words in self._missing.items():
-            if path in self._meant:
-                self._report(path)
-            else:
-                self._report(path, f"{path}: is missing: {words}")
 
     def _put_in_order_of_samples(self) -> None:
         """Sort the distributions into the order of samples, and put their mistakes first."""

@@ -9,7 +9,7 @@ from slipcircle.core import Motion
 from slipcircle.layers import LayeredSection, mean_normal_stress, soils_under, stretches
 from slipcircle.workbench.common.quantities import prefixed
 from slipcircle.workbench.outputs.pictures.plotstyle import LINES, SOILS, add_label, anchors_along, panel
-from slipcircle.workbench.outputs.pictures.scenery import key_of, soil_numbers
+from slipcircle.workbench.outputs.pictures.scenery import soil_numbers
 from slipcircle.workbench.outputs.pictures.shapes import MassShape
 
 _ACROSS = 400  # number of points of the stress curve
@@ -30,7 +30,7 @@ def draw_stretches(ax: Any, mass: MassShape, section: LayeredSection, turns: Seq
         soils, ends = soils_under(section, facing * turn)
         for soil, start, end in zip(soils, ends[:-1], ends[1:], strict=True):
             points = mass.on_circle(1.5 * np.pi + facing * np.linspace(start, end, 40))
-            number = numbers.get(key_of(section.soils[soil]), -1)  # a foreland may be of another soil
+            number = numbers.get(section.soils[soil].name, -1)  # a foreland may be of another soil
             _, colour = SOILS[number % len(SOILS)]
             ax.plot(*points.T, color=colour, lw=width, zorder=4, solid_capstyle="butt")
 
@@ -68,7 +68,7 @@ def _soils_behind(ax: Any, section: LayeredSection, height: float) -> None:
     rows = stretches(section)
     ends = np.cumsum([0.0, *(row.length for row in rows)])
     for row, start, end in zip(rows, ends[:-1], ends[1:], strict=True):
-        band, strong = SOILS[numbers[key_of(row.soil)] % len(SOILS)]
+        band, strong = SOILS[numbers[row.soil.name] % len(SOILS)]
         ax.axvspan(start, end, color=band, lw=0)
         if row.soil.name and row.length > _NAMED * ends[-1]:
             places = [((start + end) / 2, share * height) for share in (0.08, 0.3, 0.5, 0.7, 0.9)]

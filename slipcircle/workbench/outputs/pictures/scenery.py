@@ -135,7 +135,7 @@ def _soils(mass: MassShape, soil: Any, view: View) -> Iterator[Line]:
             name = of_layer.name
         else:
             name = ""
-        yield Line("soil", np.stack([x, top], axis=-1), name, places, numbers[key_of(of_layer)])
+        yield Line("soil", np.stack([x, top], axis=-1), name, places, numbers[of_layer.name])
 
 
 def _thick_places(x: Floats, top: Floats, bottom: Floats, view: View) -> Floats:
@@ -162,15 +162,10 @@ def boundaries(ground: Floats, layers: Sequence[tuple[Any, Any]]) -> tuple[Float
     return x, [*tops]
 
 
-def key_of(soil: Any) -> str:
-    """Return the identifier of a soil: its name if it has one."""
-    return soil.name or str(id(soil))
-
-
 def soil_numbers(layers: Sequence[tuple[Any, Any]]) -> dict[str, int]:
-    """Return the numbers of the soils of layers, from the ground down, by `key_of`."""
-    keys = dict.fromkeys(key_of(soil) for soil, _ in layers)
-    return {key: number for number, key in enumerate(keys)}
+    """Return the numbers of the soils of layers by name, from the ground down."""
+    names = dict.fromkeys(soil.name for soil, _ in layers)
+    return {name: number for number, name in enumerate(names)}
 
 
 # --- surcharges ------------------------------------------------------------------------------------------------------
