@@ -14,7 +14,7 @@ from scipy.optimize import least_squares, minimize_scalar
 
 from slipcircle import Interval, Scene, Unattainable, backanalyse, grid, load, solve
 from slipcircle.derivatives import with_parameters
-from slipcircle.workbench.common.summary import summary
+from slipcircle.workbench.common.summary import key_results
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.outputs.json_records import record
 from slipcircle.workbench.stability.critical import at_circle
@@ -227,7 +227,7 @@ def test_tables_and_json_show_what_was_observed_beside_the_motion() -> None:
     """Intervals with a verdict, a number with its error without one."""
     seen = {"run_out": Interval(600.0, 700.0), "peak_velocity": Interval(20.0, 25.0), "duration": (40.0, 5.0)}
     motion = solve(replace(VAIONT, observed=seen))
-    assert {label: text for label, text in summary(motion).items() if "observed" in text} == {
+    assert {label: text for label, text in key_results(motion).items() if "observed" in text} == {
         "run-out along the arc": "677.3 m, inside the observed 600 to 700 m",
         "peak velocity": "27.97 m/s, outside the observed 20 to 25 m/s",
         "duration": "38.08 s, observed 40 +- 5 s",
