@@ -35,7 +35,9 @@ def test_a_number_is_replaced_alone(name: str) -> None:
     """Except for the slip length that soils share, and for the factor and the peak of a record."""
     scene = EVERY[name]
     known = numbers(scene)
-    assert mapped(scene.arc, lambda value, axes: value) == scene.arc
+    assert mapped(scene.arc, lambda value: value) == scene.arc
+    with pytest.raises(ValueError, match="radus: is not a number of this scene"):
+        put(scene, {"radus": 1.0})
     for path, value in known.items():
         changed = numbers(put(scene, scene.arc.together({path: value + 0.25})))
         follow = {other for other in known if path.endswith(".length") and other.endswith(".length")}

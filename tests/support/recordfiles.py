@@ -13,7 +13,7 @@ import numpy as np
 from slipcircle.tables import Series
 from slipcircle.workbench.common.units import PORE_PRESSURE
 from slipcircle.workbench.records.recordfiles import Options
-from slipcircle.workbench.records.records import pressure_of, read_samples
+from slipcircle.workbench.records.records import pressure_of, read_record_samples
 
 STEP, COUNT = 0.02, 60
 TIME: Any = STEP * np.arange(COUNT)
@@ -159,5 +159,5 @@ FILES: dict[str, tuple[str, dict[str, float]]] = {  # text, and peaks of the com
 
 def read_pore_pressure(path: Path, **options: Any) -> dict[str, Series]:
     """Return the pore pressures of a file as parameters of the effect, as a scene file reads them."""
-    samples, _ = read_samples(PORE_PRESSURE, path, Options(**options))
+    samples, _ = read_record_samples(PORE_PRESSURE, path, Options(**options))
     return pressure_of(samples, str(path))
