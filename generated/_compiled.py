@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 442251f0cd60e996cb5e8db7fef9af57a66add9247f847cc19d0c7bd94e08a98
+# sha256 of the text below: dd4183ab9c92761144e201b08c9da0de0d33504279bb519be07e4b5467cee340
 """Selection of the compiled loops or of NumPy for a kernel, and of its tier of accuracy.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel. The name
@@ -11,7 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from functools import cache, partial
+from functools import cache, partial, update_wrapper
 from importlib import import_module
 from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
@@ -94,6 +94,13 @@ def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str,
 LEVELS = load()
 _asked = os.environ.get("SLIPCIRCLE_COMPILED", "")
 LEVEL = _asked if _asked in LEVELS else next(iter(LEVELS))
+
+
+def direct(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a public function whose calls with floats run in C without Python's interpreter, if it is compiled."""
+    _, loops = LEVELS[LEVEL]
+    best = loops.get("best", {}).get(function.__name__)
+    return update_wrapper(import_module("generated._kernels").Direct(function, best), function) if best else function
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL, both_ends: bool = False) -> Callable[..., Any]:

@@ -1,8 +1,8 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: f05a8327dd6f23a6e6975416b21e03e6fec23b16383081895c7b4755ea1a2832
+# sha256 of the text below: 9a0f198d65036b089b42b39f780fe0721c1b77005a210344bce39fe0ca3135b4
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "c61d28bbde4fb3b3476f828ebb7b6e9633c926f55a91cb448b04b631aa1b4a86"
+DIGEST = "d2a1b3cdab7db4543a1e77b064087835fc0bfb10ee1c8bc21d471318d52de1b1"
 LIMIT = 65536.0  # of an end of an arc, rad
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).
