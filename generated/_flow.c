@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "afc2fc3defdcbb0360fa00eb4f82db0fe926046fc55af95e2beafff3ec56f4a7"
+#define DIGEST "2066f704ccc3a9e725934abbc3ac801dc5c19bfbeb1f22c1079bc9b3d3a0c5f3"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1149,6 +1149,7 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 #define TIE 0x1.0000000000000p-44
 #define CLOSEST 0x1.56e1fc2f8f359p-997
 #define SURE 0x1.ffffe00000000p-1
+#define SIXTH 0x1.5555555555555p-3
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
 #define TOUCHES 0x1.0000000000000p+1
@@ -1796,6 +1797,21 @@ static void update_peak(Batch *b, unsigned lane, double rate, double now)
     }
 }
 
+/* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
+ * the beginning of the step, the difference must exceed rounding. */
+INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
+{
+    V *const c = b->c;
+    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
+    if (bits(faster)) {
+        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
+        c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
+        c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
+        c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
+        c[PEAK_RATE] = pick(here, pick(faster, c[DIRECTION] * rate, c[PEAK_RATE]), c[PEAK_RATE]);
+    }
+}
+
 /* Record the current rotation if it is the greatest from the start. */
 static void update_reach(Batch *b, unsigned lane)
 {
@@ -2196,6 +2212,172 @@ static void glide(Batch *b, unsigned lane, int t)
     }
 }
 
+/* Return the path after a time at a speed with a rate ``net`` that changes linearly. */
+INLINE V path(V time, V omega, V net, V change)
+{
+    return time * (omega + (time * ((0.5 * net) + ((SIXTH * time) * change))));
+}
+
+/* Return the first time at which a falling speed is zero. */
+INLINE V standstill(V omega, V net, V change)
+{
+    V root = sqrt_of(maximum((net * net) - ((2.0 * change) * omega), broadcast(0.0)));
+    return pick(net <= 0.0, (2.0 * omega) / (root - net), (net + root) / (0.0 - change));
+}
+
+/* Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale. */
+INLINE V end_of(Batch *b, int t, int piece, V per)
+{
+    const Job *const job = b->job;
+    int last = (int)job->data[t].pieces - 1;
+    return job->data[t].breaks[(piece + 1) < last ? (piece + 1) : last] * per;
+}
+
+/* Return the lanes that are pressed through a piece that ends before the end time and not at the last break. */
+INLINE M passes(Batch *b, int t, int piece, V per, V press)
+{
+    V *const c = b->c;
+    V until = end_of(b, t, piece, per);
+    V following = end_of(b, t, piece + 1, per);
+    M before_last = (until < following) & (following < INFINITY);
+    return before_last & (press > 0.0) & (until < (c[END_TIME] * (1.0 - (4.0 * EPS))));
+}
+
+/* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
+static void end_slide(Batch *b, unsigned lane, int t, int piece, double x, double omega)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    c[X][lane] = x;
+    c[OMEGA][lane] = omega;
+    c[STATUS][lane] = (omega > 0.0) ? MOVING : RESTING;
+    c[STEPS][lane] = 0.0;
+    c[PASSED][lane] = NOTHING;
+    if (omega == 0.0) {
+        c[TIME][lane] = c[REST_SINCE][lane];
+        update_reach(b, lane);
+    }
+    advance_origin(b, lane);
+    stand_before(b, lane, t, piece, break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane]);
+    pass_break(b, lane, t);
+    c[PENDING][lane] = BEGIN_PHASE;
+}
+
+/* Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed. */
+INLINE V lowest_speed(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+{
+    V at = (length * net) / (net - after);
+    V extreme = omega + ((0.5 * at) * net);
+    keep_faster(b, here & (net > 0.0), extreme, now + at, x + (at * (omega + (((2.0 * SIXTH) * at) * net))), broadcast(0.0));
+    return pick(here & (net < 0.0), extreme, omega + ((0.5 * length) * (net + after)));
+}
+
+/* Stop lanes within a piece, start them, or both; return the speed at its end and the path. */
+INLINE Pair turn(Batch *b, M here, V now, V length, V omega, V net, V after)
+{
+    V *const c = b->c;
+    M moves = omega > 0.0;
+    V change = (after - net) / length;
+    V stop = pick(moves, standstill(omega, net, change), broadcast(0.0));
+    V start = pick(net < 0.0, (net / (net - after)) * length, broadcast(0.0));
+    M starts = ((after > 0.0) & (start >= stop)) | ((net > 0.0) & ~moves);
+    V push = maximum(net, broadcast(0.0));
+    V left = length - start;
+    V speed = left * (push + ((0.5 * left) * change));
+    M again = starts & (speed <= 0.0);
+    V span = pick(again, ((-2.0) * push) / change, left);
+    c[REST_SINCE] = pick(here, pick(again, now + span, pick(moves, now + stop, c[REST_SINCE])), c[REST_SINCE]);
+    c[PHASES] = pick(here, c[PHASES] + pick(starts, broadcast(1.0), broadcast(0.0)), c[PHASES]);
+    c[TURNS] = pick(here, c[TURNS] + pick(starts & (c[LAST_WAY] < 0.0), broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, pick(starts, broadcast(1.0), c[LAST_WAY]), c[LAST_WAY]);
+    V behind = pick(starts, path(span, 0.0 * span, push, change), broadcast(0.0));
+    return (Pair){pick(starts & ~again, speed, broadcast(0.0)), (path(stop, omega, net, change) + behind)};
+}
+
+/* Return the speed at the end of a piece and the path through it. */
+INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
+{
+    V ends = omega + ((0.5 * length) * (net + after));
+    V further = length * (omega + ((SIXTH * length) * ((2.0 * net) + after)));
+    V lowest = ends;
+    M crosses = here & ((net * after) < 0.0);
+    if (bits(crosses)) {
+        lowest = lowest_speed(b, crosses, now, length, x, omega, net, after);
+    }
+    M stays = (omega > 0.0) & (lowest > 0.0);
+    M turns = here & ~stays & ((omega > 0.0) | (net > 0.0) | (after > 0.0));
+    ends = pick(stays, ends, broadcast(0.0));
+    further = pick(stays, further, broadcast(0.0));
+    if (bits(turns)) {
+        const Pair speed_way = turn(b, turns, now, length, omega, net, after);
+        V speed = speed_way.one, way = speed_way.other;
+        ends = pick(turns, speed, ends);
+        further = pick(turns, way, further);
+    }
+    return (Pair){ends, further};
+}
+
+/* Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic. The net
+ * moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record. A
+ * lane leaves before a piece in which it may lift. */
+static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V weight)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V per = 1.0 / c[job->table[t].cell + SCALE];
+    int piece = first;
+    V now = c[TIME];
+    V net = base + (slope * (c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC]));
+    V value = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+    V omega = broadcast(0.0);
+    V x = broadcast(0.0);
+    M on = here;
+    while (bits(on)) {
+        V until = end_of(b, t, piece, per);
+        V length = until - now;
+        V after = base + (slope * value);
+        const Pair speed_way = pass_piece(b, on, now, length, x, omega, net, after);
+        V speed = speed_way.one, way = speed_way.other;
+        omega = speed;
+        x = x + way;
+        now = until;
+        net = after;
+        piece = piece + 1;
+        int last = (int)job->data[t].pieces - 1;
+        value = job->data[t].coefficients[2 * ((piece + 1) < last ? (piece + 1) : last)] * c[job->table[t].cell + SCALED_BY];
+        M inside = passes(b, t, piece, per, weight + (grip * value));
+        M leaves = on & ~inside;
+        EACH(lane, bits(leaves)) {
+            end_slide(b, lane, t, piece, x[lane], omega[lane]);
+        }
+        on = on & inside;
+    }
+}
+
+/* Move lanes at rest in the same piece that may start down-slope only; return lanes that follow in a later round.
+ * So the numbers of a lane do not depend on other lanes. */
+static M slide_together(Batch *b, M here, int t)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V slope = (b->r + job->role->net)[1] / c[job->table[t].cell + RISE];
+    V origin = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V grip = broadcast(0.0);
+    if (job->role->normal >= 0) {
+        grip = (b->r + job->role->normal)[1] / c[job->table[t].cell + RISE];
+    }
+    V weight = normal_force(b) - (grip * origin);
+    M linear = here & ((b->r + job->role->net)[2] == 0.0) & (c[job->table[t].cell + RISE] != 0.0);
+    M forward = linear & (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0) & (c[LIFTED] == 0.0);
+    int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
+    M there = forward & (c[job->table[t].cell + PIECE] == (double)piece);
+    if (bits(there)) {
+        M inside = there & passes(b, t, piece, 1.0 / c[job->table[t].cell + SCALE], weight + (grip * (c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER])));
+        slide(b, inside, t, piece, slope, (b->r + job->role->net)[0] - (slope * origin), grip, weight);
+    }
+    return forward & ~there;
+}
+
 /* Begin another phase in motion: the lane enters another piece of a table, is lifted or lands. */
 static void enter_phase(Batch *b, unsigned lane, double rate)
 {
@@ -2416,21 +2598,6 @@ static void find_events(Batch *b, M here, int top)
     }
 }
 
-/* Record a candidate for the greatest speed in the current step if it exceeds the record. If the record is not at
- * the beginning of the step, the difference must exceed rounding. */
-INLINE void keep_faster(Batch *b, M here, V speed, V time, V x, V rate)
-{
-    V *const c = b->c;
-    M faster = here & (speed > magnitude(c[PEAK_OMEGA]));
-    if (bits(faster)) {
-        faster = faster & ((c[PEAK_TIME] == c[TIME]) | (speed > ((1.0 + TIE) * magnitude(c[PEAK_OMEGA]))));
-        c[PEAK_OMEGA] = pick(here, pick(faster, c[DIRECTION] * speed, c[PEAK_OMEGA]), c[PEAK_OMEGA]);
-        c[PEAK_TIME] = pick(here, pick(faster, time, c[PEAK_TIME]), c[PEAK_TIME]);
-        c[PEAK_ROTATION] = pick(here, pick(faster, c[ROTATION] + (c[DIRECTION] * x), c[PEAK_ROTATION]), c[PEAK_ROTATION]);
-        c[PEAK_RATE] = pick(here, pick(faster, c[DIRECTION] * rate, c[PEAK_RATE]), c[PEAK_RATE]);
-    }
-}
-
 /* Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early. The radius
  * of the rotation equals the radius of the angular velocity. */
 INLINE void choose_step(Batch *b, M here, V room, int top)
@@ -2632,21 +2799,11 @@ static void leave_rest(Batch *b, unsigned lane, double limit, double room)
     }
 }
 
-/* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
-static void rest_on(Batch *b, M here)
+/* Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too. */
+static void rest_to_change(Batch *b, M here, V limit, V room)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V limit = next_break(b);
-    V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
-    c[STRETCH] = pick(here, room, c[STRETCH]);
-    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
-    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
-    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
-    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
-    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
-    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
-    look_ahead(b, here, room);
     M both = here & (c[ONE_WAY] == 0.0);
     if (bits(both)) {
         EACH(lane, bits(both)) {
@@ -2666,6 +2823,31 @@ static void rest_on(Batch *b, M here)
     EACH(lane, bits(here)) {
         leave_rest(b, lane, limit[lane], room[lane]);
     }
+}
+
+/* Advance lanes at rest under changing forces to the next break, or to the start of motion. */
+static void rest_on(Batch *b, M here)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V limit = next_break(b);
+    V room = pick(limit < INFINITY, limit - c[TIME], broadcast(1.0));
+    c[STRETCH] = pick(here, room, c[STRETCH]);
+    c[START_AHEAD] = pick(here, broadcast(INFINITY), c[START_AHEAD]);
+    c[START_DIRECTION] = pick(here, broadcast(0.0), c[START_DIRECTION]);
+    c[SUDDEN] = pick(here, broadcast(0.0), c[SUDDEN]);
+    c[LIFT_AHEAD] = pick(here, broadcast(INFINITY), c[LIFT_AHEAD]);
+    c[QUIET_FROM] = pick(here, broadcast(-INFINITY), c[QUIET_FROM]);
+    c[QUIET_TO] = pick(here, broadcast(INFINITY), c[QUIET_TO]);
+    look_ahead(b, here, room);
+    M later = (M){0};
+    for (int t = 0; t < job->tables; t++) {
+        int exact = (job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && !(job->notes_room > 0) && (job->data[t].terms == 2);
+        if (exact && (job->table[t].kind == OF_TIME) && !job->data[t].sine) {
+            later = slide_together(b, here, t);
+        }
+    }
+    rest_to_change(b, here & (c[PENDING] == (double)READY) & ~later, limit, room);
 }
 
 /* Stop lanes with too many steps since they last rested or passed a break, too many turns, or overflow. */
@@ -2772,9 +2954,11 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         job->order = order > job->order ? (int)order : job->order;
     }
     for (int i = job->made; i < job->cells; i++) c[i] = broadcast(job->all[i * job->count]);
+    /* Motions under a record whose series end early begin side by side. */
+    const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
-        if (round < job->budget && (vacant >= LEAST_FREE || vacant >= job->end - next))
+        if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6e2bf151b493e6555f59c5992f92920deafab1222c94f570bdb0e131429f6c0a
+# sha256 of the text below: c3c99af28909c530d5a01743670c493f1a7cb0933abcc16b821416f6888918c3
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -46,6 +46,8 @@ class Table:
         self.degree = slot.degree
         self.data = data
         self.pieces = len(data.breaks)
+        self.places = data.breaks
+        self.heights = data.coefficients.ravel()
         self.terms = data.coefficients.shape[1]
         self.sine = data.sine
         self.open = data.open
@@ -81,6 +83,7 @@ class Lanes:
         self.autonomous = program.autonomous
         self.samples = samples
         self.log = log
+        self.logged = log is not None
 
     @property
     def stored(self) -> Floats:
@@ -237,6 +240,7 @@ LARGEST = 1099511627776000.0
 TIE = 5.684341886080802e-14
 CLOSEST = 1e-300
 SURE = 0.9999990463256836
+SIXTH = 0.16666666666666666
 ROUNDINGS = 134217728.0
 FAR = 1e+300
 TOUCHES = 2.0
@@ -784,6 +788,19 @@ def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
     i, rate, now, rises = (i_1, rate_1, now_1, rises_1)
 
 
+def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
+    """Record a candidate for the greatest speed in the current step if it exceeds the record."""
+    c = s.cells
+    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
+    if np.any(faster):
+        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
+        c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
+        c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
+        c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
+            c[ix.PEAK_ROTATION]), c[ix.PEAK_ROTATION])
+        c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
+
+
 def update_reach(lane: Lanes, i: Index) -> None:
     """Record the current rotation if it is the greatest from the start."""
     c = lane.cells
@@ -1234,6 +1251,158 @@ def glide(lane: Lanes, i: Index, t: Table) -> None:
     i, rise = (i_1, rise_1)
 
 
+def path(time: Floats, omega: Floats, net: Floats, change: Floats) -> Floats:
+    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
+    return time * (omega + time * (0.5 * net + SIXTH * time * change))
+
+
+def standstill(omega: Floats, net: Floats, change: Floats) -> Floats:
+    """Return the first time at which a falling speed is zero."""
+    root = np.sqrt(np.maximum(net * net - 2.0 * change * omega, 0.0))
+    return np.where(net <= 0.0, 2.0 * omega / (root - net), (net + root) / (0.0 - change))
+
+
+def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
+    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
+    last = t.pieces - 1
+    return t.places[min(piece + 1, last)] * per
+
+
+def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
+    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
+    c = s.cells
+    until = end_of(s, t, piece, per)
+    following = end_of(s, t, piece + 1, per)
+    before_last = (until < following) & (following < INFINITY)
+    return before_last & (press > 0.0) & (until < c[ix.END_TIME] * (1.0 - 4.0 * EPS))
+
+
+def end_slide(lane: Lanes, i: Index, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
+    c = lane.cells
+    c[ix.X, i] = x
+    c[ix.OMEGA, i] = omega
+    c[ix.STATUS, i] = np.where(omega > 0.0, ix.MOVING, ix.RESTING)
+    c[ix.STEPS, i] = 0.0
+    c[ix.PASSED, i] = ix.NOTHING
+    holds_1 = omega == 0.0
+    i_1, omega_1 = (i, omega)
+    i, omega = among(holds_1, i_1, omega_1)
+    if i.size:
+        c[ix.TIME, i] = c[ix.REST_SINCE, i]
+        update_reach(lane, i)
+    i, omega = (i_1, omega_1)
+    advance_origin(lane, i)
+    stand_before(lane, i, t, np.full(i.size, piece), break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i])
+    pass_break(lane, i, t)
+    c[ix.PENDING, i] = ix.BEGIN_PHASE
+
+
+def lowest_speed(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
+        after: Floats) -> Floats:
+    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
+    at = length * net / (net - after)
+    extreme = omega + 0.5 * at * net
+    keep_faster(s, here & (net > 0.0), extreme, now + at, x + at * (omega + 2.0 * SIXTH * at * net), 0.0)
+    return np.where(here & (net < 0.0), extreme, omega + 0.5 * length * (net + after))
+
+
+def turn(s: Lanes, here: Mask, now: Floats, length: Floats, omega: Floats, net: Floats, after: Floats) -> tuple[Floats,
+        Floats]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+    c = s.cells
+    moves = omega > 0.0
+    change = (after - net) / length
+    stop = np.where(moves, standstill(omega, net, change), 0.0)
+    start = np.where(net < 0.0, net / (net - after) * length, 0.0)
+    starts = (after > 0.0) & (start >= stop) | (net > 0.0) & np.logical_not(moves)
+    push = np.maximum(net, 0.0)
+    left = length - start
+    speed = left * (push + 0.5 * left * change)
+    again = starts & (speed <= 0.0)
+    span = np.where(again, -2.0 * push / change, left)
+    c[ix.REST_SINCE] = np.where(here, np.where(again, now + span, np.where(moves, now + stop, c[ix.REST_SINCE])),
+        c[ix.REST_SINCE])
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + np.where(starts, 1.0, 0.0), c[ix.PHASES])
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(starts & (c[ix.LAST_WAY] < 0.0), 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, np.where(starts, 1.0, c[ix.LAST_WAY]), c[ix.LAST_WAY])
+    behind = np.where(starts, path(span, 0.0 * span, push, change), 0.0)
+    return (np.where(starts & np.logical_not(again), speed, 0.0), path(stop, omega, net, change) + behind)
+
+
+def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
+        after: Floats) -> tuple[Floats, Floats]:
+    """Return the speed at the end of a piece and the path through it."""
+    ends = omega + 0.5 * length * (net + after)
+    further = length * (omega + SIXTH * length * (2.0 * net + after))
+    lowest = ends
+    crosses = here & (net * after < 0.0)
+    if np.any(crosses):
+        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
+    stays = (omega > 0.0) & (lowest > 0.0)
+    turns = here & np.logical_not(stays) & ((omega > 0.0) | (net > 0.0) | (after > 0.0))
+    ends = np.where(stays, ends, 0.0)
+    further = np.where(stays, further, 0.0)
+    if np.any(turns):
+        speed, way = turn(s, turns, now, length, omega, net, after)
+        ends = np.where(turns, speed, ends)
+        further = np.where(turns, way, further)
+    return (ends, further)
+
+
+def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Floats, grip: Floats,
+        weight: Floats) -> None:
+    """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
+    c = s.cells
+    per = 1.0 / c[t.cells + ix.SCALE]
+    piece = first
+    now = c[ix.TIME].copy()
+    net = base + slope * (c[t.cells + ix.VALUE] + c[t.cells + ix.INC])
+    value = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+    omega: Floats = 0.0
+    x: Floats = 0.0
+    on = here
+    while np.any(on):
+        until = end_of(s, t, piece, per)
+        length = until - now
+        after = base + slope * value
+        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+        omega = speed
+        x = x + way
+        now = until
+        net = after
+        piece = piece + 1
+        last = t.pieces - 1
+        value = t.heights[2 * min(piece + 1, last)] * c[t.cells + ix.SCALED_BY]
+        inside = passes(s, t, piece, per, weight + grip * value)
+        leaves = on & np.logical_not(inside)
+        i = np.flatnonzero(leaves)
+        if i.size:
+            end_slide(s, i, t, piece, x[i], omega[i])
+        on = on & inside
+
+
+def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
+    """Move lanes at rest in the same piece that may start down-slope only; return lanes that follow in a later
+    round."""
+    c = s.cells
+    slope = s.registers[s.roles.net][1] / c[t.cells + ix.RISE]
+    origin = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    grip: Floats = 0.0
+    if s.roles.normal >= 0:
+        grip = s.registers[s.roles.normal][1] / c[t.cells + ix.RISE]
+    weight = normal_force(s) - grip * origin
+    linear = here & (s.registers[s.roles.net][2] == 0.0) & (c[t.cells + ix.RISE] != 0.0)
+    forward = linear & (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0) & (c[ix.LIFTED] == 0.0)
+    piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
+    there = forward & (c[t.cells + ix.PIECE] == float(piece))
+    if np.any(there):
+        inside = there & passes(s, t, piece, 1.0 / c[t.cells + ix.SCALE],
+            weight + grip * (c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]))
+        slide(s, inside, t, piece, slope, s.registers[s.roles.net][0] - slope * origin, grip, weight)
+    return forward & np.logical_not(there)
+
+
 def enter_phase(lane: Lanes, i: Index, rate: Floats) -> None:
     """Begin another phase in motion: the lane enters another piece of a table, is lifted or lands."""
     c = lane.cells
@@ -1454,19 +1623,6 @@ def find_events(s: Lanes, here: Mask, top: int) -> None:
             ix.EVENT_LIFT_OFF)
 
 
-def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
-    """Record a candidate for the greatest speed in the current step if it exceeds the record."""
-    c = s.cells
-    faster = here & (speed > np.abs(c[ix.PEAK_OMEGA]))
-    if np.any(faster):
-        faster = faster & ((c[ix.PEAK_TIME] == c[ix.TIME]) | (speed > (1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA])))
-        c[ix.PEAK_OMEGA] = np.where(here, np.where(faster, c[ix.DIRECTION] * speed, c[ix.PEAK_OMEGA]), c[ix.PEAK_OMEGA])
-        c[ix.PEAK_TIME] = np.where(here, np.where(faster, time, c[ix.PEAK_TIME]), c[ix.PEAK_TIME])
-        c[ix.PEAK_ROTATION] = np.where(here, np.where(faster, c[ix.ROTATION] + c[ix.DIRECTION] * x,
-            c[ix.PEAK_ROTATION]), c[ix.PEAK_ROTATION])
-        c[ix.PEAK_RATE] = np.where(here, np.where(faster, c[ix.DIRECTION] * rate, c[ix.PEAK_RATE]), c[ix.PEAK_RATE])
-
-
 def choose_step(s: Lanes, here: Mask, room: Floats, top: int) -> None:
     """Set the step to a fraction of the least radius of convergence, or to ``room`` where series end early."""
     c = s.cells
@@ -1655,19 +1811,9 @@ def leave_rest(lane: Lanes, i: Index, limit: Floats, room: Floats) -> None:
     i, breaks = (i_5, breaks_5)
 
 
-def rest_on(s: Lanes, here: Mask) -> None:
-    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
+def rest_to_change(s: Lanes, here: Mask, limit: Floats, room: Floats) -> None:
+    """Advance lanes at rest to the next break, or to the start of motion, which is found in the other direction too."""
     c = s.cells
-    limit = next_break(s)
-    room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
-    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
-    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
-    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
-    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
-    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
-    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
-    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
-    look_ahead(s, here, room)
     both = here & (c[ix.ONE_WAY] == 0.0)
     if np.any(both):
         i = np.flatnonzero(both)
@@ -1685,6 +1831,27 @@ def rest_on(s: Lanes, here: Mask) -> None:
     i = np.flatnonzero(here)
     if i.size:
         leave_rest(s, i, limit[i], room[i])
+
+
+def rest_on(s: Lanes, here: Mask) -> None:
+    """Advance lanes at rest under changing forces to the next break, or to the start of motion."""
+    c = s.cells
+    limit = next_break(s)
+    room = np.where(limit < INFINITY, limit - c[ix.TIME], 1.0)
+    c[ix.STRETCH] = np.where(here, room, c[ix.STRETCH])
+    c[ix.START_AHEAD] = np.where(here, INFINITY, c[ix.START_AHEAD])
+    c[ix.START_DIRECTION] = np.where(here, 0.0, c[ix.START_DIRECTION])
+    c[ix.SUDDEN] = np.where(here, 0.0, c[ix.SUDDEN])
+    c[ix.LIFT_AHEAD] = np.where(here, INFINITY, c[ix.LIFT_AHEAD])
+    c[ix.QUIET_FROM] = np.where(here, -INFINITY, c[ix.QUIET_FROM])
+    c[ix.QUIET_TO] = np.where(here, INFINITY, c[ix.QUIET_TO])
+    look_ahead(s, here, room)
+    later = none_of(s)
+    for t in s.tables:
+        exact = s.autonomous == 2 and s.timed == 1 and (not s.samples) and (not s.logged) and (t.terms == 2)
+        if exact and t.kind == ix.OF_TIME and (not t.sine):
+            later = slide_together(s, here, t)
+    rest_to_change(s, here & (c[ix.PENDING] == float(ix.READY)) & np.logical_not(later), limit, room)
 
 
 def stop_endless(s: Lanes, here: Mask) -> None:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: edfbcf7c98add9fca27c2c8ddf04f017e4d2de19fa54b3a768b9f101003f1796
+# sha256 of the text below: 67243508babf1f7bca2ad971d340a4f433799f07787bccb0a8db7b813f52c44d
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "afc2fc3defdcbb0360fa00eb4f82db0fe926046fc55af95e2beafff3ec56f4a7"  # of the compiled integrator's source
+DIGEST = "2066f704ccc3a9e725934abbc3ac801dc5c19bfbeb1f22c1079bc9b3d3a0c5f3"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -43,12 +43,13 @@ _OF_LANES = {
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
     **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
     **{f"has.{x}": ("HAS", "N") for x in layout.ROLES},
-    **dict.fromkeys(("samples", "timed", "autonomous", "highest"), ("SHARED", "N")),
+    **dict.fromkeys(("samples", "logged", "timed", "autonomous", "highest"), ("SHARED", "N")),
 }
 _OF_TABLE = {
     **{x.lower(): ("PART", "V") for x in layout.TABLE if x != "Q1"},
     **dict.fromkeys(("kind", "number", "degree", "terms", "pieces", "sine", "open"), ("TABLE", "N")),
     "series": ("TABLE", "S"),
+    **dict.fromkeys(("places", "heights"), ("TABLE", "A")),
 }
 ENTRIES = {(kind, x): entry for kind in ("LANES", "LANE") for x, entry in _OF_LANES.items()}
 ENTRIES |= {("T", before + x): entry for before in ("", "before.") for x, entry in _OF_TABLE.items()}
@@ -61,7 +62,7 @@ ENTRIES |= {
 COMPARED = {"V": "M", "M": "M", "F": "B", "I": "B", "B": "B", "K": "N", "N": "N"}
 # Kind of the result of each primitive, empty if it depends on the arguments.
 PRIMITIVES = {
-    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "hypot", "number"), ""),
+    **dict.fromkeys(("abs", "minimum", "maximum", "where", "sin", "cos", "log", "sqrt", "hypot", "number"), ""),
     **dict.fromkeys(("any_lane", "all_lanes", "lanes_in", "greatest", "least"), "N"),
     **dict.fromkeys(("log2_of", "power_of_two"), "V"),
     **dict.fromkeys(("break_of", "jump_of", "constant_of"), "F"),

@@ -78,6 +78,7 @@ FORMS = {
     "sin": "np.sin",
     "cos": "np.cos",
     "log": "np.log",
+    "sqrt": "np.sqrt",
     "hypot": "np.hypot",
     "isnan": "np.isnan",
     "number": "float",

@@ -125,7 +125,7 @@ def _of(name: str) -> Callable[..., Any]:
     return function
 
 
-sin, cos, log, hypot, isnan = map(_of, ("sin", "cos", "log", "hypot", "isnan"))
+sin, cos, log, sqrt, hypot, isnan = map(_of, ("sin", "cos", "log", "sqrt", "hypot", "isnan"))
 # Operations of a lane on its tables, its program and its records.
 
 

@@ -8,11 +8,13 @@ from derive.flow.integrator.one_lane import (
     INFINITY,
     Lane,
     Lanes,
+    M,
     Note,
     Passed,
     Pending,
     Share,
     Status,
+    V,
     any_lane,
     hypot,
     isnan,
@@ -42,6 +44,20 @@ def update_peak(lane: Lane, rate: float, now: float) -> None:
         lane.peak_rotation = lane.rotation + lane.direction * lane.x
         lane.peak_omega = lane.direction * lane.omega
         lane.peak_rate = lane.direction * rate
+
+
+def keep_faster(s: Lanes, here: M, speed: V, time: V, x: V, rate: V) -> None:
+    """Record a candidate for the greatest speed in the current step if it exceeds the record.
+
+    If the record is not at the beginning of the step, the difference must exceed rounding.
+    """
+    faster = here and speed > abs(s.peak_omega)
+    if any_lane(faster):
+        faster = faster and (s.peak_time == s.time or speed > (1.0 + TIE) * abs(s.peak_omega))
+        s.peak_omega = where(faster, s.direction * speed, s.peak_omega)
+        s.peak_time = where(faster, time, s.peak_time)
+        s.peak_rotation = where(faster, s.rotation + s.direction * x, s.peak_rotation)
+        s.peak_rate = where(faster, s.direction * rate, s.peak_rate)
 
 
 def update_reach(lane: Lane) -> None:

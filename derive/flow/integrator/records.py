@@ -12,23 +12,30 @@ from derive.flow.integrator.one_lane import (
     Lanes,
     M,
     N,
+    Passed,
     Pending,
     S,
+    Status,
     T,
     V,
+    any_lane,
     break_of,
     constant_of,
+    greatest,
     integer,
     maximum,
     minimum,
     number,
     read_samples,
+    sqrt,
     where,
 )
-from derive.flow.integrator.phases import update_peak
+from derive.flow.integrator.phases import advance_origin, keep_faster, update_peak, update_reach
+from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break
 
 SURE = 1.0 - 2.0**-20  # fraction of a margin that may be used; series decide the rest
+SIXTH = 1.0 / 6.0
 ROUNDINGS = 2.0**27  # least margin, in roundings of its terms
 
 
@@ -148,3 +155,148 @@ def glide(lane: Lane, t: T) -> None:
             update_peak(lane, net, now)
             stand_before(lane, t, piece, now)
             pass_break(lane, t)
+
+
+# --- side by side ----------------------------------------------------------------------------------------------------
+
+
+def path(time: V, omega: V, net: V, change: V) -> V:
+    """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
+    return time * (omega + time * (0.5 * net + SIXTH * time * change))
+
+
+def standstill(omega: V, net: V, change: V) -> V:
+    """Return the first time at which a falling speed is zero."""
+    root = sqrt(maximum(net * net - 2.0 * change * omega, 0.0))
+    return where(net <= 0.0, 2.0 * omega / (root - net), (net + root) / (0.0 - change))
+
+
+def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
+    """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
+    last: N = t.pieces - 1
+    return t.places[minimum(piece + 1, last)] * per
+
+
+def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
+    """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
+    until = end_of(s, t, piece, per)
+    following = end_of(s, t, piece + 1, per)
+    before_last = until < following and following < INFINITY
+    return before_last and press > 0.0 and until < s.end_time * (1.0 - 4.0 * EPS)
+
+
+def end_slide(lane: Lane, t: T, piece: N, x: float, omega: float) -> None:
+    """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
+    lane.x = x
+    lane.omega = omega
+    lane.status = where(omega > 0.0, Status.MOVING, Status.RESTING)
+    lane.steps = 0.0
+    lane.passed = Passed.NOTHING
+    if omega == 0.0:
+        lane.time = lane.rest_since
+        update_reach(lane)
+    advance_origin(lane)
+    stand_before(lane, t, piece, break_of(lane, t, piece) / t.scale)
+    pass_break(lane, t)
+    lane.pending = Pending.BEGIN_PHASE
+
+
+def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> V:
+    """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
+    at = length * net / (net - after)
+    extreme = omega + 0.5 * at * net
+    keep_faster(s, here and net > 0.0, extreme, now + at, x + at * (omega + 2.0 * SIXTH * at * net), 0.0)
+    return where(here and net < 0.0, extreme, omega + 0.5 * length * (net + after))
+
+
+def turn(s: Lanes, here: M, now: V, length: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
+    moves = omega > 0.0
+    change = (after - net) / length
+    stop = where(moves, standstill(omega, net, change), 0.0)
+    start = where(net < 0.0, net / (net - after) * length, 0.0)
+    starts = (after > 0.0 and start >= stop) or (net > 0.0 and not moves)
+    push = maximum(net, 0.0)
+    left = length - start
+    speed = left * (push + 0.5 * left * change)
+    again = starts and speed <= 0.0
+    span = where(again, -2.0 * push / change, left)
+    s.rest_since = where(again, now + span, where(moves, now + stop, s.rest_since))
+    s.phases = s.phases + where(starts, 1.0, 0.0)
+    s.turns = s.turns + where(starts and s.last_way < 0.0, 1.0, 0.0)
+    s.last_way = where(starts, 1.0, s.last_way)
+    behind = where(starts, path(span, 0.0 * span, push, change), 0.0)
+    return where(starts and not again, speed, 0.0), path(stop, omega, net, change) + behind
+
+
+def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
+    """Return the speed at the end of a piece and the path through it."""
+    ends: V = omega + 0.5 * length * (net + after)
+    further: V = length * (omega + SIXTH * length * (2.0 * net + after))
+    lowest: V = ends
+    crosses = here and net * after < 0.0
+    if any_lane(crosses):
+        lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
+    stays = omega > 0.0 and lowest > 0.0
+    turns = here and not stays and (omega > 0.0 or net > 0.0 or after > 0.0)
+    ends = where(stays, ends, 0.0)
+    further = where(stays, further, 0.0)
+    if any_lane(turns):
+        speed, way = turn(s, turns, now, length, omega, net, after)
+        ends = where(turns, speed, ends)
+        further = where(turns, way, further)
+    return ends, further
+
+
+def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight: V) -> None:
+    """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic.
+
+    The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record.
+    A lane leaves before a piece in which it may lift.
+    """
+    per = 1.0 / t.scale
+    piece: N = first
+    now: V = s.time
+    net: V = base + slope * (t.value + t.inc)
+    value: V = t.value + t.lower
+    omega: V = 0.0
+    x: V = 0.0
+    on: M = here
+    while any_lane(on):
+        until = end_of(s, t, piece, per)
+        length = until - now
+        after = base + slope * value
+        speed, way = pass_piece(s, on, now, length, x, omega, net, after)
+        omega = speed
+        x = x + way
+        now = until
+        net = after
+        piece = piece + 1
+        last: N = t.pieces - 1
+        value = t.heights[2 * minimum(piece + 1, last)] * t.scaled_by
+        inside = passes(s, t, piece, per, weight + grip * value)
+        leaves = on and not inside
+        if leaves:
+            end_slide(s, t, piece, x, omega)
+        on = on and inside
+
+
+def slide_together(s: Lanes, here: M, t: T) -> M:
+    """Move lanes at rest in the same piece that may start down-slope only; return lanes that follow in a later round.
+
+    So the numbers of a lane do not depend on other lanes.
+    """
+    slope = s.series.net[1] / t.rise
+    origin = t.value + t.inc
+    grip: V = 0.0
+    if s.has.normal:
+        grip = s.series.normal[1] / t.rise
+    weight = normal_force(s) - grip * origin
+    linear = here and s.series.net[2] == 0.0 and t.rise != 0.0
+    forward = linear and s.one_way > 0.0 and s.direction > 0.0 and s.lifted == 0.0
+    piece: N = greatest(where(forward, t.piece, -1.0))
+    there = forward and t.piece == number(piece)
+    if any_lane(there):
+        inside = there and passes(s, t, piece, 1.0 / t.scale, weight + grip * (t.value + t.lower))
+        slide(s, inside, t, piece, slope, s.series.net[0] - slope * origin, grip, weight)
+    return forward and not there
