@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "2066f704ccc3a9e725934abbc3ac801dc5c19bfbeb1f22c1079bc9b3d3a0c5f3"
+#define DIGEST "853787e3d9f5a19000e920f207048b9f7be361d4b97d7748125591c35f6a44d5"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -34,7 +34,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu;
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, driving_moment, normal_load, normal_load_slope, driving, resisting, mu, net_sine, net_vers, net_square, normal_sine, normal_vers, normal_square, upright_sine, upright_vers;
 } Roles;
 
 typedef struct {
@@ -525,7 +525,17 @@ INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
 INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
-INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
+INLINE V sqrt_of(V x)
+{
+#if WIDE == 512
+    return (V)_mm512_sqrt_pd((__m512d)x);
+#elif SPAN == 256
+    return (V)_mm256_sqrt_pd((__m256d)x);
+#else
+    for (int k = 0; k < LANES; k++) x[k] = sqrt(x[k]);
+    return x;
+#endif
+}
 
 /* What the text of the operations calls functions of vectors. */
 #define IN(name) vector_##name
@@ -1142,6 +1152,9 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 
 /* --- the text of derive/flow/integrator --- */
 
+static const double SINES[] = {0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776, 0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567, 0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688, 0.4509914298352196};
+static const double PLACES[] = {0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667, 0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289, 0.9500957578259143, 0.9903976028453998};
+static const double WEIGHTS[] = {0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563, 0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981, 0.028531388628933663, 0.0123412297999872};
 #define LAST_STEP 0x1.0000000000000p-30
 #define MOST_ITERATIONS 200
 #define ROUNDING 0x1.0000000000000p-56
@@ -1152,6 +1165,16 @@ static void read_samples(const Batch *b, unsigned k, double begin, double end, i
 #define SIXTH 0x1.5555555555555p-3
 #define ROUNDINGS 0x1.0000000000000p+27
 #define FAR 0x1.7e43c8800759cp+996
+#define PI 0x1.921fb54442d18p+1
+#define FARTHEST 0x1.91eb851eb851fp+1
+#define FADED 0x1.0000000000000p+1
+#define LAST 7
+static const double VERSINE[] = {0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07, -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14};
+static const double LAG[] = {0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06, 2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15};
+static const double FADING[] = {0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889, -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07, -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11, -7.647163731819816e-13, 4.779477332387385e-14};
+#define LAST_OF_HALLEY 0x1.0000000000000p-18
+#define MOST_CORRECTIONS 12
+#define CONVERGED 0x1.0000000000000p-22
 #define TOUCHES 0x1.0000000000000p+1
 #define TOGETHER 0x1.12e0be826d695p-30
 
@@ -1714,8 +1737,8 @@ INLINE M next_term_counts(Batch *b, int n, V power, int at_rest)
     return counts;
 }
 
-/* Compute the series of all registers, where states have one order more than rates, and return the highest order.
- * If a function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
+/* Compute the series of all registers, of states to one order more than of rates; return the highest order. If a
+ * function of time cuts the step short after ``room``, a series ends as soon as two consecutive terms are
  * negligible there. At rest the states are constant, and the net moment decides. Each lane's order is
  * `series_order`, and net moment, normal force and dip are zero beyond it. */
 INLINE int expand(Batch *b, V room, M which, int at_rest)
@@ -2157,7 +2180,7 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an end.
+/* Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
  * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
 INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
 {
@@ -2694,6 +2717,278 @@ static void make_step(Batch *b, M here)
     }
 }
 
+/* Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice. */
+INLINE Pair turned(V x)
+{
+    V h = 0.25 * x;
+    V square = h * h;
+    V lag = broadcast(LAG[LAST]);
+    V versine = broadcast(VERSINE[LAST]);
+    for (int k = LAST - 1; k >= 0; k--) {
+        lag = (lag * square) + LAG[k];
+        versine = (versine * square) + VERSINE[k];
+    }
+    lag = (lag * square) * h;
+    versine = versine * square;
+    for (int _ = 1; _ <= 2; _++) {
+        V sine = h - lag;
+        lag = 2.0 * (lag + (sine * versine));
+        versine = 2.0 * (sine * sine);
+        h = 2.0 * h;
+    }
+    return (Pair){lag, versine};
+}
+
+/* Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice. */
+INLINE V faded(V y)
+{
+    V h = 0.25 * y;
+    V part = broadcast(FADING[2 * LAST]);
+    for (int k = (2 * LAST) - 1; k >= 0; k--) {
+        part = (part * h) + FADING[k];
+    }
+    for (int _ = 1; _ <= 2; _++) {
+        V lost = 1.0 - (h * part);
+        part = (0.5 * part) + (0.25 * (lost * lost));
+        h = 2.0 * h;
+    }
+    return part;
+}
+
+/* Compute the factors of E, followed by q. */
+INLINE void factors(V *e, V drive, V sine, V vers, V q)
+{
+    V share = 2.0 / (1.0 + (q * q));
+    e[0] = 2.0 * drive;
+    e[3] = share * (vers - (sine * q));
+    e[2] = share * (sine + (vers * q));
+    e[1] = (-q) * (e[3] + e[0]);
+    e[4] = q;
+}
+
+/* Compute the four functions of which E is the sum. */
+INLINE void functions(V *f, V x, V q)
+{
+    const Pair lag_versine = turned(x);
+    V lag = lag_versine.one, versine = lag_versine.other;
+    f[0] = x;
+    f[1] = (x * x) * faded(q * x);
+    f[2] = versine;
+    f[3] = lag;
+}
+
+/* Return E from its factors and its functions. */
+INLINE V energy(V *e, V *f)
+{
+    return (e[0] * f[0]) + ((e[1] * f[1]) + ((e[2] * f[2]) + (e[3] * f[3])));
+}
+
+/* Return the derivative of E. */
+INLINE V slope_of(V *e, V *f)
+{
+    V sine = f[0] - f[3];
+    V lost = f[0] - (e[4] * f[1]);
+    return e[0] + ((e[1] * lost) + ((e[2] * sine) + (e[3] * f[2])));
+}
+
+/* Return the second derivative of E. */
+INLINE V bend_of(V *e, V *f)
+{
+    V sine = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V lost = f[0] - (e[4] * f[1]);
+    return (e[1] * (1.0 - (e[4] * lost))) + ((e[2] * cosine) + (e[3] * sine));
+}
+
+/* Compute the factors of E about the end of a phase, from the four functions there. */
+INLINE void mirror(V *back, V drive, V sine, V vers, V q, V *f)
+{
+    V sine_end = f[0] - f[3];
+    V cosine = 1.0 - f[2];
+    V at_end = drive + ((sine * sine_end) + (vers * f[2]));
+    V sine_back = (sine * cosine) + (vers * sine_end);
+    V vers_back = (sine * sine_end) - (vers * cosine);
+    factors(back, -at_end, sine_back, vers_back, -q);
+}
+
+/* Replace the functions for q by those for -q. */
+INLINE void reverse(V *f, V q)
+{
+    V y = q * f[0];
+    V faded_by = (1.0 - y) + ((q * q) * f[1]);
+    f[1] = (((f[0] * f[0]) - f[1]) - (y * f[1])) / faded_by;
+}
+
+/* Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest. */
+static V end_of_swing(V *e, V sine, M which)
+{
+    V falls_by = (0.5 * (e[4] * e[0])) - sine;
+    V x = e[0] / falls_by;
+    V f[STRIDE];
+    int count = 0;
+    while (bits(which) && (count < MOST_CORRECTIONS)) {
+        M inside = (x > 0.0) & (x < FARTHEST);
+        x = pick(inside, x, broadcast(FARTHEST));
+        functions(f, x, e[4]);
+        V at = energy(e, f);
+        V falls = (slope_of(e, f) * x) - at;
+        V bends = (bend_of(e, f) * (x * x)) - (2.0 * falls);
+        V steepness = ((2.0 * falls) * falls) - (at * bends);
+        V change = (((2.0 * at) * falls) * x) / steepness;
+        x = pick(which, x - change, x);
+        which = which & (magnitude(change) > (LAST_OF_HALLEY * x));
+        count = count + 1;
+    }
+    return pick(which, broadcast(2.0 * FARTHEST), x);
+}
+
+/* Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest. */
+static V peak_of_swing(V *e, V end, M which)
+{
+    V x = 0.5 * end;
+    V f[STRIDE];
+    V low = broadcast(0.0);
+    V high = end;
+    int count = 0;
+    while (bits(which) && (count < (2 * MOST_CORRECTIONS))) {
+        functions(f, x, e[4]);
+        V slope = slope_of(e, f);
+        low = pick(slope > 0.0, x, low);
+        high = pick(slope > 0.0, high, x);
+        V following = x - (slope / bend_of(e, f));
+        following = inside_or_middle(following, low, high);
+        V change = magnitude(following - x);
+        x = pick(which, following, x);
+        which = which & (change > (LAST_STEP * x));
+        count = count + 1;
+    }
+    return x;
+}
+
+/* Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn. A
+ * sum of sines is concave between two such rotations if it is concave at both, and then positive if it is there. */
+INLINE M stays_positive(V start, V sine, V vers, V *f)
+{
+    V sine_end = sine * (f[0] - f[3]);
+    V at_end = start + (sine_end + (vers * f[2]));
+    V cosine = 1.0 - f[2];
+    M concave = (vers <= 0.0) & ((vers * cosine) <= sine_end);
+    return (start > 0.0) & (at_end > 0.0) & concave;
+}
+
+/* Return the integrand of the duration at a node and at its mirror image, which is the same node from the end. */
+INLINE V slowness(V *e, V *back, V end, int k)
+{
+    V x = end * SINES[k];
+    V f[STRIDE];
+    functions(f, x, e[4]);
+    V room = x * (end - x);
+    V here = sqrt_of(room / energy(e, f));
+    reverse(f, e[4]);
+    V there = sqrt_of(room / energy(back, f));
+    return here + there;
+}
+
+/* Return the duration of a phase, and the relative change by the last halving of intervals. */
+static Pair duration_of_swing(V *e, V *back, V end, M which)
+{
+    V ends = sqrt_of(end / e[0]);
+    ends = ends + sqrt_of(end / back[0]);
+    V total = 0.125 * (ends + slowness(e, back, end, 0));
+    total = total + (0.25 * slowness(e, back, end, 1));
+    V change = broadcast(1.0);
+    M changes = which;
+    int first = 2;
+    while ((first < 16) && bits(changes)) {
+        V added = broadcast(0.0);
+        for (int k = first; k <= (2 * first) - 1; k++) {
+            added = added + slowness(e, back, end, k);
+        }
+        added = added / (double)(2 * first);
+        V relative = magnitude(added - total) / total;
+        change = pick(changes, relative, change);
+        total = pick(changes, 0.5 * (total + added), total);
+        changes = which & (change > CONVERGED);
+        first = 2 * first;
+    }
+    return (Pair){(PI * total), change};
+}
+
+/* Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation. */
+INLINE V time_of_peak(V *e, V peak)
+{
+    V total = broadcast(0.0);
+    V f[STRIDE];
+    for (int k = 0; k <= 11; k++) {
+        functions(f, peak * PLACES[k], e[4]);
+        total = total + (WEIGHTS[k] * sqrt_of(f[0] / energy(e, f)));
+    }
+    return (2.0 * sqrt_of(peak)) * total;
+}
+
+/* Bring lanes to the end of their phase. */
+static void finish(Batch *b, M here, V *e, V end, V duration)
+{
+    V *const c = b->c;
+    V peak = peak_of_swing(e, end, here);
+    V f[STRIDE];
+    functions(f, peak, e[4]);
+    V speed = sqrt_of(energy(e, f));
+    V rate = 0.5 * slope_of(e, f);
+    V time = c[TIME] + time_of_peak(e, peak);
+    keep_faster(b, here, speed, time, peak, rate);
+    c[X] = pick(here, end, c[X]);
+    c[OMEGA] = pick(here, broadcast(0.0), c[OMEGA]);
+    c[TIME] = pick(here, c[TIME] + duration, c[TIME]);
+    c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
+    c[PASSED] = pick(here, broadcast((double)NOTHING), c[PASSED]);
+    EACH(lane, bits(here)) {
+        on_standstill(b, lane);
+    }
+}
+
+/* Complete phases in the closed form where it applies, and return these lanes. */
+static M swing(Batch *b, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    V e[STRIDE];
+    V back[STRIDE];
+    V f[STRIDE];
+    V q = (-2.0) * c[job->role->net_square];
+    factors(e, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q);
+    V end = end_of_swing(e, c[job->role->net_sine], which);
+    functions(f, minimum(end, broadcast(FARTHEST)), q);
+    mirror(back, c[job->role->drive], c[job->role->net_sine], c[job->role->net_vers], q, f);
+    M fits = which & (end < FARTHEST) & (back[0] > 0.0);
+    fits = fits & (q >= 0.0) & ((q * end) < FADED);
+    fits = fits & (c[job->role->normal_square] >= 0.0);
+    fits = fits & stays_positive(c[job->role->normal_load], c[job->role->upright_sine], c[job->role->upright_vers], f);
+    fits = fits & stays_positive(c[job->role->normal0], c[job->role->normal_sine], c[job->role->normal_vers], f);
+    if (bits(fits)) {
+        const Pair duration_change = duration_of_swing(e, back, end, fits);
+        V duration = duration_change.one, change = duration_change.other;
+        fits = fits & (change <= CONVERGED) & ((c[TIME] + duration) < c[END_TIME]);
+        if (bits(fits)) {
+            finish(b, fits, e, end, duration);
+        }
+    }
+    return fits;
+}
+
+/* Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes. */
+static M leap(Batch *b, M which)
+{
+    const Job *const job = b->job;
+    V *const c = b->c;
+    M rests = (c[X] == 0.0) & (c[OMEGA] == 0.0);
+    M begins = which & rests & (c[job->role->drive] > 0.0) & (c[LIFTED] == 0.0);
+    if (bits(begins)) {
+        begins = swing(b, begins);
+    }
+    return begins;
+}
+
 /* Find the time at which contact is lost or regained, within the known time ahead. */
 static void look_for_lift_off(Batch *b, M here, int top)
 {
@@ -2866,13 +3161,17 @@ INLINE void stop_endless(Batch *b, M here)
     c[STATUS] = pick(here, pick(going & ((total - total) != 0.0), broadcast((double)FAILED), c[STATUS]), c[STATUS]);
 }
 
-/* Make one step of the moving lanes or of the lanes at rest, whichever are more. The cost does not depend on the
- * number of lanes, so that the other lanes wait until they are the majority. */
+/* Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest. The cost of
+ * a step does not depend on the number of lanes, so that the minority waits until it is the majority. */
 static void advance(Batch *b, M here)
 {
+    const Job *const job = b->job;
     V *const c = b->c;
     M moving = here & (c[STATUS] == (double)MOVING);
     M resting = here & (c[STATUS] == (double)RESTING);
+    if ((job->role->net_sine >= 0) && !(job->samples > 0)) {
+        moving = moving & ~leap(b, moving);
+    }
     if (bits(moving) && (__builtin_popcount(bits(moving)) >= __builtin_popcount(bits(resting)))) {
         make_step(b, moving);
     }
@@ -2894,6 +3193,31 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     for (int i = 0; i < count; i++, from += job->count) c[i][k] = *from;
     b->column[k] = column, b->held |= 1u << k;
     if (c[STATUS][k] == START) start(b, k);
+}
+
+/* Neighbours that have not begun take all lanes at once. */
+static int load_neighbours(Batch *b, int64_t first)
+{
+    const Job *const job = b->job;
+    if (b->held || job->end - first < LANES) return 0;
+    for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
+    const double *from = job->all + first;
+    for (int i = 0; i < job->made; i++, from += job->count) memcpy(b->c + i, from, sizeof(V));
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    b->held = ALL;
+    return 1;
+}
+
+/* Neighbours that have come to rest leave at once. */
+static int store_neighbours(Batch *b, unsigned ended)
+{
+    const Job *const job = b->job;
+    for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
+    if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
+    double *to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
+    b->held = 0;
+    return 1;
 }
 
 /* Of a lane that has ended only the first cells are read. */
@@ -2958,7 +3282,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
-        if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
+        if (round < job->budget && load_neighbours(b, next)) next += LANES;
+        else if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;
@@ -2967,7 +3292,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         begin_phases(b);
         if (round >= job->budget || !b->held || (job->notes_room && job->notes_room - job->noted < LANES)) break;
         advance(b, lanes(b->held));
-        EACH(k, b->held & ~bits(c[STATUS] <= (double)RESTING)) store_lane(b, k);
+        const unsigned ended = b->held & ~bits(c[STATUS] <= (double)RESTING);
+        if (!store_neighbours(b, ended)) EACH(k, ended) store_lane(b, k);
     }
     int64_t left = 0;
     EACH(k, b->held) store_lane(b, k), left++;

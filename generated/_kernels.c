@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "d2a1b3cdab7db4543a1e77b064087835fc0bfb10ee1c8bc21d471318d52de1b1"
+#define DIGEST "fdb8f1364277de7b3d57d912d6c05c4c6b3ee4e068ac50c77b430f35d28b1aa2"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -2082,6 +2082,14 @@ static PyObject *direct_reduce(PyObject *self, PyObject *none)
     return PyObject_GetAttrString(self, "__qualname__"); /* it travels by its name */
 }
 
+static PyObject *direct_repr(PyObject *self)
+{
+    PyObject *const name = PyObject_GetAttrString(self, "__qualname__");
+    PyObject *const text = name ? PyUnicode_FromFormat("<function %U>", name) : NULL;
+    Py_XDECREF(name);
+    return text;
+}
+
 static PyMethodDef direct_methods[] = {{"__reduce__", direct_reduce, METH_NOARGS, NULL}, {NULL, NULL, 0, NULL}};
 static PyMemberDef direct_members[] = {
     {"__dictoffset__", T_PYSSIZET, offsetof(Direct, attributes), READONLY, NULL},
@@ -2093,7 +2101,7 @@ static PyGetSetDef direct_fields[] = {
     {NULL, NULL, NULL, NULL, NULL},
 };
 static PyType_Slot direct_slots[] = {
-    {Py_tp_new, direct_new}, {Py_tp_call, direct_call}, {Py_tp_descr_get, direct_get},
+    {Py_tp_new, direct_new}, {Py_tp_call, direct_call}, {Py_tp_repr, direct_repr}, {Py_tp_descr_get, direct_get},
     {Py_tp_methods, direct_methods}, {Py_tp_members, direct_members}, {Py_tp_getset, direct_fields}, {0, NULL},
 };
 static PyType_Spec direct_spec = {"generated._kernels.Direct", sizeof(Direct), 0, Py_TPFLAGS_DEFAULT, direct_slots};

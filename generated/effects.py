@@ -1,30 +1,46 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 79afba2e67f625127fe3ec307672379c098a1f9cace126b79d90efddc7905ecd
+# sha256 of the text below: 3a886e5d1e008e1d27c8e838631804138f60b97409c2d983ebcd23b0b28c939d
 """Effects and friction laws of scenes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from numpy import sqrt
 
 INFINITY = float("inf")
 
 
+def _unscaled(value: float, scales: Mapping[str, float]) -> float:
+    """Return the value of a parameter that has no place in the balance."""
+    return value
+
+
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """Parameter of an effect or a law: SI unit, open bounds, key in scene files, and symbol in the balance."""
+    """Number of a scene: name, SI unit, open bounds, meaning, key in scene files, and symbol in the balance.
+
+    The key has a unit of ``per_unit`` SI units. ``kind`` is "number" or another kind of `derive.declare.effects`,
+    ``allowed`` states the allowed values in messages, and ``axes`` is the number of axes of one value, 2 for points.
+    """
 
     name: str
-    unit: str
-    lower: float
-    upper: float
-    help: str
-    key: str
-    per_unit: float
-    symbol: str
-    dimensionless: Callable[[float, Mapping[str, float]], float]
-    optional: bool
-    kind: str
+    unit: str = ""
+    lower: float = -INFINITY
+    upper: float = INFINITY
+    help: str = ""
+    key: str = ""
+    per_unit: float = 1.0
+    symbol: str = ""
+    dimensionless: Callable[[float, Mapping[str, float]], float] = _unscaled
+    optional: bool = False
+    kind: str = "number"
+    allowed: str = ""
+    axes: int = 0
+
+    def allows(self, values: Any) -> Any:
+        """Return whether values in SI units are finite and within the bounds."""
+        return (abs(values) < INFINITY) & (values > self.lower) & (values < self.upper)
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,9 +329,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             lambda value, scales: value, True, 'rotation'),
         Parameter('normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'layered_normal_slope',
             lambda value, scales: value, True, 'rotation'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+        Parameter('inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity', '', 1.0,
             'layered_inertia', lambda value, scales: value, True, 'rotation'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0, 'layered_lift', lambda value,
+        Parameter('lift', '', -INFINITY, INFINITY, 'its decrease by water', '', 1.0, 'layered_lift', lambda value,
             scales: value, True, 'rotation'),
         Parameter('remaining', '', -INFINITY, INFINITY,
             'excess of the friction that slip leaves, of strength with the mass', '', 1.0, 'remaining', lambda value,
@@ -326,11 +342,11 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             'layered_remaining', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('remaining_normal_slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0,
             'layered_remaining_slope', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
-        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it',
+        Parameter('remaining_inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity',
             '', 1.0, 'layered_remaining_inertia', lambda value, scales: scales['strength_factor']*value, True,
             'rotation'),
-        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'what water takes from it', '', 1.0,
-            'layered_remaining_lift', lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
+        Parameter('remaining_lift', '', -INFINITY, INFINITY, 'its decrease by water', '', 1.0, 'layered_remaining_lift',
+            lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
         Parameter('strength', '', -INFINITY, INFINITY, 'strength without normal stress', '', 1.0, 'layered_cohesion',
             lambda value, scales: scales['strength_factor']*value, True, 'rotation'),
     ), (), 'each soil along the arc has its strength, with the normal stress from the weight above it (2.23)', False,
@@ -350,9 +366,9 @@ ALL_EFFECTS = EFFECTS | {  # with what a section adds by itself
             1.0, 'soil_turning', lambda value, scales: value, True, 'number'),
         Parameter('slope', '', -INFINITY, INFINITY, 'its derivative by the dip', '', 1.0, 'soil_slope', lambda value,
             scales: value, True, 'number'),
-        Parameter('inertia', '', -INFINITY, INFINITY, 'what the square of the angular velocity adds to it', '', 1.0,
+        Parameter('inertia', '', -INFINITY, INFINITY, 'its increase by the square of the angular velocity', '', 1.0,
             'soil_inertia', lambda value, scales: value, True, 'number'),
-        Parameter('lift', '', -INFINITY, INFINITY, 'what water takes from the normal force', '', 1.0, 'soil_lift',
+        Parameter('lift', '', -INFINITY, INFINITY, 'decrease of the normal force by water', '', 1.0, 'soil_lift',
             lambda value, scales: value, True, 'rotation'),
     ), (), 'a soil has a friction law of its own, and its part of the normal force; strength moves with the mass',
         False, (), ('adds Theta soil_lift soil_mu/(lambda slip_mu) to u',

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c3c99af28909c530d5a01743670c493f1a7cb0933abcc16b821416f6888918c3
+# sha256 of the text below: b8cd794fc7bc0ad24f4540ea5de63ce39f25ebbbddc2068ce976744ff58bb7f7
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -106,6 +106,7 @@ def none_of(s: Lanes) -> Mask:
 
 
 def all_lanes(mask: Mask) -> bool:
+    """Return whether a mask is true for all lanes."""
     return bool(np.all(mask))
 
 
@@ -120,6 +121,7 @@ def least(x: Floats) -> int:
 
 
 def integer(x: Floats) -> Index:
+    """Return whole numbers as integers."""
     return np.asarray(x, dtype=np.intp)
 
 
@@ -233,6 +235,16 @@ def fill(s: Lanes, lane: int, which: slice, states: Sequence[Floats]) -> None:
 # --- the text of derive/flow/integrator ----------------------------------------------------------------------------
 
 EPS = 2.220446049250313e-16
+SINES = (0.4999999999999999, 0.14644660940672624, 0.03806023374435662, 0.3086582838174551, 0.009607359798384776,
+    0.08426519384872735, 0.22221488349019888, 0.40245483899193585, 0.002407636663901557, 0.021529832133895567,
+    0.059039367825822475, 0.11349477331863152, 0.18280335791817726, 0.2643016315870011, 0.3548576613727688,
+    0.4509914298352196)
+PLACES = (0.004103285523211335, 0.036526421504397714, 0.09925189003013939, 0.1881768072585077, 0.2974845814519667,
+    0.4200253816810056, 0.5477838189598087, 0.6724032570011449, 0.78573248651449, 0.8803591349359289,
+    0.9500957578259143, 0.9903976028453998)
+WEIGHTS = (0.12793819534675216, 0.1258374563468283, 0.12167047292780339, 0.1155056680537256, 0.10744427011596563,
+    0.09761865210411388, 0.08619016153195327, 0.0733464814110803, 0.05929858491543678, 0.04427743881741981,
+    0.028531388628933663, 0.0123412297999872)
 LAST_STEP = 9.313225746154785e-10
 MOST_ITERATIONS = 200
 ROUNDING = 1.3877787807814457e-17
@@ -243,6 +255,21 @@ SURE = 0.9999990463256836
 SIXTH = 0.16666666666666666
 ROUNDINGS = 134217728.0
 FAR = 1e+300
+PI = 3.141592653589793
+FARTHEST = 3.14
+FADED = 2.0
+LAST = 7
+VERSINE = (0.5, -0.041666666666666664, 0.001388888888888889, -2.48015873015873e-05, 2.755731922398589e-07,
+    -2.08767569878681e-09, 1.1470745597729725e-11, -4.779477332387385e-14)
+LAG = (0.16666666666666666, -0.008333333333333333, 0.0001984126984126984, -2.7557319223985893e-06,
+    2.505210838544172e-08, -1.6059043836821613e-10, 7.647163731819816e-13, -2.8114572543455206e-15)
+FADING = (0.5, -0.16666666666666666, 0.041666666666666664, -0.008333333333333333, 0.001388888888888889,
+    -0.0001984126984126984, 2.48015873015873e-05, -2.7557319223985893e-06, 2.755731922398589e-07,
+    -2.505210838544172e-08, 2.08767569878681e-09, -1.6059043836821613e-10, 1.1470745597729725e-11,
+    -7.647163731819816e-13, 4.779477332387385e-14)
+LAST_OF_HALLEY = 3.814697265625e-06
+MOST_CORRECTIONS = 12
+CONVERGED = 2.384185791015625e-07
 TOUCHES = 2.0
 TOGETHER = 1e-09
 INFINITY = np.inf
@@ -721,8 +748,7 @@ def next_term_counts(s: Lanes, n: int, power: Floats, at_rest: int) -> Mask:
 
 
 def expand(s: Lanes, room: Floats, which: Mask, at_rest: int) -> int:
-    """Compute the series of all registers, where states have one order more than rates, and return the highest
-    order."""
+    """Compute the series of all registers, of states to one order more than of rates; return the highest order."""
     c = s.cells
     order = np.where(which, c[ix.ORDER], 1.0)
     top = greatest(order)
@@ -1179,8 +1205,7 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
 
 def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
         by_load: Floats) -> Mask:
-    """Return whether the mass certainly moves and stays in contact through a piece, with its greatest speed at an
-    end."""
+    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends."""
     c = lane.cells
     after = c[lane.roles.drive, i] + by_drive
     lowest = np.where(net < after, net, after)
@@ -1383,8 +1408,7 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
 
 
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
-    """Move lanes at rest in the same piece that may start down-slope only; return lanes that follow in a later
-    round."""
+    """Move lanes at rest in the same piece that may start down-slope only; return lanes that follow in a later round."""
     c = s.cells
     slope = s.registers[s.roles.net][1] / c[t.cells + ix.RISE]
     origin = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
@@ -1701,6 +1725,243 @@ def make_step(s: Lanes, here: Mask) -> None:
         settle(s, i, rate[i], at_limit[i], endless[i])
 
 
+def turned(x: Floats) -> tuple[Floats, Floats]:
+    """Return x - sin(x) and 1 - cos(x), for |x| <= pi, from a quarter of the angle, doubled twice."""
+    h = 0.25 * x
+    square = h * h
+    lag: Floats = LAG[LAST]
+    versine: Floats = VERSINE[LAST]
+    for k in range(LAST - 1, 0 - 1, -1):
+        lag = lag * square + LAG[k]
+        versine = versine * square + VERSINE[k]
+    lag = lag * square * h
+    versine = versine * square
+    for _ in range(1, 2 + 1):
+        sine = h - lag
+        lag = 2.0 * (lag + sine * versine)
+        versine = 2.0 * (sine * sine)
+        h = 2.0 * h
+    return (lag, versine)
+
+
+def faded(y: Floats) -> Floats:
+    """Return (y - 1 + exp(-y))/y^2, for 0 <= y <= 2, from a quarter of y, doubled twice."""
+    h = 0.25 * y
+    part: Floats = FADING[2 * LAST]
+    for k in range(2 * LAST - 1, 0 - 1, -1):
+        part = part * h + FADING[k]
+    for _ in range(1, 2 + 1):
+        lost = 1.0 - h * part
+        part = 0.5 * part + 0.25 * (lost * lost)
+        h = 2.0 * h
+    return part
+
+
+def factors(e: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats) -> None:
+    """Compute the factors of E, followed by q."""
+    share = 2.0 / (1.0 + q * q)
+    e[0] = 2.0 * drive
+    e[3] = share * (vers - sine * q)
+    e[2] = share * (sine + vers * q)
+    e[1] = -q * (e[3] + e[0])
+    e[4] = q
+
+
+def functions(f: Floats, x: Floats, q: Floats) -> None:
+    """Compute the four functions of which E is the sum."""
+    lag, versine = turned(x)
+    f[0] = x
+    f[1] = x * x * faded(q * x)
+    f[2] = versine
+    f[3] = lag
+
+
+def energy(e: Floats, f: Floats) -> Floats:
+    """Return E from its factors and its functions."""
+    return e[0] * f[0] + (e[1] * f[1] + (e[2] * f[2] + e[3] * f[3]))
+
+
+def slope_of(e: Floats, f: Floats) -> Floats:
+    """Return the derivative of E."""
+    sine = f[0] - f[3]
+    lost = f[0] - e[4] * f[1]
+    return e[0] + (e[1] * lost + (e[2] * sine + e[3] * f[2]))
+
+
+def bend_of(e: Floats, f: Floats) -> Floats:
+    """Return the second derivative of E."""
+    sine = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    lost = f[0] - e[4] * f[1]
+    return e[1] * (1.0 - e[4] * lost) + (e[2] * cosine + e[3] * sine)
+
+
+def mirror(back: Floats, drive: Floats, sine: Floats, vers: Floats, q: Floats, f: Floats) -> None:
+    """Compute the factors of E about the end of a phase, from the four functions there."""
+    sine_end = f[0] - f[3]
+    cosine = 1.0 - f[2]
+    at_end = drive + (sine * sine_end + vers * f[2])
+    sine_back = sine * cosine + vers * sine_end
+    vers_back = sine * sine_end - vers * cosine
+    factors(back, -at_end, sine_back, vers_back, -q)
+
+
+def reverse(f: Floats, q: Floats) -> None:
+    """Replace the functions for q by those for -q."""
+    y = q * f[0]
+    faded_by = 1.0 - y + q * q * f[1]
+    f[1] = (f[0] * f[0] - f[1] - y * f[1]) / faded_by
+
+
+def end_of_swing(e: Floats, sine: Floats, which: Mask) -> Floats:
+    """Return the first positive zero of E, by Halley's method on E/x, or a rotation beyond the farthest."""
+    falls_by = 0.5 * (e[4] * e[0]) - sine
+    x = e[0] / falls_by
+    f = np.zeros_like(e)
+    count = 0
+    while np.any(which) and count < MOST_CORRECTIONS:
+        inside = (x > 0.0) & (x < FARTHEST)
+        x = np.where(inside, x, FARTHEST)
+        functions(f, x, e[4])
+        at = energy(e, f)
+        falls = slope_of(e, f) * x - at
+        bends = bend_of(e, f) * (x * x) - 2.0 * falls
+        steepness = 2.0 * falls * falls - at * bends
+        change = 2.0 * at * falls * x / steepness
+        x = np.where(which, x - change, x)
+        which = which & (np.abs(change) > LAST_OF_HALLEY * x)
+        count = count + 1
+    return np.where(which, 2.0 * FARTHEST, x)
+
+
+def peak_of_swing(e: Floats, end: Floats, which: Mask) -> Floats:
+    """Return the rotation of the greatest speed, by Newton's method on the derivative of E between rest and rest."""
+    x = 0.5 * end
+    f = np.zeros_like(e)
+    low: Floats = 0.0
+    high = end
+    count = 0
+    while np.any(which) and count < 2 * MOST_CORRECTIONS:
+        functions(f, x, e[4])
+        slope = slope_of(e, f)
+        low = np.where(slope > 0.0, x, low)
+        high = np.where(slope > 0.0, high, x)
+        following = x - slope / bend_of(e, f)
+        following = inside_or_middle(following, low, high)
+        change = np.abs(following - x)
+        x = np.where(which, following, x)
+        which = which & (change > LAST_STEP * x)
+        count = count + 1
+    return x
+
+
+def stays_positive(start: Floats, sine: Floats, vers: Floats, f: Floats) -> Mask:
+    """Return whether start + sine sin + vers (1 - cos) is positive and concave over a rotation up to half a turn."""
+    sine_end = sine * (f[0] - f[3])
+    at_end = start + (sine_end + vers * f[2])
+    cosine = 1.0 - f[2]
+    concave = (vers <= 0.0) & (vers * cosine <= sine_end)
+    return (start > 0.0) & (at_end > 0.0) & concave
+
+
+def slowness(e: Floats, back: Floats, end: Floats, k: int) -> Floats:
+    """Return the integrand of the duration at a node and at its mirror image, which is the same node from the end."""
+    x = end * SINES[k]
+    f = np.zeros_like(e)
+    functions(f, x, e[4])
+    room = x * (end - x)
+    here = np.sqrt(room / energy(e, f))
+    reverse(f, e[4])
+    there = np.sqrt(room / energy(back, f))
+    return here + there
+
+
+def duration_of_swing(e: Floats, back: Floats, end: Floats, which: Mask) -> tuple[Floats, Floats]:
+    """Return the duration of a phase, and the relative change by the last halving of intervals."""
+    ends = np.sqrt(end / e[0])
+    ends = ends + np.sqrt(end / back[0])
+    total = 0.125 * (ends + slowness(e, back, end, 0))
+    total = total + 0.25 * slowness(e, back, end, 1)
+    change: Floats = 1.0
+    changes = which
+    first = 2
+    while first < 16 and np.any(changes):
+        added: Floats = 0.0
+        for k in range(first, 2 * first - 1 + 1):
+            added = added + slowness(e, back, end, k)
+        added = added / float(2 * first)
+        relative = np.abs(added - total) / total
+        change = np.where(changes, relative, change)
+        total = np.where(changes, 0.5 * (total + added), total)
+        changes = which & (change > CONVERGED)
+        first = 2 * first
+    return (PI * total, change)
+
+
+def time_of_peak(e: Floats, peak: Floats) -> Floats:
+    """Return the time from rest to a rotation, by Gauss's rule in the square root of the rotation."""
+    total: Floats = 0.0
+    f = np.zeros_like(e)
+    for k in range(11 + 1):
+        functions(f, peak * PLACES[k], e[4])
+        total = total + WEIGHTS[k] * np.sqrt(f[0] / energy(e, f))
+    return 2.0 * np.sqrt(peak) * total
+
+
+def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> None:
+    """Bring lanes to the end of their phase."""
+    c = s.cells
+    peak = peak_of_swing(e, end, here)
+    f = np.zeros_like(e)
+    functions(f, peak, e[4])
+    speed = np.sqrt(energy(e, f))
+    rate = 0.5 * slope_of(e, f)
+    time = c[ix.TIME] + time_of_peak(e, peak)
+    keep_faster(s, here, speed, time, peak, rate)
+    c[ix.X] = np.where(here, end, c[ix.X])
+    c[ix.OMEGA] = np.where(here, 0.0, c[ix.OMEGA])
+    c[ix.TIME] = np.where(here, c[ix.TIME] + duration, c[ix.TIME])
+    c[ix.STEPS] = np.where(here, c[ix.STEPS] + 1.0, c[ix.STEPS])
+    c[ix.PASSED] = np.where(here, float(ix.NOTHING), c[ix.PASSED])
+    i = np.flatnonzero(here)
+    if i.size:
+        on_standstill(s, i)
+
+
+def swing(s: Lanes, which: Mask) -> Mask:
+    """Complete phases in the closed form where it applies, and return these lanes."""
+    c = s.cells
+    e = np.zeros_like(s.registers[0])
+    back = np.zeros_like(s.registers[0])
+    f = np.zeros_like(s.registers[0])
+    q = -2.0 * c[s.roles.net_square]
+    factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
+    end = end_of_swing(e, c[s.roles.net_sine], which)
+    functions(f, np.minimum(end, FARTHEST), q)
+    mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
+    fits = which & (end < FARTHEST) & (back[0] > 0.0)
+    fits = fits & (q >= 0.0) & (q * end < FADED)
+    fits = fits & (c[s.roles.normal_square] >= 0.0)
+    fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
+    fits = fits & stays_positive(c[s.roles.normal0], c[s.roles.normal_sine], c[s.roles.normal_vers], f)
+    if np.any(fits):
+        duration, change = duration_of_swing(e, back, end, fits)
+        fits = fits & (change <= CONVERGED) & (c[ix.TIME] + duration < c[ix.END_TIME])
+        if np.any(fits):
+            finish(s, fits, e, end, duration)
+    return fits
+
+
+def leap(s: Lanes, which: Mask) -> Mask:
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
+    c = s.cells
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    begins = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    if np.any(begins):
+        begins = swing(s, begins)
+    return begins
+
+
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
     """Find the time at which contact is lost or regained, within the known time ahead."""
     c = s.cells
@@ -1869,10 +2130,12 @@ def stop_endless(s: Lanes, here: Mask) -> None:
 
 
 def advance(s: Lanes, here: Mask) -> None:
-    """Make one step of the moving lanes or of the lanes at rest, whichever are more."""
+    """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest."""
     c = s.cells
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
+    if s.roles.net_sine >= 0 and (not s.samples):
+        moving = moving & np.logical_not(leap(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

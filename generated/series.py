@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 67243508babf1f7bca2ad971d340a4f433799f07787bccb0a8db7b813f52c44d
+# sha256 of the text below: 3b6375c84c10c3745e0c238aac6d01bd5d7315361ce11a29a94ddd282b3b7120
 """Operations of flow programs in NumPy: on numbers at the start of a phase, and on series during it."""
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'powers': 4, 'tim': 5, 'turn'
     'pow': 10}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "2066f704ccc3a9e725934abbc3ac801dc5c19bfbeb1f22c1079bc9b3d3a0c5f3"  # of the compiled integrator's source
+DIGEST = "853787e3d9f5a19000e920f207048b9f7be361d4b97d7748125591c35f6a44d5"  # of the compiled integrator's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -57,7 +57,7 @@ def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
 
 
 def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
-    """d = a*b."""
+    """Compute d = a*b."""
     d, a, b = r[d_], r[a_], r[b_]
     if n == 0:
         d[0] = a[0] * b[0]
@@ -67,7 +67,7 @@ def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
 
 
 def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
-    """d = a**2."""
+    """Compute d = a**2."""
     d, a = r[d_], r[a_]
     if n == 0:
         d[0] = a[0] * a[0]
@@ -78,7 +78,7 @@ def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
 
 
 def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int, p6_: int, p7_: int, x_: int) -> None:
-    """p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
+    """Compute p2 = x**2, p3 = x**3, p4 = x**4, p5 = x**5, p6 = x**6, p7 = x**7."""
     p2, p3, p4, p5, p6, p7, x = r[p2_], r[p3_], r[p4_], r[p5_], r[p6_], r[p7_], r[x_]
     if n == 0:
         t1 = x[0] * x[0]
@@ -106,7 +106,7 @@ def _powers(r: Floats, c: Floats, n: int, p2_: int, p3_: int, p4_: int, p5_: int
 
 
 def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
-    """q = t*Derivative(a, t)."""
+    """Compute q = t*Derivative(a, t)."""
     q, a = r[q_], r[a_]
     if n == 0:
         q[0] = 0.0
@@ -115,7 +115,7 @@ def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
 
 
 def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
-    """s = sin(x), v = 1 - cos(x)."""
+    """Compute s = sin(x), v = 1 - cos(x)."""
     s, v, q, x = r[s_], r[v_], r[q_], r[x_]
     if n == 0:
         t1 = np.sin(0.5 * x[0])
@@ -129,7 +129,7 @@ def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> N
 
 
 def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
-    """e = exp(z), m = exp(z) - 1."""
+    """Compute e = exp(z), m = exp(z) - 1."""
     e, m, q, z = r[e_], r[m_], r[q_], r[z_]
     if n == 0:
         e[0] = np.exp(z[0])
@@ -141,7 +141,7 @@ def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> No
 
 
 def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
-    """h = 1/(z + 1), m = -1 + 1/(z + 1)."""
+    """Compute h = 1/(z + 1), m = -1 + 1/(z + 1)."""
     h, m, z = r[h_], r[m_], r[z_]
     if n == 0:
         t1 = 1.0 + z[0]
@@ -154,7 +154,7 @@ def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
 
 
 def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
-    """l = log(z + 1)."""
+    """Compute l = log(z + 1)."""
     l, z = r[l_], r[z_]
     if n == 0:
         l[0] = np.log1p(z[0])
@@ -165,7 +165,7 @@ def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
 
 
 def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -> None:
-    """p = (z + 1)**power, m = (z + 1)**power - 1."""
+    """Compute p = (z + 1)**power, m = (z + 1)**power - 1."""
     p, m, z = r[p_], r[m_], r[z_]
     power = c[power_]
     if n == 0:

@@ -1,4 +1,4 @@
-"""Fixtures of all tests, the order of the tests, and the option ``--of FILE``."""
+"""Fixtures of all tests, and the order of the tests."""
 
 import gc
 import json
@@ -11,7 +11,6 @@ import pytest
 from flint import ctx
 
 from slipcircle.__main__ import main
-from tests.support.reach import tests_of
 
 # The longest tests run first, so that no worker is left alone with one.
 LONGEST = (
@@ -29,24 +28,11 @@ LONGEST = (
 )
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add ``--of FILE``, which may be repeated."""
-    parser.addoption("--of", action="append", metavar="FILE", help="run the tests that reach this file, and new tests")
-
-
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Select the tests of ``--of``; run the longest first, then the files that import `derive`.
+    """Run the longest tests first, then the files that import `derive`.
 
     Tests of `derive` run in one process where possible, as they share what `derive` computes once.
     """
-    if files := config.getoption("of"):
-        try:
-            chosen, known = tests_of(files)
-        except ValueError as error:
-            raise pytest.UsageError(str(error)) from None
-        names = {item: item.nodeid.partition("[")[0] for item in items}
-        config.hook.pytest_deselected(items=[x for x in items if names[x] in known - chosen])
-        items[:] = [x for x in items if names[x] not in known - chosen]
     derive = {path for path in {item.path for item in items} if "\nfrom derive" in path.read_text("utf-8")}
 
     def place(item: pytest.Item) -> int:
@@ -54,7 +40,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         return next((k for k, part in enumerate(LONGEST) if part in item.nodeid), last)
 
     items.sort(key=place)
-    if not files and {item.path for item in items} >= {*Path(__file__).parent.glob("test_*.py")}:  # all tests
+    if not config.getoption("of", None) and {item.path for item in items} >= {
+        *Path(__file__).parent.glob("test_*.py")
+    }:  # all tests
         assert {place(item) for item in items} >= {*range(len(LONGEST))}, LONGEST
 
 

@@ -51,7 +51,7 @@ def evaluate(form: sp.Expr, first: mp.mpf, half: mp.mpf) -> Any:
 
 
 @each
-def test_proof(appendix: Appendix) -> None:
+def test_the_proof_reduces_the_appendix_to_one_line(appendix: Appendix) -> None:
     proof = simplified(appendix)
     assert proof.expression.free_symbols == {alpha, theta_m}
     first, *_, last = proof.steps

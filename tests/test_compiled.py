@@ -122,7 +122,7 @@ def everywhere(dtype: type[np.floating[Any]], size: int = 20000) -> NDArray[Any]
 @each_level
 @pytest.mark.parametrize("name", FITTED)
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_layouts(name: str, level: str, dtype: type[np.floating[Any]]) -> None:
+def test_every_memory_layout_gives_the_same_numbers(name: str, level: str, dtype: type[np.floating[Any]]) -> None:
     """Strides of every kind, other byte orders, unaligned, in place, overlapping, `out`, `where`: the same numbers."""
     function, alpha = kernel(name, level), everywhere(dtype)
     equal, size = np.testing.assert_array_equal, alpha.size

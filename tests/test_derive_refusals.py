@@ -25,6 +25,7 @@ from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta
 from derive.generate import emit_c, write
 from tests.campaigns import mutants
+from tests.support import reach
 
 # Quantity, check, the number found and the number wanted.
 SENTENCE = r"^{}: .*{}.*: found \S.*, wanted \S.*$"
@@ -132,3 +133,10 @@ def test_a_campaign_of_mutants_says_why_nothing_was_measured(tmp_path: Path) -> 
     """A sentence says if pytest-cov is missing or no test can be run."""
     with pytest.raises(SystemExit, match=r"no test was measured: .*\w.*; is pytest-cov installed\?"):
         mutants.measured_tests(tmp_path, 1)
+
+
+def test_tests_are_selected_by_the_files_that_they_reach() -> None:
+    chosen, known = reach.tests_of(["slipcircle/ground/ponds.py"])
+    assert "tests/test_free_water.py::test_factors_are_those_of_plain_slices" in chosen < known
+    with pytest.raises(ValueError, match=r"--of derive/none\.py: no test is known to reach it; give a module of"):
+        reach.tests_of(["derive/none.py"])

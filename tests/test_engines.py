@@ -138,6 +138,7 @@ def test_ctrl_c_ends_every_engine(where: str, tmp_path: Path, request: pytest.Fi
     try:
         while not started(tmp_path) and process.poll() is None:
             time.sleep(0.1)
+        assert process.poll() is None, process.communicate()
         os.killpg(process.pid, signal.SIGINT)
         out, err = process.communicate(timeout=60)  # a guard; it takes a tenth of a second
     finally:
@@ -442,7 +443,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
         ensemble(SCENE, 100, 1, pool)
 
 
-def test_progress(capsys: pytest.CaptureFixture[str], told_at_once: None) -> None:
+def test_progress_is_printed_at_growing_intervals(capsys: pytest.CaptureFixture[str], told_at_once: None) -> None:
     """Progress in a pipe is printed at growing intervals, and not at all inside other counted work."""
     with Progress(100, "scenes") as progress:
         for _ in range(10):

@@ -300,16 +300,6 @@ def test_quantiles_of_a_monotone_answer(method: str) -> None:
     np.testing.assert_allclose(curve.probability, 1 - np.searchsorted(samples, curve.at) / 65536, atol=1e-14)
 
 
-def test_intervals_of_means_are_of_95_percent() -> None:
-    """1.96 standard errors to either side; a standard deviation has no interval."""
-    study = ensemble(ONE, 4000, 1, sensitivity=0)
-    values = study.samples["run_out"]
-    mean, std = study.mean("run_out"), study.std("run_out")
-    assert (mean.high - mean.low) / 2 / stats.norm.ppf(0.975) == pytest.approx(stats.sem(values))
-    assert (mean.value, std.value) == pytest.approx((values.mean(), values.std(ddof=1)))
-    assert np.all(np.isnan(std[1:]))
-
-
 def test_what_is_no_scene_is_counted_apart() -> None:
     """An end of the arc before its start."""
     study = ensemble(replace(VAIONT, uncertain={"arc.theta_2_deg": stats.uniform(205, 75)}), 4000, 1)
@@ -397,7 +387,7 @@ def test_indices_of_a_scene(file: Path) -> None:
 # --- the command -----------------------------------------------------------------------------------------------------
 
 
-def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
+def test_the_command_prints_and_writes_the_estimates_of_a_study(file: Path, tmp_path: Path, asked: Any) -> None:
     line = f"sweep {file} --samples 3e3 --seed 4 --sensitivity 64"
     table, arrays = tmp_path / "a.csv", tmp_path / "a.npz"
     _, out, err = asked(line, "--json --csv", table, "--npz", arrays)
@@ -418,7 +408,7 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any) -> None:
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]
 
 
-def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
+def test_a_grid_is_printed_written_and_resumed(tmp_path: Path, said: Any, asked: Any, records: Any) -> None:
     table, line = tmp_path / "a.csv", "sweep vaiont --grid friction.angle_deg=8:12:41 --grid arc.radius_m=1000,1500"
     for _ in range(2):  # the second time from the blocks of the first
         out = said(line, "--csv", table, "--resume", tmp_path / "blocks")

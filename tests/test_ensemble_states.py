@@ -33,7 +33,7 @@ def test_at_the_limit_and_one_ulp_to_either_side(effects: dict[str, Any]) -> Non
     np.testing.assert_array_equal(solve(Scene(Arc(**given), mu, effects, end_time=1.0)).moves, mu < limits)
 
 
-def test_shapes() -> None:
+def test_results_have_the_shape_of_the_scene() -> None:
     """Fields of any shapes that fit together, arrays without a dimension or without a lane; every status."""
     vaiont: Scene = load("vaiont")
     mu, radius = np.array([0.1, 0.2, 0.3, 0.9]), np.array([[300.0], [400.0], [500.0]])
@@ -51,7 +51,7 @@ def test_shapes() -> None:
     np.testing.assert_array_equal(np.isfinite(mixed.duration), [False, True])
 
 
-def test_the_accuracy_asked_for() -> None:
+def test_errors_are_below_the_requested_accuracy() -> None:
     """Times are off by less than it, also of swings through the half circle."""
     middle = 1.5 * np.pi - np.radians(np.linspace(5, 80, 20))
     friction = np.tan(np.radians(np.linspace(0.5, 30, 15)))[:, None]

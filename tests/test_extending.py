@@ -7,10 +7,10 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -18,8 +18,10 @@ import pytest
 from flint import arb_series
 from scipy.optimize import brentq
 
-from slipcircle import Arc, Scene, solve
+from slipcircle import Arc, Scene, Status, solve
+from slipcircle.core import number
 from slipcircle.core.scene.mass import Dimensionless, MomentCoefficients
+from slipcircle.workbench.studies.ensemble import grid
 from tests.campaigns import all_weights
 from tests.campaigns.all_weights import run
 from tests.support import golden, taylor
@@ -306,10 +308,9 @@ def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
 class LoadedArc(Arc):
     """An arc with a rigid load on top, such as a house: N/m, at x and y from the centre, m."""
 
-    load: Any = 0.0
+    load: Any = field(default=0.0, metadata=number("N/m", -1.0, 1e12, help="weight of the load"))
     x: float = 0.0
     y: float = 0.0
-    quantities: ClassVar[Mapping[str, int]] = {**Arc.quantities, "load": 0}
 
     @cached_property
     def bare(self) -> Arc:
@@ -390,3 +391,14 @@ def test_a_new_mass_is_one_class(house: Any) -> None:
     both = solve(Scene(LoadedArc(*RIGHT, **{**house, "load": loads}), MU, ["rotation"], accuracy=1e-13))
     bare = solve(Scene(Arc(*RIGHT), MU, ["rotation"]))
     assert both.run_out == pytest.approx([bare.run_out, motion.run_out], rel=1e-11)
+    assert both[1].run_out == pytest.approx(motion.run_out, rel=1e-11)
+    by_name = grid(motion.plan.scene, {"load": [*loads, -5.0]}, accuracy=1e-13).samples
+    assert by_name["run_out"][:2] == pytest.approx(both.run_out, rel=1e-11)
+    assert [Status(status) == Status.INVALID for status in by_name["status"]] == [False, False, True]
+    if house["load"]:
+        step = 1e-4 * house["load"]
+        low, high = (solve(Scene(LoadedArc(*RIGHT, **{**house, "load": house["load"] + by}), MU, ["rotation"]))
+                     for by in (-step, step))  # fmt: skip
+        slope = (high.run_out - low.run_out) / (2 * step)
+        assert motion.sensitivity().derivative("run_out", "load") == pytest.approx(slope, rel=1e-6)
+        assert str(motion.sensitivity())

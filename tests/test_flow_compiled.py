@@ -235,24 +235,6 @@ def test_malformed_integers_are_refused(name: str) -> None:
             call(**arguments)
 
 
-def test_what_does_not_fit_is_refused() -> None:
-    bound = problem("constant")
-    code, cells, nothing = compiled.encoded(bound.program), bound.cells(), np.empty(0)
-    for bad in (code[:-4], code + code[:4]):
-        with pytest.raises(ValueError, match="do not fit"):
-            BINARY.integrate(bad, (), cells, 0, LANES, 1, nothing, nothing, nothing, 0)
-    for short in (cells[:-1], cells[:0]):
-        with pytest.raises(ValueError, match="not those of as many lanes"):
-            BINARY.integrate(code, (), short.copy(), 0, LANES, 1, nothing, nothing, nothing, 0)
-    registers = np.zeros((len(bound.program.registers) - 1, LANES))
-    with pytest.raises(ValueError, match="not those of as many lanes"):
-        BINARY.integrate(code, (), cells, 0, LANES, 0, nothing, registers, nothing, 0)
-    for order in (4.0, 41.0, np.nan):
-        cells[ix.ORDER, -1] = order
-        with pytest.raises(ValueError, match="order does not fit"):
-            BINARY.integrate(code, (), cells, 0, LANES, 1, nothing, nothing, nothing, 0)
-
-
 def test_a_binary_of_another_source_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiled, "DIGEST", "of another")
     with pytest.warns(RuntimeWarning, match="built from another source; run `python -m derive.build`"):

@@ -35,6 +35,7 @@ FAULTS = {
     "a direction is kept": ("step", "on_standstill", "face(lane, -lane.direction)", "face(lane, lane.direction)"),
     "a return is missing": ("phases", "resolve_pending", "start_moving(lane, net)\n        return",
                             "start_moving(lane, net)"),
+    "a closed form ends too late": ("swing", "finish", "s.time + duration", "s.time + 2.0 * duration"),
     "an index is off by one": ("tables", "pass_break", "integer(t.piece) + 1", "integer(t.piece) + 0"),
 }  # fmt: skip
 

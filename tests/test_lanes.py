@@ -122,19 +122,6 @@ def test_tables_begin_where_the_motion_does() -> None:
         assert np.abs(coefficients[:, 1, 0, lane]).max() < 3.0
 
 
-def test_lanes_of_circles_and_of_strengths_broadcast() -> None:
-    scene = load_scene("layered-slope")
-    radius = np.asarray(scene.numbers["radius"], float) * np.array([[1.0], [1.001]])
-    of_soils = {name: np.asarray(c, float) for name, c in scene.numbers.items() if name.endswith(".cohesion")}
-    shares = np.array([1.0, 1.1, 1.2])
-    many = solve(with_parameters(scene, {"radius": radius} | {name: c * shares for name, c in of_soils.items()}))
-    assert many.shape == (2, 3)
-    assert np.unique(many.run_out).size == 6
-    for i, j in np.ndindex(many.shape):
-        one = {"radius": radius[i, 0]} | {name: c * shares[j] for name, c in of_soils.items()}
-        assert many.run_out[i, j] == pytest.approx(solve(with_parameters(scene, one)).run_out, rel=1e-9)
-
-
 def test_statics_of_many_lanes_are_those_of_each() -> None:
     """They are computed block by block: the lanes where one ends and the next begins."""
     friction: Any = np.linspace(0.1, 0.5, 2 * BLOCK + 3)

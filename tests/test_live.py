@@ -15,12 +15,15 @@ import numpy as np
 import pytest
 
 from slipcircle import Motion, Scene, Section, Status, load, solve
+from slipcircle.base.text import PRINTED
 from slipcircle.derivatives import parameter_value, with_parameters
+from slipcircle.workbench.common.units import SYSTEMS
 from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.files.shipped import shipped
 from slipcircle.workbench.outputs.page import live
 from slipcircle.workbench.outputs.page import section as livesection
-from slipcircle.workbench.outputs.page.model import Slider, default_sliders, unsolvable
+from slipcircle.workbench.outputs.page.inputs import Slider
+from slipcircle.workbench.outputs.page.model import default_sliders, unsolvable
 from slipcircle.workbench.outputs.pictures.shapes import mass_of
 from tests.support.layered import TURNING, profile
 
@@ -144,7 +147,7 @@ def test_a_browser_solves_as_solve_does(name: str, tmp_path: Path) -> None:
         of_states = [state.displacement, state.velocity, state.normal_stress / 1e3, stress / 1e3]
         for column, column_wanted in zip(columns, [*of_states, energy.work, energy.dissipation], strict=True):
             if column.shape:  # stresses of layers are means over all soils, which the page leaves out
-                size = np.abs(column_wanted).max() or 1e-4  # all samples may be at rest
+                size = max(np.abs(column_wanted).max(), 1e-4)  # all samples may be at rest, up to rounding
                 assert column == pytest.approx(column_wanted, abs=3e-11 * size)
     assert moved > POSITIONS / 4
 
@@ -191,7 +194,28 @@ def test_the_first_sliders_change_the_run_out_most_and_residual_strength_is_amon
         changes.append(np.ptp([*ends, motion("real-slope").run_out]))
     assert sorted(changes, reverse=True) == changes
     assert {"friction.peak_deg", "friction.residual_deg", "cohesion.cohesion_kPa"} <= {x.number.key for x in sliders}
-    assert len(default_sliders(load("weak-toe"))) >= 3
+    assert len(default_sliders(load("weak-toe"))) >= 4
+    first, *more = [slider.number.key for slider in default_sliders(load("layered-slope"))]
+    assert (first, len(more)) == ("soils.clay.friction.residual_deg", 3)  # quotients by the friction lost with slip
+    assert "friction.peak_deg" in [slider.number.key for slider in default_sliders(load("shaken-slope"))]
+
+
+def test_a_page_in_us_units() -> None:
+    """Series, sliders, scale and units of a page in feet, from the motion in metres."""
+    token = PRINTED.set(SYSTEMS["US"])
+    try:
+        text = live.page(motion("real-slope"))
+    finally:
+        PRINTED.reset(token)
+    held, slide = data(text), motion("real-slope")
+    assert held["stored"]["s"][-1] == pytest.approx(float(slide.end.displacement) / 0.3048, rel=1e-6)
+    assert max(held["stored"]["v"]) == pytest.approx(slide.peak.velocity / 0.3048, rel=1e-3)
+    assert held["shape"]["turn"] == pytest.approx(data(page("real-slope"))["shape"]["turn"] * 0.3048)
+    assert {name: unit for name, (unit, _) in held["units"].items()} == {"m": "ft", "m/s": "ft/s", "Pa": "psf"}
+    cohesion = next(one for one in held["sliders"] if one["name"].startswith("cohesion"))
+    assert cohesion["key"] == "cohesion.cohesion_psf"
+    assert cohesion["value"] == pytest.approx(3e3 / 47.88026, rel=1e-6)
+    assert {e.text.split()[-1] for e in tree(text).iter("text") if "unit" in e.get("class", "")} == {"ft"}
 
 
 # --- what a page holds -----------------------------------------------------------------------------------------------

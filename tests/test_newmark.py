@@ -12,7 +12,7 @@ import pytest
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.tables import Pulse
-from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, quake, series
+from tests.support.blocks import ARC, GRAVITY, MU, factor, of_block, series
 
 
 def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC, **more: Any) -> Motion:
@@ -49,19 +49,6 @@ def test_newmark_pulse_is_what_its_comment_says() -> None:
 # --- an earthquake-like record -------------------------------------------------------------------------------------
 
 
-def test_earthquake_against_an_exact_double_integral() -> None:
-    record = quake(7, 700)
-    record = series(record.time, 4.0 * record.values)
-    motion = shaken(record)
-    places, speeds, stop = of_block(record)
-    state = motion.at(np.minimum(record.time, motion.duration))
-    assert motion.run_out == pytest.approx(places[-1], rel=1e-13)
-    assert np.abs(state.displacement - places[:-1]).max() < 1e-13 * places[-1]
-    assert np.abs(state.velocity - speeds).max() < 1e-13 * speeds.max()
-    assert motion.duration == pytest.approx(stop, rel=1e-13)
-    assert len(motion.phases) == 8
-
-
 @pytest.mark.parametrize("ramp", [1e-9, 1e-6])
 @pytest.mark.parametrize("begin", [0.0, 100.0])
 def test_jumps_given_as_short_ramps(ramp: float, begin: float) -> None:
@@ -92,17 +79,6 @@ def test_next_to_the_yield_coefficient(name: str, ulps: int) -> None:
     assert motion.duration < 1.5 + 1e-6
     assert motion.moves == (ulps > 0) or abs(ulps) < 100
     assert motion.error_estimate > 0.3 or ulps < -100
-
-
-def test_sliding_that_starts_at_the_last_sample() -> None:
-    """It slides from where the last line passes k_y, and stops after the record, decelerated by k_y."""
-    gamma, n = factor()
-    motion = shaken(series([0, 1, 2], [0, 0, 1.0]))
-    v = gamma * GRAVITY * (1 - n) ** 2 / 2
-    assert motion.at(2.0).velocity == pytest.approx(v, rel=1e-13)
-    assert motion.duration == pytest.approx(2.0 + v / (gamma * GRAVITY * n), rel=1e-13)
-    just = shaken(series([0, 1, 2], [0, 0, np.nextafter(motion.yield_coefficient, 1.0)]))
-    assert just.moves
 
 
 def test_huge_amplitudes_and_an_error_where_they_overflow() -> None:

@@ -104,7 +104,7 @@ def test_the_last_samples_count(last: float, name: str) -> None:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 @pytest.mark.parametrize("two_way", [False, True])
-def test_polarities(sign: float, two_way: bool) -> None:
+def test_both_polarities_slide_as_by_series(sign: float, two_way: bool) -> None:
     """Shaken up-slope it starts only if it may, and then as by series."""
     _, n = factor()
     record = quake(5, 400)

@@ -41,16 +41,16 @@ def docstrings(path: Path) -> Iterator[str]:
             yield text
 
 
-def prose(path: Path) -> Iterator[str]:
-    """Yield strings and comments of several words in Python, and lines outside code blocks in pages."""
+@cache
+def prose(path: Path) -> tuple[str, ...]:
+    """Return strings and comments of several words in Python, and lines outside code blocks in pages."""
     text = path.read_text("utf-8")
     if path.suffix == ".md":
-        yield from re.sub(r"```.*?```", "", text, flags=re.DOTALL).splitlines()
-        return
-    strings = (node.value for node in ast.walk(tree(path)) if isinstance(node, ast.Constant))
-    yield from (value for value in strings if isinstance(value, str) and value.count(" ") >= 3)
+        return tuple(re.sub(r"```.*?```", "", text, flags=re.DOTALL).splitlines())
+    strings = [node.value for node in ast.walk(tree(path)) if isinstance(node, ast.Constant)]
     tokens = tokenize.generate_tokens(io.StringIO(text).readline)
-    yield from (token.string for token in tokens if token.type == tokenize.COMMENT and token.string.count(" ") >= 3)
+    comments = [token.string for token in tokens if token.type == tokenize.COMMENT]
+    return tuple(line for line in (*strings, *comments) if isinstance(line, str) and line.count(" ") >= 3)
 
 
 def test_no_docstring_begins_with_a_preposition_or_pronoun() -> None:

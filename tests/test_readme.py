@@ -34,7 +34,7 @@ EXAMPLES = [(name, code) for name, text in {"README": TEXT, **PAGES}.items() for
 
 
 @pytest.mark.parametrize(("name", "code"), EXAMPLES, ids=[name for name, _ in EXAMPLES])
-def test_python(name: str, code: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_python_examples_print_their_comments(name: str, code: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Printed lines equal the comments below each print; an error estimate may differ by machine."""
     if "emcee" in code:
         pytest.importorskip("emcee", reason="the extra 'book' is not installed")
@@ -75,7 +75,7 @@ def run(said: Any, tmp_path: Path) -> Callable[..., dict[str, str]]:
     return told
 
 
-def test_scene_file(tmp_path: Path, run: Any, said: Any) -> None:
+def test_the_scene_file_of_the_quickstart_runs(tmp_path: Path, run: Any, said: Any) -> None:
     """The file of the quickstart, and with the arc of its comments: they run, and every effect is named."""
     path = tmp_path / "my-slope.toml"
     soil = SCENE[SCENE.index("[friction]") : SCENE.index("# [arc]")]
@@ -221,10 +221,16 @@ def is_good(path: Path, target: str) -> bool:
     return path.suffix == ".py" or (path.parent / target.partition("#")[0]).exists()
 
 
-def test_links() -> None:
+def test_links_lead_to_files_or_https_addresses() -> None:
     links = [(path, a or b.rstrip(".,;)")) for path, text in documents() for a, b in LINK.findall(text)]
     assert not [link for link in links if not is_good(*link)]
     assert any(target.startswith("https://") for _, target in links)
+
+
+def test_the_page_on_developing_lists_every_file_of_tests() -> None:
+    assert {path.stem for path in (ROOT / "tests").glob("test_*.py")} <= {
+        *re.findall("`(test_\\w+)`", PAGES["developing"])
+    }
 
 
 def test_headings_that_links_point_at() -> None:
@@ -233,7 +239,7 @@ def test_headings_that_links_point_at() -> None:
     assert set(re.findall(r"\]\(#([^)]+)\)", TEXT)) <= heads
 
 
-def test_citation() -> None:
+def test_the_citation_agrees_with_the_project() -> None:
     """Entries shared with the project's file are equal."""
     text, project = (ROOT / "CITATION.cff").read_text("utf-8"), tomllib.loads((ROOT / "pyproject.toml").read_text())
     keys, known = dict(re.findall(r"^([a-z-]+):[ ]?(.*)", text, re.MULTILINE)), project["project"]

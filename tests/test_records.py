@@ -228,17 +228,6 @@ def test_a_record_of_water_in_a_file_beside_the_scene(tmp_path: Path) -> None:
             load(write(tmp_path, head + more, "scene.toml"))
 
 
-def test_a_record_scaled_to_a_peak_in_a_file(tmp_path: Path) -> None:
-    time = np.arange(0.0, 10.0, 0.01)
-    values = np.round(0.2 * np.sin(5 * time), 6)
-    np.savetxt(tmp_path / "r.csv", np.stack([time, values], axis=1), delimiter=",")
-    more = ("peak_g = 0.4\n", f"scale = {0.4 / float(np.max(np.abs(values)))!r}\n")
-    text = f"{SLOPE.format('')}angle_deg = 30\n[shaking]\nrecord = 'r.csv'\nunits = 'g'\nholds = 'driving'\n"
-    peak, scaled = (solve(load(write(tmp_path, text + x, "s.toml"))).run_out for x in more)
-    assert peak == pytest.approx(scaled, rel=1e-9)
-    assert peak > 0.0
-
-
 @pytest.mark.parametrize(
     ("arc", "shaking", "words"),
     [

@@ -49,7 +49,7 @@ def page() -> str:
 
 
 def test_numbers_are_those_of_the_json() -> None:
-    """The report's JSON is complete; its tables equal `run --verbose`, which `test_outputs` checks."""
+    """The report's JSON is complete; its tables equal `run --verbose`, which `test_printed_motions` checks."""
     m, cells = motion("wet-slope"), rows(tree(page()))
     record = json.loads(json.dumps(record_of(m), allow_nan=False))
     assert {label: cells[label].text for label in printed(m)} == printed(m)

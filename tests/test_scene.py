@@ -14,7 +14,6 @@ import pytest
 import slipcircle
 from slipcircle import Arc, Scene, load, plan, solve
 from slipcircle.base.checks import UnusualInput
-from slipcircle.core.scene.arc import QUANTITIES
 from slipcircle.tables import Pulse
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.files.shipped import shipped
@@ -167,7 +166,7 @@ def test_the_papers_scenes_hold_the_papers_numbers() -> None:
     frozen, mu = load("vaiont-frozen"), float(np.tan(np.deg2rad(10.0)))
     assert frozen == Scene(arc, mu, ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note)
     assert load("vaiont").called == {"rotation": {}, "centripetal": {}}
-    assert load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in QUANTITIES}, given={
+    assert load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in arc.quantities}, given={
         "moment_of_inertia": 0.4376, "radial_weight": 0.0870, "weight_moment": 0.0387, "resistance_factor": 0.1523,
         "dynamic_coefficient": 0.468,
     })  # fmt: skip

@@ -10,6 +10,7 @@ from flint import arb, ctx
 
 from slipcircle import Scene, Section, backanalyse, load, solve
 from slipcircle.core.motion.states import Status
+from slipcircle.core.scene.tree import numbers
 from slipcircle.layers import LayeredSection, Soil
 from slipcircle.workbench.studies.ensemble import grid
 from tests.support import section_references, taylor
@@ -93,10 +94,10 @@ def in_two_layers(scene: Scene) -> Scene:
 @pytest.mark.parametrize(("index", "layered"), [(0, False), (1, False), (1, True), (4, False)])
 def test_derivatives_against_thirty_digits(index: int, layered: bool) -> None:
     """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
-    given = section_references.row(index)["scene"]
+    given = json.loads(section_references.FILE.read_text("utf-8"))[index]["scene"]
     scene = section_references.scene(given)
     motion = solve(in_two_layers(scene) if layered else scene)
-    found, own = motion.sensitivity(), motion.plan.scene.arc.numbers_by_name()
+    found, own = motion.sensitivity(), numbers(motion.plan.scene.arc)
     sign = np.array([np.sign(motion.peak.velocity), 1.0, 1.0])
     size = np.abs(found.values).max(axis=1)[:3]
     for field in ("radius", "centre", "ground", "level"):

@@ -19,7 +19,7 @@ GAMMA = 20e3
 ROWS: list[dict[str, Any]] = json.loads(section_references.FILE.read_text("utf-8"))
 
 
-@pytest.mark.parametrize("row", ROWS, ids=map(str, section_references.KEPT))
+@pytest.mark.parametrize("row", ROWS, ids=[f"{k} {row['group']}" for k, row in enumerate(ROWS)])
 def test_random_sections_against_thirty_digits(row: dict[str, Any]) -> None:
     """Among them steep edges under water, and masses that water or shaking carries for a while."""
     motion, reference = solve(section_references.scene(row["scene"])), row["reference"]

@@ -247,7 +247,7 @@ def test_records_that_move_nothing_have_a_picture() -> None:
 # --- what is printed and drawn ---------------------------------------------------------------------------------------
 
 
-def test_the_command(folder: Path, asked: Any, said: Any) -> None:
+def test_the_command_has_the_numbers_of_the_study(folder: Path, asked: Any, said: Any) -> None:
     """Table, CSV and JSON have the same numbers, and each invalid file has a warning."""
     (folder / "corrupt.AT2").write_text(at2()[:900], "utf-8")
     table, curves = folder / "all.csv", folder / "fragility.csv"

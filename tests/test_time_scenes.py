@@ -117,15 +117,6 @@ def test_a_mass_at_rest_that_k_v_lifts_is_reported(start: float, amplitude: floa
     assert not below.lift_off
 
 
-def test_water_that_lifts_what_cohesion_holds_is_reported() -> None:
-    """It rests, and water carries it from where u passes the mean normal stress at rest; at each rest once."""
-    stress = float(ARC.dimensionless.static_normal_stress) * float(ARC.reference_stress)
-    rising = Series(np.array([0.0, 10.0, 20.0, 30.0]), np.array([0.0, 2.0, 0.0, 2.0]) * stress)
-    motion = solve(Scene(ARC, 0.2, TURNING | {"pore_pressure": {"pressure": rising}, "cohesion": {"cohesion": 1e8}}))
-    assert not motion.moves
-    assert motion.lift_off == pytest.approx((5.0,), rel=1e-14)
-
-
 def test_many_lift_offs_are_said_once() -> None:
     waves = Series(np.arange(11.0), np.array([0.0, 3.0] * 5 + [0.0]), held=False)
     shaking = {"horizontal": Series(np.array([0.0, 11.0]), np.array([0.3, 0.3])), "vertical": waves}

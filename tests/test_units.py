@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from contextvars import copy_context
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ import pytest
 from slipcircle import Arc, Scene, Section, Slope, Soil, critical, load
 from slipcircle.__main__ import main
 from slipcircle.base.text import PRINTED
+from slipcircle.messages.warnings import _submergence
 from slipcircle.workbench.commands import backanalyse
 from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.common.units import SYSTEMS
@@ -46,7 +48,7 @@ VALUES = {"points": [[1, 2], [3, 4.5]], "pair": [1, 2], "list": [1, 2.5], "line"
 def keys_of(table: Table, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Table, str, Key]]:
     """Yield every key of a scene file that has a unit: path of its table, table with its law, and name."""
     for law in table.laws.values() if table.laws else [table]:
-        yield from ((path, law, name, key) for name, key in law.keys.items() if key.number.si in SIZES)
+        yield from ((path, law, name, key) for name, key in law.keys.items() if key.unit in SIZES)
         for name, inner in law.tables.items():
             yield from keys_of(inner, (*path, *([name, "1"] if inner.repeats else [name])))
 
@@ -65,13 +67,12 @@ def test_every_key_in_every_unit(whole: Table) -> None:
     found = list(keys_of(whole))
     assert len(found) > 40
     for path, table, name, key in found:
-        number = key.number
-        middle = min(max(number.low, 0.5), number.high / 2) if number.low > -math.inf else 0.5
+        middle = min(max(key.low, 0.5), key.high / 2) if key.low > -math.inf else 0.5
         value = VALUES.get(key.kind, 1.5 * middle)
-        stem = name.removesuffix(PUBLISHED[number.si])
+        stem = name.removesuffix(PUBLISHED[key.unit])
         published = argument(whole, path, table, key, name, value)
         assert published is not None, (path, name)
-        for unit, size in SIZES[number.si].items():
+        for unit, size in SIZES[key.unit].items():
             typed = (np.array(value) / size).tolist()
             other = argument(whole, path, table, key, stem + unit, typed)
             np.testing.assert_allclose(other, published, rtol=2e-7, err_msg=f"{path} {stem}{unit}")
@@ -193,7 +194,7 @@ SHEETS = [
 
 
 @pytest.mark.parametrize(("text", "unit", "found"), SHEETS)
-def test_spreadsheets(tmp_path: Path, text: str, unit: str, found: str) -> None:
+def test_spreadsheets_of_several_countries_are_read(tmp_path: Path, text: str, unit: str, found: str) -> None:
     (tmp_path / "sheet.csv").write_bytes(text.encode())
     assert read_points(tmp_path, "sheet.csv", unit, "points_file_unit") == (LINE, found)
 
@@ -225,7 +226,7 @@ def test_spreadsheets_that_are_refused(tmp_path: Path, text: str, unit: str, sai
         read_points(tmp_path, "sheet.csv", unit, "points_file_unit")
 
 
-def test_drawings(tmp_path: Path) -> None:
+def test_lines_of_drawings_are_joined_by_their_ends(tmp_path: Path) -> None:
     """Polylines and lines, drawn in any order and direction, joined by their ends; the unit is the drawing's."""
     ezdxf = pytest.importorskip("ezdxf")
     drawing = ezdxf.new(units=21)
@@ -387,6 +388,41 @@ def test_sweep_in_feet(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
         rows = list(csv.DictReader(opened))
     for shown, row in zip((first, second), rows, strict=True):
         assert float(shown[1]) == pytest.approx(float(row["run_out (m)"]) / 0.3048, rel=1e-3)
+
+
+@pytest.mark.parametrize("command", ["records", "sweep"])
+def test_tables_of_records_in_feet(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each cell below a head in ft or ft/s is the cell in SI units over 0.3048, the others are equal."""
+    words = [*{"records": ["records"], "sweep": ["sweep", "shaken-slope"]}[command], "--synthetic", "3:1.5:12"]
+    tables = []
+    for units in ("SI", "US"):
+        assert main([*words, "--units", units]) == 0
+        tables.append([re.split(r"  +", line) for line in capsys.readouterr().out.splitlines() if "  " in line])
+    heads: list[str] = []
+    converted = 0
+    for row, shown in zip(*tables, strict=True):
+        heads = shown if any(re.search(r"\((ft|g|s)", cell) for cell in shown) else heads
+        for head, cell, other in zip(heads, row, shown, strict=False):
+            if "ft" in head and re.fullmatch(r"[\d.]+", cell):
+                assert float(other) == pytest.approx(float(cell) / 0.3048, rel=2e-3)
+                converted += 1
+            elif re.fullmatch(r"[\d.]+", cell):
+                assert other == cell
+    assert converted >= 6
+    assert not any(re.search(r"\(m(/s)?\)| m$", cell) for row in tables[1] for cell in row)
+
+
+def test_a_warning_in_feet() -> None:
+    """A depth below the water level in the unit of output."""
+    state = SimpleNamespace(rotation=0.1)
+    arc = SimpleNamespace(in_standing_water=False, radius=10.0, drowned=lambda *_: 3.048)
+    slide = SimpleNamespace(plan=SimpleNamespace(scene=SimpleNamespace(arc=arc)), farthest=state, end=state)
+    token = PRINTED.set(SYSTEMS["US"])
+    try:
+        (words,) = _submergence(slide)
+    finally:
+        PRINTED.reset(token)
+    assert "down to 10 ft below" in words
 
 
 # --- profiles of many points -----------------------------------------------------------------------------------------

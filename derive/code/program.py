@@ -110,7 +110,7 @@ class Value(NDArrayOperatorsMixin):
     place: int
 
     def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
-        """Return the operation of a NumPy ufunc on values of a program."""
+        """Return the value of a ufunc's operation."""
         if function is np.rint:
             (x,) = operands
             return x + ROUND - ROUND
@@ -120,7 +120,7 @@ class Value(NDArrayOperatorsMixin):
         return self.builder.put(_NAMES[function], *operands)
 
     def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Value":
-        """Return the operation of a NumPy function on values of a program."""
+        """Return the value of an operation that is not a ufunc, such as `numpy.where`."""
         return self.builder.put(_NAMES[function], *operands)
 
 
@@ -269,10 +269,3 @@ def without_dead(p: Program) -> Program:
         op = p.ops[index]
         ops.append(replace(op, args=tuple(place[i] for i in op.args)))
     return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs))
-
-
-def operations(counts: Mapping[str, int]) -> str:
-    """Return counts as one line, basic operations first: ``12 mul, 11 add, 1 div, 1 cos``."""
-    basic = [k for k in ("mul", "add", "sub", "div", "fma", "neg", "min", "max", "less", "select") if counts.get(k)]
-    calls = sorted(k for k in counts if k not in basic)
-    return ", ".join(f"{counts[k]} {k}" for k in basic + calls)

@@ -109,7 +109,8 @@ PENDING = {
 }
 NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # arguments of tables
-# Registers and cells of a program that the integrator reads.
+# Registers and cells of a program that the integrator reads, the last ones where phases have a closed form: factors of
+# sin(x), 1 - cos(x) and omega^2.
 ROLES = (
     "x",
     "omega",
@@ -125,6 +126,14 @@ ROLES = (
     "cell_driving",
     "cell_resisting",
     "cell_mu",
+    "cell_net_sine",
+    "cell_net_vers",
+    "cell_net_square",
+    "cell_normal_sine",
+    "cell_normal_vers",
+    "cell_normal_square",
+    "cell_upright_sine",
+    "cell_upright_vers",
 )
 HIGHEST = 40  # order of a series
 STRIDE = HIGHEST + 2  # distance of registers: states have one more coefficient, followed by zero

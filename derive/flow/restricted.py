@@ -8,8 +8,9 @@ Statements outside this grammar are rejected with file and line.
 import ast
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import factorial
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from derive.flow import layout
 from derive.flow.integrator import TEXT, one_lane
@@ -42,7 +43,7 @@ _OF_LANES = {
     **{x.lower(): ("CELL", "V") for x in (*layout.CELLS, *layout.WORKING)},
     **{x.removeprefix("cell_"): ("ROLE", "V") for x in layout.ROLES if x.startswith("cell_")},
     **{f"series.{x}": ("SERIES", "S") for x in layout.ROLES},
-    **{f"has.{x}": ("HAS", "N") for x in layout.ROLES},
+    **{f"has.{x.removeprefix('cell_')}": ("HAS", "N") for x in layout.ROLES},
     **dict.fromkeys(("samples", "logged", "timed", "autonomous", "highest"), ("SHARED", "N")),
 }
 _OF_TABLE = {
@@ -76,6 +77,9 @@ PRIMITIVES = {
 }
 
 
+GIVEN = ("EPS", "INFINITY", "SINES", "PLACES", "WEIGHTS")  # constants that `one_lane` defines
+
+
 class GrammarError(Exception):
     """Text outside the restricted grammar, with its place."""
 
@@ -104,10 +108,10 @@ class Function:
 
 @dataclass
 class Text:
-    """Functions of the text by name, in order, and its constants."""
+    """Functions of the text by name, in order, and its constants, numbers or tuples of numbers."""
 
     functions: dict[str, Function] = field(default_factory=dict)
-    constants: dict[str, float] = field(default_factory=lambda: {"EPS": one_lane.EPS, "INFINITY": one_lane.INFINITY})
+    constants: dict[str, Any] = field(default_factory=lambda: {x: getattr(one_lane, x) for x in GIVEN})
 
     def read(self, source: str, path: str) -> None:
         """Add a module."""
@@ -118,7 +122,7 @@ class Text:
                     result = annotation(returns, path, node)
                     self.functions[node.name] = Function(node.name, path, node, parameters, result)
                 case ast.Assign(targets=[ast.Name(id=name)], value=value):
-                    self.constants[name] = eval(ast.unparse(value), dict(self.constants))
+                    self.constants[name] = eval(ast.unparse(value), {"factorial": factorial, **self.constants})
                 case ast.Expr(value=ast.Constant()) | ast.ImportFrom():
                     pass
                 case _:
@@ -136,7 +140,7 @@ class Text:
         return any(self.iterates(x) for x in self.names_of(function) - {name})
 
 
-def refuse(path: str, node: ast.AST, why: str) -> None:
+def refuse(path: str, node: ast.AST, why: str) -> NoReturn:
     """Raise an error that names the file and the line."""
     raise GrammarError(f"{path}, line {getattr(node, 'lineno', 0)}: {why}: {ast.unparse(node).splitlines()[0]}")
 
@@ -151,7 +155,6 @@ def annotation(e: ast.expr | None, path: str, node: ast.AST) -> str:
         case ast.Subscript(value=ast.Name(id="tuple")):
             return "PAIR"
     refuse(path, node, "every parameter and result has one of the kinds " + ", ".join(ANNOTATIONS))
-    raise AssertionError
 
 
 def integrator() -> Text:

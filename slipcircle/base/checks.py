@@ -11,7 +11,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.kinds import Shape, Values
+from slipcircle.base.kinds import Rename, Shape, Texts, Values
 
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
@@ -38,7 +38,7 @@ class Message(str):
         message.template = template
         return message
 
-    def worded(self, name_of: Callable[[str], str]) -> str:
+    def worded(self, name_of: Rename) -> str:
         """Return the sentence with each argument renamed by a function, for example to the key of a file."""
         return _worded(self.template, name_of)
 
@@ -59,7 +59,7 @@ class Message(str):
         return Message(text)
 
 
-def _worded(template: str, name_of: Callable[[str], str]) -> str:
+def _worded(template: str, name_of: Rename) -> str:
     """Return a template with each argument replaced by its name."""
 
     def name(match: re.Match[str]) -> str:
@@ -84,7 +84,7 @@ class InputError(ValueError):
         templates = [message.template for message in self.messages]
         return InputError, (self.what, templates)
 
-    def worded(self, name_of: Callable[[str], str], what: str = "") -> str:
+    def worded(self, name_of: Rename, what: str = "") -> str:
         """Return the messages with renamed arguments, one per line, each preceded by the name of the invalid object."""
         return _lines([message.worded(name_of) for message in self.messages], what)
 
@@ -106,17 +106,19 @@ def plain(value: Any) -> Any:
     return float(value)
 
 
-_WITHOUT_WARNING: Any = nullcontext()
-
-
 def may_overflow(shape: Shape) -> Any:
     """Return a context that silences overflow warnings of arrays.
 
     The overflow itself is reported when the result is read.
     """
     if not shape:
-        return _WITHOUT_WARNING
+        return nullcontext()
     return np.errstate(over="ignore")
+
+
+def quiet() -> Any:
+    """Return a context without NumPy's warnings, for arrays in which some lanes have no result."""
+    return np.errstate(all="ignore")
 
 
 _NUMBERS = frozenset((bool, int, float, np.float64))
@@ -248,9 +250,9 @@ def shown(value: Any) -> str:
     return f"{kind} {text[:60]}..."
 
 
-def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
+def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> Texts:
     """Return a message for each field that is not a finite number in its bounds, or an array although in ``one``."""
-    sentences: list[str] = []
+    sentences: Texts = []
     for name, allowed in bounds.items():
         value: Any = fields[name]
         lower, upper, _ = allowed
@@ -260,7 +262,7 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
     return sentences
 
 
-def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> list[str]:
+def _number_mistakes(name: str, value: ArrayLike, bounds: Bounds, one: bool) -> Texts:
     """Return a message if a field violates its bounds."""
     lower, upper, allowed = bounds
     array = array_of(value)
@@ -293,7 +295,7 @@ _KINDS = {
 }
 
 
-def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> list[str]:
+def parameter_mistakes(path: str, given: Values, parameters: Sequence[Any]) -> Texts:
     """Return a message for each declared parameter that is missing or invalid, and for each unknown name."""
     if _are_plain(given, parameters):
         return []
@@ -324,7 +326,7 @@ def _are_plain(given: Values, parameters: Sequence[Any]) -> bool:
 _SIGNS = {-5e-324: ", at least 0", 0.0: ", positive"}  # by the lower bound
 
 
-def _value_mistakes(path: str, p: Any, value: Any) -> list[str]:
+def _value_mistakes(path: str, p: Any, value: Any) -> Texts:
     """Return the messages about the value of a declared parameter."""
     has_bounds = p.key and p.kind in ("number", "list", "series", "fixed")
     if has_bounds and not callable(value):
@@ -359,7 +361,7 @@ def _is_of_kind(kind: str, value: Any) -> bool:
     return value in kind.split("|")
 
 
-def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
+def shape_mistakes(fields: Mapping[str, ArrayLike]) -> Texts:
     """Return a message if the shapes of the fields do not broadcast."""
     shapes = {}
     for name, value in fields.items():
@@ -382,7 +384,7 @@ def raise_all(what: str, sentences: Sequence[str]) -> None:
         raise InputError(what, sentences)
 
 
-def complaint(faults: Iterable[Fault], shape: Shape) -> list[str]:
+def complaint(faults: Iterable[Fault], shape: Shape) -> Texts:
     """Return the message about the first invalid lane, as a list of at most one element."""
     for lanes, sentence in faults:
         bad = np.asarray(lanes)

@@ -5,9 +5,9 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import PathName, ValueDict, Values
+from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
 
-_modules: list[str] = []
+_modules: Texts = []
 
 
 def use_conversions(module: str) -> None:

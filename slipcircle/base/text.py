@@ -25,6 +25,12 @@ def printed(unit: str) -> tuple[float, str]:
     return 1.0 / size, name
 
 
+def drawn_unit(unit: str) -> tuple[float, str]:
+    """Return the factor from an SI unit to the unit of output in drawings, and that unit: kPa in place of Pa."""
+    factor, name = printed(unit)
+    return (1e-3, "kPa") if name == "Pa" else (factor, name)
+
+
 def measured(value: float, unit: str, digits: int = DIGITS) -> str:
     """Return a quantity in an SI unit as text with its unit of output."""
     factor, name = printed(unit)

@@ -8,6 +8,7 @@ import numpy as np
 
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS
 from slipcircle.base.checks import InputError
+from slipcircle.base.kinds import Texts
 
 _FIELDS = {  # by SI unit: fields that no effect or law declares
     "m": "radius width centre between base ground level ponds layers surcharge top datum crack crack_water",
@@ -76,7 +77,7 @@ def _magnitude(name: str, quantity: Any) -> Any:
     raise InputError("", [sentence])
 
 
-def _units(name: str) -> list[str]:
+def _units(name: str) -> Texts:
     """Return the SI units that a field or a parameter of this name may have, "" for a factor."""
     declaring: list[Any] = [*EFFECTS.values(), *LAWS.values(), *COHESION_LAWS.values()]
     parameters = chain.from_iterable(each.parameters for each in declaring)

@@ -13,37 +13,46 @@ from slipcircle.core.motion.solver import solve
 from slipcircle.core.motion.states import ANSWERED, STATUS_OF_END, State, Status
 from slipcircle.core.problem.plan import Plan, plan
 from slipcircle.core.problem.problem import Problem, problem_of
-from slipcircle.core.scene.arc import ARC_BOUNDS, GRAVITY, WIDTH, Arc
+from slipcircle.core.scene.arc import DIP, GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.effects import cohesion_mistakes
 from slipcircle.core.scene.friction import RATE_LAWS, depends_on, law_mistakes, law_names, law_parts, may_have_rate
 from slipcircle.core.scene.mass import Dimensionless, Mass
 from slipcircle.core.scene.scene import AS_ENTERED, Scene, checked
+from slipcircle.core.scene.tree import STORED, Leaf, Parts, bounds, declared, leaves, number, numbers
 
 __all__ = [
     "ANSWERED",
-    "ARC_BOUNDS",
     "AS_ENTERED",
+    "DIP",
     "GRAVITY",
     "RATE_LAWS",
     "STATUS_OF_END",
+    "STORED",
     "WIDTH",
     "Arc",
     "Dimensionless",
+    "Leaf",
     "Mass",
     "Motion",
+    "Parts",
     "Plan",
     "Problem",
     "Scene",
     "State",
     "Status",
+    "bounds",
     "checked",
     "cohesion_mistakes",
+    "declared",
     "depends_on",
     "law_mistakes",
     "law_names",
     "law_parts",
     "lazy_import",
+    "leaves",
     "may_have_rate",
+    "number",
+    "numbers",
     "numpy_only",
     "plan",
     "problem_of",

@@ -3,10 +3,7 @@
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import neighbour_derivatives
 from slipcircle.derivatives.parameters import (
-    DIP,
-    SOIL_BOUNDS,
     Free,
-    Parameter,
     free_parameters,
     parameter_value,
     parameters,
@@ -16,10 +13,7 @@ from slipcircle.derivatives.parameters import (
 )
 
 __all__ = [
-    "DIP",
-    "SOIL_BOUNDS",
     "Free",
-    "Parameter",
     "Sensitivity",
     "free_parameters",
     "neighbour_derivatives",

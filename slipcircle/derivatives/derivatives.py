@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.kinds import Floats, Names, NumberMap, Texts
 from slipcircle.core.scene.scene import Scene
 
 
@@ -44,7 +44,7 @@ class Sensitivity:
 
     outputs: Mapping[str, str]
     parameters: Mapping[str, str]
-    at: Mapping[str, float]
+    at: NumberMap
     kinds: Any
     values: Floats
     errors: Floats
@@ -67,14 +67,18 @@ class Sensitivity:
 
     def error(self, output: str, parameter: str) -> float:
         """Return the error bound of a derivative."""
-        return float(self.errors[self._place(output, parameter)])
+        place = self._place(output, parameter)
+        return float(self.errors[place])
 
     def kind(self, output: str, parameter: str) -> str:
         """Return the kind of a derivative, such as "smooth" or "kink"."""
-        return str(self.kinds[self._place(output, parameter)])
+        place = self._place(output, parameter)
+        return str(self.kinds[place])
 
     def _place(self, output: str, parameter: str) -> tuple[int, int]:
-        return list(self.outputs).index(output), list(self.parameters).index(parameter)
+        row = list(self.outputs).index(output)
+        column = list(self.parameters).index(parameter)
+        return row, column
 
     def __str__(self) -> str:
         """Return the table of derivatives and elasticities as text."""
@@ -91,10 +95,9 @@ class Sensitivity:
             lines.append(line.rstrip())
         return "\n".join(lines)
 
-    def _row(self, parameter: str) -> list[str]:
+    def _row(self, parameter: str) -> Texts:
         """Return the derivatives of the outputs with respect to a parameter, with elasticities, as text."""
-        column = list(self.parameters).index(parameter)
-        elasticities = self.elasticities[:, column]
+        elasticities = self.elasticities[:, list(self.parameters).index(parameter)]
         cells = []
         for output, elasticity in zip(self.outputs, elasticities, strict=True):
             value = self.derivative(output, parameter)

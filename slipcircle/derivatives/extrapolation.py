@@ -30,15 +30,12 @@ def extrapolated(column: Floats, noise: Floats, first_power: int) -> ArrayPair:
         # The greatest difference of each entry from its neighbours in the preceding column and in its own.
         longer = column[..., :-1]
         shorter = column[..., 1:]
-        after = following[..., 1:]
-        before_last = following[..., -2:-1]
-        next_one = np.concatenate([after, before_last], axis=-1)
+        last_but_one = following[..., -2:-1]
+        next_one = np.concatenate([following[..., 1:], last_but_one], axis=-1)
         changes = [np.abs(following - other) for other in (longer, shorter, next_one)]
-        change = np.max(changes, axis=0)
-        error = CAUTION * change + noise
+        error = CAUTION * np.max(changes, axis=0) + noise
         error = np.maximum(error, _unlike_shorter(following, noise))
-        is_unknown = np.isnan(error)
-        error = np.where(is_unknown, np.inf, error)
+        error = np.where(np.isnan(error), np.inf, error)
         place = np.argmin(error, axis=-1, keepdims=True)
         value = np.take_along_axis(following, place, -1)[..., 0]
         surest = np.take_along_axis(error, place, -1)[..., 0]
@@ -53,16 +50,19 @@ def _combined(column: Floats, power: int, sign: float) -> Floats:
     """Return the next column of a tableau without a power of h, or its noise if ``sign`` is positive."""
     factor = 2.0**power
     longer = column[..., :-1]
-    return np.asarray((factor * column[..., 1:] + sign * longer) / (factor - 1))
+    shorter = factor * column[..., 1:]
+    combined = shorter + sign * longer
+    return np.asarray(combined / (factor - 1))
 
 
 def _unlike_shorter(following: Floats, noise: Floats) -> Floats:
     """Return by how much values at shorter steps differ beyond their noise."""
-    one = following[..., :, None]
-    other = following[..., None, :]
-    differences = np.abs(one - other)
-    allowed = NOISY * noise
-    return np.triu(differences - allowed[..., None, :]).max(axis=-1)
+    rows = following[..., :, None]
+    columns = following[..., None, :]
+    differences = np.abs(rows - columns)
+    of_noise = NOISY * noise
+    beyond = np.triu(differences - of_noise[..., None, :])
+    return beyond.max(axis=-1)
 
 
 def noise_of(values: Floats) -> Floats:
@@ -70,6 +70,6 @@ def noise_of(values: Floats) -> Floats:
     column = values[..., -SMOOTH:]
     for power in (1, 2, 3):
         column = _combined(column, power, -1.0)
-    changes = np.abs(np.diff(column))
-    known = np.nan_to_num(changes)
+    differences = np.abs(np.diff(column))
+    known = np.nan_to_num(differences)
     return np.asarray(np.max(known, axis=-1, keepdims=True))

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats
 from slipcircle.core.motion.solver import solve
 from slipcircle.core.scene.scene import Scene
@@ -68,8 +69,7 @@ def neighbour_derivatives(
         scales = np.array([[[number.scale]] for number in remaining])
         first = RUNGS * ladder
         rungs = np.arange(first, first + RUNGS)
-        longest = FIRST * scales
-        steps = longest * 2.0**-rungs
+        steps = FIRST * scales * 2.0 ** (-rungs)
         here, beside = _solved(scene, outcomes, remaining, steps)
         off = CAUTION * max(ACCURACY, error)
         every, goals = _judged(here, beside, steps, scales, off)
@@ -115,9 +115,12 @@ def _solved(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free], st
     beside = []
     for part in filter(np.size, parts):
         offsets = steps[part] * SIDES
-        values = _neighbours(scene, outcomes, [numbers[k] for k in part.tolist()], offsets)
-        here.append(np.repeat(values[:, :1], len(part), axis=1))
-        beside.append(values[:, 1:].reshape(-1, *offsets.shape))
+        some = [numbers[k] for k in part.tolist()]
+        values = _neighbours(scene, outcomes, some, offsets)
+        of_scene = values[:, :1]
+        of_neighbours = values[:, 1:]
+        here.append(np.repeat(of_scene, len(part), axis=1))
+        beside.append(of_neighbours.reshape(-1, *offsets.shape))
     in_order = np.argsort(np.concatenate(parts))
     all_here = np.concatenate(here, axis=1)
     all_beside = np.concatenate(beside, axis=1)
@@ -140,7 +143,7 @@ def _neighbours(scene: Scene[float], outcomes: Outcomes, numbers: Sequence[Free]
         arrays[number.name] = number.value + with_scene
     changed, invalid = with_parameter_arrays(scene, arrays)
     accurate = replace(changed, accuracy=ACCURACY)
-    with np.errstate(all="ignore"):
+    with quiet():
         motion = solve(accurate, invalid=invalid)
     return np.array(outcomes(motion))
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.kinds import Texts
 from slipcircle.core import Motion
 from slipcircle.derivatives.derivatives import Sensitivity
 from slipcircle.derivatives.neighbours import JUMP, SMOOTH, UNRESOLVED, Derivatives, neighbour_derivatives
@@ -27,7 +28,9 @@ def sensitivity(motion: Motion) -> Sensitivity:
     if not motion.moves and motion.limit_friction == motion.friction:
         raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
     scene = motion.plan.scene
-    outputs = {name: float(value) if motion.moves else 0.0 for name, value in motion.outcomes.items()}
+    outputs = dict.fromkeys(motion.outcomes, 0.0)
+    if motion.moves:
+        outputs |= {name: float(value) for name, value in motion.outcomes.items()}
     free = parameters(scene)
     warnings = []
     if any(outputs.values()):
@@ -66,7 +69,7 @@ def _mattering(found: Derivatives, free: Mapping[str, Free]) -> Iterator[int]:
             yield k
 
 
-def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:
+def _warnings(found: Derivatives, free: Mapping[str, Free]) -> Texts:
     """Return warnings about the largest jump of each output by a number, and about unknown derivatives."""
     warnings = []
     for k, name in enumerate(free):
@@ -77,7 +80,8 @@ def _warnings(found: Derivatives, free: Mapping[str, Free]) -> list[str]:
             if kind == JUMP:
                 by_side = found.jumps[row, k]
                 side = int(np.argmax(np.abs(by_side)))
-                jumps.append(f"{output} {by_side[side]:+.3g} {unit} {SIDES[side]}")
+                size = by_side[side]
+                jumps.append(f"{output} {size:+.3g} {unit} {SIDES[side]}")
             elif kind == UNRESOLVED:
                 unresolved.append(output)
         if jumps:

@@ -4,6 +4,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from slipcircle.ground.ground import (
+    FAR,
     circle_through,
     circle_touching,
     continued,
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from slipcircle.ground.section import Section
 
 __all__ = [
+    "FAR",
     "Ponds",
     "Section",
     "circle_through",

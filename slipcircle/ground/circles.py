@@ -61,8 +61,7 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
 
     A vertex closer to a circle than the rounding of its coordinates lies on the circle and separates two stretches.
     """
-    of_circles = each_lane(points, len(radius))
-    line = Vectors.of(of_circles)
+    line = Vectors.of(each_lane(points, len(radius)))
     middle = Vectors.of(centre)
     from_centre = line - middle[:, None]
     clear = _clearances(line, from_centre, middle, radius)
@@ -103,12 +102,12 @@ def _clearances(line: Vectors, from_centre: Vectors, centre: Vectors, radius: Fl
     is_near = np.abs(clear) < 0.1 * square  # the difference of nearly equal numbers requires double-double
     near = np.nonzero(is_near)
     lane, _ = near
-    origin = _doubled(centre[lane])
-    vertex = _doubled(line[near]) - origin
-    accurate = _clearance(vertex, radius[lane])
+    doubled = _doubled(line[near]) - _doubled(centre[lane])
+    accurate = _clearance(doubled, radius[lane])
     clear[near] = accurate.high
     size = line.largest + centre.largest[:, None]
-    return np.where(clear > 32 * EPS * r * (r + size), clear, 0.0)
+    rounding = 32 * EPS * r * (r + size)
+    return np.where(clear > rounding, clear, 0.0)
 
 
 def _doubled(vectors: Vectors) -> Vectors:
@@ -126,15 +125,12 @@ def _with_an_end_inside(edges: _Edges) -> ArrayPair:
     """Return start and length of the part inside relative to each edge, 0 where both ends are outside."""
     first_in = edges.first_clear > 0.0
     last_in = edges.last_clear > 0.0
-    both_in = first_in & last_in
-    share = both_in.astype(np.float64)
+    share = (first_in & last_in).astype(float)
     start = np.zeros(share.shape)
     leaves = first_in & ~last_in
-    leaving = edges.only(leaves)
-    share[leaves] = _share_from_inside(leaving)
+    share[leaves] = _share_from_inside(edges.only(leaves))
     enters = last_in & ~first_in
-    entering = edges.only(enters)
-    share[enters] = _share_from_inside(entering.reversed())
+    share[enters] = _share_from_inside(edges.only(enters).reversed())
     start[enters] = 1.0 - share[enters]
     return start, share
 
@@ -144,16 +140,20 @@ def _share_from_inside(edges: _Edges) -> Floats:
     b = edges.first.dot(edges.edge)
     d = edges.edge.square
     g = edges.first_clear
-    discriminant = b * b + d * g
-    root = np.sqrt(discriminant)
-    return np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)
+    root = np.sqrt(b * b + d * g)
+    forward = g / (b + root)
+    backward = (root - b) / d
+    share = np.where(b > 0.0, forward, backward)
+    return np.minimum(share, 1.0)
 
 
 def _may_pass_through(edges: _Edges) -> Flags:
     """Return whether both ends are outside and the foot of the perpendicular from the centre is between them."""
     to_foot = -edges.first.dot(edges.edge)
     square = edges.edge.square
-    return (to_foot > 0.0) & (to_foot < square) & (edges.first_clear == 0.0) & (edges.last_clear == 0.0)
+    is_between = (to_foot > 0.0) & (to_foot < square)
+    is_outside = (edges.first_clear == 0.0) & (edges.last_clear == 0.0)
+    return is_between & is_outside
 
 
 def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radius: Floats) -> ArrayPair:
@@ -171,8 +171,7 @@ def _with_both_ends_outside(first: Vectors, last: Vectors, centre: Vectors, radi
     not_negative = np.maximum(discriminant.high, 0.0)
     root = np.sqrt(not_negative)
     square = d.high
-    entry = (-b.high - root) / square
-    start = np.maximum(entry, 0.0)
+    start = np.maximum((-b.high - root) / square, 0.0)
     return start, np.minimum(2 * root / square, 1.0 - start)
 
 
@@ -184,20 +183,18 @@ def stretches(parts: Cut) -> tuple[Integers, Integers, Flags]:
     to_end = parts.enters.sum(axis=1) > count
     first_clear = parts.first[:, 0]
     last_clear = parts.second[:, -1]
-    begins_inside = first_clear > 0.0
-    ends_inside = last_clear > 0.0
-    never_leaves = ~parts.leaves.any(axis=1)
-    all_inside = begins_inside & ends_inside & never_leaves
-    circles = np.arange(len(count))
-    lanes = np.repeat(circles, count)
+    ends_inside = (first_clear > 0.0) & (last_clear > 0.0)
+    all_inside = ends_inside & ~parts.leaves.any(axis=1)
+    lanes = np.repeat(np.arange(len(count)), count)
     before = np.cumsum(count) - count
-    return lanes, np.arange(len(lanes)) - np.repeat(before, count), from_start | to_end | all_inside
+    number = np.arange(len(lanes)) - np.repeat(before, count)
+    has_end = from_start | to_end | all_inside
+    return lanes, number, has_end
 
 
 def ends(parts: Cut, number: Any) -> tuple[Vectors, Vectors]:
     """Return the left and the right crossing of one stretch for each circle, (n,) each."""
-    of_circles = np.asarray(number)
-    mine = parts.stretch == of_circles[:, None]
+    mine = parts.stretch == np.asarray(number)[:, None]
     lane = np.arange(len(mine))
     enters = parts.enters & mine
     leaves = parts.leaves & mine
@@ -216,8 +213,7 @@ def moments(parts: Cut, mine: Flags) -> ArrayDict:
     rows = max(1, _BLOCK // max(count, 1))
     for k in range(0, n, rows):
         some = slice(k, k + rows)
-        block = parts.only(some)
-        out[:, some] = _moments(block, mine[some])
+        out[:, some] = _moments(parts.only(some), mine[some])
     return dict(zip(MEASURES, out, strict=True))
 
 
@@ -226,25 +222,19 @@ def _moments(parts: Cut, mine: Flags) -> Floats:
     start = parts.start
     edge = parts.part.where(mine)
     end = start + edge
-    distances = start.length + end.length
-    reach = slopes.REACH * distances
-    is_long = edge.square > reach**2
-    short = edge.where(~is_long)
-    total = _ring_moments(parts, short)
+    distance = slopes.REACH * (start.length + end.length)
+    is_long = edge.square > distance**2
+    total = _ring_moments(parts, edge.where(~is_long))
     at = np.nonzero(is_long)
     lane, _ = at
     if lane.size:
-        long = edge[at]
-        total += _sector_moments(start[at], long, lane, len(mine))
+        total += _sector_moments(start[at], edge[at], lane, len(mine))
     return total
 
 
 def _sector_moments(start: Vectors, edge: Vectors, lane: Any, count: int) -> Floats:
     """Return moments below edges by the closed forms of sectors and triangles, summed by circle."""
-    end = start + edge
-    cross = start.cross(edge)
-    dot = start.dot(end)
-    angle = np.arctan2(cross, dot)
+    angle = np.arctan2(start.cross(edge), start.dot(start + edge))
     by_edge = slopes.closed(start.x, start.y, edge.x, edge.y, angle)
     by_circle = [np.bincount(lane, values, count) for values in by_edge]
     return np.array(by_circle)
@@ -262,9 +252,8 @@ def _ring_moments(parts: Cut, edge: Vectors) -> Floats:
     totals = np.zeros((len(MEASURES), *square.shape))
     for s, weight in _GAUSS:
         rest = 1.0 - s
-        along_chord = rest * first + s * second
-        bulge = s * rest * square
-        gap = along_chord + bulge
+        of_ends = rest * first + s * second
+        gap = of_ends + s * rest * square
         rings = np.array(slopes.rings(gap))
         totals[:5] += weight * rings
         vectors = rings[3:]
@@ -284,12 +273,10 @@ def thickness(parts: Cut, mine: Flags) -> Floats:
     along = parts.start.dot(parts.part)
     to_foot = -along  # of the perpendicular from the centre
     on_edge = (to_foot > 0.0) & (to_foot < square)
-    nowhere = np.zeros_like(square)
-    share = np.divide(to_foot, square, out=nowhere, where=on_edge)
+    share = np.divide(to_foot, square, out=np.zeros_like(square), where=on_edge)
     rest = 1.0 - share
     along_chord = rest * parts.first + share * parts.second
-    bulge = share * rest * square
-    at_foot = along_chord + bulge
+    at_foot = along_chord + share * rest * square
     at_ends = np.maximum(parts.first, parts.second)
     gap = np.maximum(at_ends, at_foot)  # 1 - rho^2
     gap_of_mine = np.where(mine, gap, 0.0)

@@ -11,6 +11,7 @@ import numpy as np
 
 import slipcircle.ground.circles as circles
 from slipcircle.base.checks import Fault
+from slipcircle.base.kinds import Texts
 from slipcircle.ground.ground import AS_PRINTED
 from slipcircle.ground.ponds import ends_above, water_fault
 
@@ -88,7 +89,7 @@ def outside_between(section: Any) -> Fault:
     )
 
 
-def _pairs(numbers: Iterable[Any]) -> list[str]:
+def _pairs(numbers: Iterable[Any]) -> Texts:
     """Return pairs of numbers as text in brackets."""
     return [f"[{first:.6g}, {second:.6g}]" for first, second in numbers]
 
@@ -97,11 +98,13 @@ def _one_point(section: Any) -> Fault:
     """Return the error of circles that touch the ground, so that entry and exit coincide to rounding."""
     _, centre, radius = section._circle
     left, right = section._ends
-    chord = radius * np.hypot(right.x - left.x, right.y - left.y)
+    between = right - left
+    chord = radius * np.hypot(between.x, between.y)
     coordinates = np.abs(centre).max(axis=1) + radius
 
     def sentence(k: int) -> str:
-        x, y = centre[k] + radius[k] * left.points[k]
+        from_centre = radius[k] * left.points[k]
+        x, y = centre[k] + from_centre
         return (
             f"{{radius}} = {radius[k]:.10g}: the circle only touches the ground, at [{x:.6g}, {y:.6g}]; to cut off a "
             "mass it must be greater, or {centre} closer"
@@ -144,7 +147,8 @@ def _other_water(section: Any) -> Fault:
         levels = np.broadcast_to(water.level, other.shape)
         of_lane = levels[:, k]
         level = of_lane[other[:, k]][0]
-        why = "not its exit" if np.isinf(at_exit[k]) else f"free water at y = {at_exit[k]:.6g} its exit"
+        height = at_exit[k]
+        why = "not its exit" if np.isinf(height) else f"free water at y = {height:.6g} its exit"
         return (
             f"{{level}}: free water at y = {level:.6g} covers the mass, and {why}; a motion takes the level at the exit"
         )

@@ -1,16 +1,14 @@
 """Geometry of sections: the arc that a circle cuts off a ground, and the mass above it."""
 
-from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
 import slipcircle.ground.circles as circles
-from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Shape
+from slipcircle.base.kinds import ArrayDict, ArrayPair, ArrayTriple, Floats, Shape
 from slipcircle.ground.circles import Cut
-from slipcircle.ground.coordinates import leading_shape
-from slipcircle.ground.ground import AS_PRINTED
+from slipcircle.ground.ground import AS_PRINTED, leading_shape
 from slipcircle.ground.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.ground.plane import Vectors
 from slipcircle.ground.ponds import Given, Ponds, free_water
@@ -24,16 +22,21 @@ class SectionGeometry(TurningMass):
     between: Any
     confined: Any
     ponds: Any
-    quantities: ClassVar[Mapping[str, int]]
+    quantities: Any
 
     @cached_property
     def shape(self) -> Shape:
         """Shape of the results."""
         names = ("radius", "centre", "ground", "level")
-        return np.broadcast_shapes(*(leading_shape(getattr(self, name), self.quantities[name]) for name in names))
+        shapes = []
+        for name in names:
+            axes = self.quantities[name].axes
+            value = getattr(self, name)
+            shapes.append(leading_shape(value, axes))
+        return np.broadcast_shapes(*shapes)
 
     @cached_property
-    def _circle(self) -> tuple[Floats, Floats, Floats]:
+    def _circle(self) -> ArrayTriple:
         """Ground, centre and radius with one axis of lanes."""
         centres = np.add(self.centre, 0.0)
         radii = np.add(self.radius, 0.0)
@@ -81,7 +84,7 @@ class SectionGeometry(TurningMass):
         left = x + r * first.x
         right = x + r * last.x
         width = right - left
-        meant = np.ones_like(width, dtype=bool)
+        meant = np.ones_like(width, bool)
         if self.between is not None:
             low, high = self.between
             rounding = 1e-9 * r

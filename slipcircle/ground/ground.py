@@ -6,18 +6,37 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, array_of, complaint, mistakes, raise_all, shape_mistakes
-from slipcircle.base.kinds import Floats, ValueDict, Values
-from slipcircle.ground.coordinates import leading_shape
+from generated.effects import Parameter
+from slipcircle.base.checks import (
+    INFINITY,
+    Bounds,
+    Fault,
+    array_of,
+    complaint,
+    mistakes,
+    quiet,
+    raise_all,
+    shape_mistakes,
+)
+from slipcircle.base.kinds import Floats, Shape, Texts, ValueDict, Values
 from slipcircle.ground.plane import Vectors
 
 FAR = 1e9  # bound of coordinates, m
 AS_PRINTED = 1e-3  # tolerance relative to the radius or the width of a mass, for circles rounded to printed digits
 
 
+WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
+
+
+def leading_shape(value: Any, axes: int) -> Shape:
+    """Return the shape of an array of lanes without the last axes, which belong to one section."""
+    shape = np.shape(value)
+    return shape[: len(shape) - axes]
+
+
 def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     """Yield the errors of lines (n, V, 2) that do not run from left to right."""
-    with np.errstate(invalid="ignore"):
+    with quiet():
         before_first = lines[:, :1] - 1.0
         step = np.diff(lines, axis=1, prepend=before_first)
 
@@ -41,7 +60,7 @@ def line_errors(name: str, lines: Floats) -> Iterator[Fault]:
     yield is_upright, lambda _: f"{{{name}}}: all points have the same x; it must extend from left to right"
 
 
-def points_errors(name: str, given: Any, many: bool) -> list[str]:
+def points_errors(name: str, given: Any, many: bool) -> Texts:
     """Return messages about points that should form a line from left to right, or about the first invalid line."""
     points = array_of(given)
     most_axes = 15 if many else 2
@@ -53,7 +72,7 @@ def points_errors(name: str, given: Any, many: bool) -> list[str]:
         return [f"{{{name}}}: must be a list of at least two points [x, y] in m, from left to right"]
     *lanes, count, _ = shape
     one_axis = points.reshape(-1, count, 2)
-    lines = one_axis.astype(np.float64)
+    lines = one_axis.astype(float)
     faults = line_errors(name, lines)
     return complaint(faults, tuple(lanes))
 
@@ -69,57 +88,46 @@ def continued(lines: Floats, left: Any, right: Any) -> Floats:
     return longer
 
 
-_WEIGHT = (0.0, 1e6, "a positive unit weight in N/m^3")
-_STRESS = (-5e-324, 1e12, "a stress of at least 0 in Pa")
-BOUNDS: Mapping[str, Bounds] = {  # bounds of the numbers of sections, soils and slopes
-    "radius": (0.0, FAR, "a positive length below 1e9 m"),
-    "unit_weight": _WEIGHT,
-    "saturated_unit_weight": _WEIGHT,
-    "water_unit_weight": _WEIGHT,
-    "width": (0.0, INFINITY, "a positive length in m"),
-    "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
-    "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
-    "base": (-FAR, FAR, "one finite number in m"),
-    "datum": (-FAR, FAR, "one finite number in m"),
-    "between": (-FAR, FAR, "two x in m, from left to right"),
-    "cohesion": _STRESS,
-    "cohesion_gradient": (-5e-324, 1e12, "a growth of at least 0 in Pa/m"),
-    "pressure": _STRESS,
-    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
-    "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"),
-    "k_h": (-1.0, 1.0, "between -1 and 1"),
-    "top": (-FAR, FAR, "a height in m, or points from left to right"),
-}
-
-
-def slope_errors(given: Values) -> list[str]:
+def slope_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the fields of one slope, which are numbers except for its lines."""
-    bounds = _bounds_of(given)
-    errors = mistakes(given, bounds, one=bounds)
-    return errors + _lines_errors(given, many=False)
+    own = {}
+    for name, limits in bounds.items():
+        _, _, allowed = limits
+        if allowed and name in given and not _is_absent(name, given):
+            own[name] = limits
+    numbers = mistakes(given, own, one=own)
+    return numbers + _lines_errors(given, many=False)
 
 
-def section_errors(given: Values, axes: Mapping[str, int]) -> list[str]:
+def _is_absent(name: str, given: Values) -> bool:
+    """Return whether an optional field is None."""
+    return name in ("base", "between", "datum") and given[name] is None
+
+
+def section_errors(given: Values, quantities: Mapping[str, Parameter], bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the fields of sections, which may have axes of lanes before those of one section."""
-    bounds = _bounds_of(given)
-    errors = mistakes(given, bounds, one=("base", "water_unit_weight"))
+    own = {}
+    for name, p in quantities.items():
+        if p.allowed and not _is_absent(name, given):
+            own[name] = bounds[name]
+    errors = mistakes(given, own, one=("base", "water_unit_weight"))
     if not errors:  # all of them are numbers
         errors = _pair_errors(given, bounds)
     errors += _lines_errors(given, many=True)
     if errors:
         return errors
     of_lanes = {}
-    for name, own_axes in axes.items():
+    for name, p in quantities.items():
         value = given[name]
-        if value is not None:
-            shape = leading_shape(value, own_axes)
+        if p.kind == "number" and value is not None:
+            shape = leading_shape(value, p.axes)
             of_lanes[name] = np.empty(shape)
             if 0 in shape:
                 errors.append(f"{{{name}}}: is empty")
     return shape_mistakes(of_lanes) or errors
 
 
-def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
+def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> Texts:
     """Return messages about the centre, a pair of numbers, and the range of x, an increasing pair."""
     wrong = []
     *_, coordinates = np.atleast_1d(given["centre"]).shape
@@ -130,19 +138,14 @@ def _pair_errors(given: Values, bounds: Mapping[str, Bounds]) -> list[str]:
         are_two = np.shape(pair) == (2,)
         if not are_two or pair[0] >= pair[1]:
             wrong.append("between")
-    return [f"{{{name}}} = {given[name]!r}: must be {bounds[name][-1]}" for name in wrong]
+    messages = []
+    for name in wrong:
+        *_, allowed = bounds[name]
+        messages.append(f"{{{name}}} = {given[name]!r}: must be {allowed}")
+    return messages
 
 
-def _bounds_of(given: Values) -> dict[str, Bounds]:
-    """Return the bounds of the given fields."""
-    bounds = {name: BOUNDS[name] for name in BOUNDS if name in given}
-    for optional in ("base", "between", "datum"):
-        if optional in given and given[optional] is None:
-            del bounds[optional]
-    return bounds
-
-
-def _lines_errors(given: Values, many: bool) -> list[str]:
+def _lines_errors(given: Values, many: bool) -> Texts:
     """Return messages about the ground, the water level and ponds."""
     errors = points_errors("ground", given["ground"], many)
     if given["level"] is not None:
@@ -157,7 +160,7 @@ def _lines_errors(given: Values, many: bool) -> list[str]:
     return errors
 
 
-def _pond_errors(k: int, pond: Any) -> list[str]:
+def _pond_errors(k: int, pond: Any) -> Texts:
     """Return a message if a pond, counted from 1, does not consist of three numbers."""
     numbers = np.asarray(pond)
     if numbers.shape == (3,) and numbers.dtype.kind in "iuf" and np.all(np.abs(numbers) < FAR):
@@ -242,7 +245,7 @@ def circle_through(
     return centre.points, size[()]
 
 
-def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> list[str]:
+def _through_errors(chord: Vectors, half: Floats, radius: Any, depth: Any) -> Texts:
     errors = []
     if (radius is None) == (depth is None):
         errors.append("{radius} or {depth}: give one of them")

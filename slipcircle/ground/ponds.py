@@ -55,13 +55,17 @@ class Ponds(NamedTuple):
 
 def free_water(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Ponds:
     """Return free water over grounds (n or 1, V, 2): ponds, and water below unconfined levels (n or 1, W, 2)."""
-    bodies = [_bodies(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
+    pairs = _pairs(grounds, levels)
+    bodies = [_bodies(ground, level, confined, ponds) for ground, level in pairs]
     lanes = len(bodies)
     count = max(map(len, bodies), default=0)
     x, y = grounds[:, 0].min(axis=0, initial=np.inf)
     outside = x - 1.0
     nothing = [outside, outside, y, 0.0]  # where a lane has less water
-    padded = [of_lane + (count - len(of_lane)) * [nothing] for of_lane in bodies]
+    padded = []
+    for of_lane in bodies:
+        missing = count - len(of_lane)
+        padded.append(of_lane + missing * [nothing])
     table: Floats = np.reshape(padded, (lanes, count, 4))
     return Ponds(*table.T)
 
@@ -90,7 +94,12 @@ def _pond(ground: Floats, pond: Sequence[float]) -> Bodies:
     """Return the water of a pond from shore to shore."""
     first, last, level = pond
     line = np.array([[first, level], [last, level]])
-    return [body for body in _below(ground, line) if body[0] < last and body[1] > first]
+    bodies = []
+    for body in _below(ground, line):
+        left, right, *_ = body
+        if left < last and right > first:
+            bodies.append(body)
+    return bodies
 
 
 def _below(ground: Floats, level: Floats) -> Bodies:
@@ -114,7 +123,8 @@ def _below(ground: Floats, level: Floats) -> Bodies:
         heights = np.interp(x[first : last + 1], *level.T)
         low = heights.min()
         high = heights.max()
-        bodies.append([x[first], x[last], (low + high) / 2, high - low])
+        middle_height = (low + high) / 2
+        bodies.append([x[first], x[last], middle_height, high - low])
     return bodies
 
 
@@ -137,7 +147,8 @@ def _roots(linear: Callable[[Floats], Floats], x: Floats) -> Floats:
 
 def water_fault(grounds: Floats, levels: Floats | None, confined: bool, ponds: Given) -> Fault:
     """Return the error of levels beside the ground, sloping free water, and ponds that are dry or too short."""
-    words = [_mistake(ground, level, confined, ponds) for ground, level in _pairs(grounds, levels)]
+    pairs = _pairs(grounds, levels)
+    words = [_mistake(ground, level, confined, ponds) for ground, level in pairs]
     return np.array(words) != "", lambda k: words[k]
 
 

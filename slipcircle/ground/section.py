@@ -4,7 +4,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from itertools import chain
 from typing import Any, ClassVar
@@ -13,16 +13,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import Fault, complaint, freeze, raise_all
-from slipcircle.base.kinds import Effects, Floats, Pair, Shape, ValueDict
+from slipcircle.base.kinds import Effects, Floats, Pair, Shape, Texts, ValueDict
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
+from slipcircle.core.scene.arc import GRAVITY, WIDTH, Arc
 from slipcircle.core.scene.effects import rotates, symbols_of
 from slipcircle.core.scene.mass import Dimensionless, Farther, Mass, MomentCoefficients
 from slipcircle.core.scene.piecewise import Tables
-from slipcircle.ground.coordinates import coordinates
+from slipcircle.core.scene.tree import bounds, declared, number
 from slipcircle.ground.errors import geometry_errors, motion_errors
 from slipcircle.ground.geometry import SectionGeometry
-from slipcircle.ground.ground import line_errors, section_errors
+from slipcircle.ground.ground import FAR, WEIGHT, line_errors, section_errors
 from slipcircle.ground.plane import Vectors
 
 # Fields of the geometry, and cached properties that depend on them alone.
@@ -82,44 +83,36 @@ class Section(SectionGeometry, Mass):
     above it is ground outside the mass.
     """
 
-    ground: ArrayLike
-    centre: ArrayLike
-    radius: ArrayLike
-    unit_weight: ArrayLike
-    gravity: ArrayLike = 9.81
-    width: ArrayLike = 1.0
-    between: Pair | None = None
-    level: ArrayLike | None = None
-    water_unit_weight: float = 9810.0
-    base: float | None = None
+    ground: ArrayLike = field(metadata=number("m", -FAR, FAR, key="ground.points_m", axes=2))
+    centre: ArrayLike = field(
+        metadata=number("m", -FAR, FAR, "two finite numbers [x, y] within 1e9 m", key="circle.centre_m", axes=1)
+    )
+    radius: ArrayLike = field(metadata=number("m", 0.0, FAR, "a positive length below 1e9 m", key="circle.radius_m"))
+    unit_weight: ArrayLike = field(metadata=number("N/m^3", *WEIGHT, key="ground.unit_weight_kN_m3", per_unit=1e3))
+    gravity: ArrayLike = field(
+        default=GRAVITY, metadata={"number": replace(declared(Arc)["gravity"], key="ground.gravity_m_s2")}
+    )
+    width: ArrayLike = field(default=WIDTH, metadata={"number": replace(declared(Arc)["width"], key="ground.width_m")})
+    between: Pair | None = field(
+        default=None, metadata=number("m", -FAR, FAR, "two x in m, from left to right", kind="fixed", axes=1)
+    )
+    level: ArrayLike | None = field(default=None, metadata=number("m", -FAR, FAR, key="water.level_m", axes=2))
+    water_unit_weight: float = field(default=9810.0, metadata=number("N/m^3", *WEIGHT, kind="fixed"))
+    base: float | None = field(default=None, metadata=number("m", -FAR, FAR, "one finite number in m", kind="fixed"))
     confined: bool = False
     ponds: Sequence[tuple[float, float, float]] = ()
-    # Fields that may vary in scenes, with the number of axes in one section.
-    quantities: ClassVar[Mapping[str, int]] = {
-        "ground": 2,
-        "centre": 1,
-        "radius": 0,
-        "unit_weight": 0,
-        "gravity": 0,
-        "width": 0,
-        "level": 2,
-    }
     rounding: ClassVar[float] = 1e-14
 
     def __post_init__(self) -> None:
         """Check lines, circle and numbers, convert their units and freeze them."""
-        take_units(self, (*self.quantities, "between", "base", "water_unit_weight", "ponds"))
+        take_units(self, (*self.quantities, "ponds"))
         freeze(self, self.quantities)
-        freeze(self, ("between", "base"))
-        errors = section_errors(vars(self), self.quantities)
+        kind: Any = type(self)
+        errors = section_errors(vars(self), self.quantities, bounds(kind))
         if not errors:
             impossible = geometry_errors(self)
             errors = complaint(impossible, self.shape)
         raise_all("Section", errors)
-
-    def numbers_by_name(self) -> ValueDict:
-        """Return the numbers of the fields by name, including each coordinate."""
-        return coordinates(self) | self.other_numbers()
 
     def takes_geometry(self, other: Section) -> bool:
         """Return whether another section has the same lines and circle."""
@@ -134,16 +127,19 @@ class Section(SectionGeometry, Mass):
         if not isinstance(other, Section):
             return False
         names = [field.name for field in fields(self)]
-        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+        pairs = [(getattr(self, name), getattr(other, name)) for name in names]
+        return all(np.array_equal(*pair) for pair in pairs)
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Yield the errors of invalid sections and of sections that cannot move."""
         levels = () if self.level is None else line_errors("level", self._level)
-        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
+        ground, *_ = self._circle
+        lines = chain(line_errors("ground", ground), levels)
+        return chain(lines, geometry_errors(self), motion_errors(self))
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages if the method does not apply, or if a water level is combined with another pore pressure."""
         found = [f"arc: {sentence}" for sentence in complaint(motion_errors(self), self.shape)]
         if self.level is not None and "ratio" in effects.get("pore_pressure", {}):
@@ -344,7 +340,8 @@ class Section(SectionGeometry, Mass):
         """Rotations at which the mean pressure is not smooth, rad, sorted, along the last axis."""
         kinks = [np.empty((len(self._facing), 0))]
         if self.level is not None:
-            until_kink = [self._water.kinks - end[:, None] for end in self._angles]
+            water_kinks = self._water.kinks
+            until_kink = [water_kinks - end[:, None] for end in self._angles]
             turns = np.concatenate(until_kink, axis=1)
             kinks.append(turns * self._facing[:, None])
         if self.in_standing_water:

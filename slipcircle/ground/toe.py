@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.core.scene.mass import Mass
 from slipcircle.ground.ground import FAR, continued
 
@@ -33,7 +34,7 @@ def rotation_range(section: Any) -> tuple[float, Any]:
     distance = start.imag
     square = radius[:, None] ** 2
     clear = square - distance**2
-    with np.errstate(invalid="ignore"):
+    with quiet():
         half = np.sqrt(clear)
     along = np.stack([-half, half])
     begin = start.real

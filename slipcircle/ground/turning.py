@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.ground.plane import Vectors
 
@@ -60,7 +61,7 @@ class TurningMass:
             above_points = np.interp(points.x, surface.x, surface.y)
             below_level = above_points - points.y
             vertex = surface[:, None]
-            with np.errstate(divide="ignore", invalid="ignore"):
+            with quiet():
                 share = (vertex.x - start.x) / edge.x  # position of each vertex of the level on each edge
             on_edge = (share > 0.0) & (share < 1.0)
             height = start.y + share * edge.y

@@ -8,7 +8,7 @@ import numpy as np
 
 from generated import layout as ix
 from generated.program import Program, Recipe
-from slipcircle.base.checks import EPS, plain
+from slipcircle.base.checks import EPS, plain, quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names
 from slipcircle.core.integrator.compiled import engine
 from slipcircle.core.integrator.lanes import BLOCK
@@ -134,12 +134,11 @@ class Forces:
         cells, _ = begin(self._with_outputs, at_rest, side)
         forces = Balance.of(program, cells)
         excess = forces.driving - forces.resisting
-        with np.errstate(all="ignore"):
+        with quiet():
             friction = excess / forces.normal
         contact = forces.normal > 0.0
         pull = cells[program.roles["cell_driving_moment"]]
-        goes_down = (pull > 0.0) | ((pull == 0.0) & (side > 0.0))
-        may_start = (cells[ix.ONE_WAY] == 0.0) | goes_down
+        may_start = (cells[ix.ONE_WAY] == 0.0) | ((pull > 0.0) | ((pull == 0.0) & (side > 0.0)))
         entered = np.maximum(friction, 0.0) / self._strength(at_rest.lane)
         return np.where(contact & may_start, entered, np.nan)
 
@@ -189,7 +188,7 @@ class Forces:
             engine().begin_phase(program, tables, each)
         mu = cells[program.roles["cell_mu"]].copy()  # a view would keep all cells alive
         limit = cells[program.roles["cell_limit"]]
-        with np.errstate(all="ignore"):
+        with quiet():
             found = equilibrium(Balance.of(program, cells), Balance.of(program, shaken), mu, limit)
         factor = self._strength(which)
         return found | {name: found[name] / factor for name in ("friction", "limit_friction")}
@@ -204,13 +203,11 @@ def equilibrium(at_rest: Balance, shaken: Balance, mu: Floats, limit: Floats) ->
     near_limit = normal * (limit - mu)  # without cancellation
     exact_excess = np.where(pressed, near_limit, excess)
     frictionless_shaken = shaken.driving - shaken.resisting
-    excess_shaken = frictionless_shaken - mu * shaken.normal
-    yielding = -exact_excess / (excess_shaken - excess)
+    yielding = -exact_excess / (frictionless_shaken - mu * shaken.normal - excess)
     normal_then = normal + yielding * (shaken.normal - normal)
     yielding_lifted = -frictionless / (frictionless_shaken - frictionless)
     yield_coefficient = np.where(normal_then < 0.0, yielding_lifted, yielding)
-    friction_moment = np.where(pressed, mu * normal, 0.0)
-    strength = resisting + friction_moment
+    strength = resisting + np.where(pressed, mu * normal, 0.0)
     return {
         "limit_friction": np.where(pressed, limit, np.where(frictionless > 0.0, np.inf, -np.inf)),
         "friction": mu,

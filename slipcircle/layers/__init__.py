@@ -2,12 +2,16 @@
 
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, growth_at_rest
 from slipcircle.layers.cracks import crack_place
+from slipcircle.layers.layered_numbers import PRESSURE
 from slipcircle.layers.layers import LayeredSection
-from slipcircle.layers.soils import Soil, layer_mistakes
+from slipcircle.layers.soils import STRESS, TOP, Soil, layer_mistakes
 from slipcircle.layers.soils_along import Stretch, mean_normal_stress, soils_under, stretches
 from slipcircle.layers.strips import edge_below, line_crossings, meets_circle
 
 __all__ = [
+    "PRESSURE",
+    "STRESS",
+    "TOP",
     "LayeredSection",
     "Soil",
     "Stretch",

@@ -33,8 +33,7 @@ def _at_rest(name: str, parameters: Parameters, slipped: bool) -> Any:
         strength = "residual" if last else "peak"
         return parameters[strength]
     coefficient = parameters["coefficient"]
-    first_parameter = LAWS[name].parameters[0]
-    is_table = first_parameter.kind == "list"
+    is_table = LAWS[name].parameters[0].kind == "list"
     if is_table:
         return coefficient[-last]
     return coefficient

@@ -13,7 +13,7 @@ import numpy as np
 from generated.program import OF_COHESION
 from slipcircle.base.kinds import ArrayPair, Floats
 from slipcircle.core.scene.effects import Law, cohesion_law
-from slipcircle.layers.soils import distinct, share_one_law
+from slipcircle.layers.soils import share_one_law
 
 Term = tuple[Law, Floats, Floats]  # law, and cohesion and growth with depth that it multiplies
 
@@ -51,8 +51,7 @@ class SoilCohesion:
             return self.peak * share, self.growth * share
         residual = self.section.of_soils("residual_cohesion")
         is_none = self.peak == 0.0
-        divisor = np.where(is_none, 1.0, self.peak)
-        share = np.where(is_none, 1.0, residual / divisor)
+        share = np.where(is_none, 1.0, residual / np.where(is_none, 1.0, self.peak))
         return residual, self.growth * share
 
     @cached_property
@@ -73,7 +72,7 @@ class SoilCohesion:
         soils = self.section.soils
         divisor = np.where(self.peak == 0.0, 1.0, self.peak)
         terms = {}
-        for k, soil in enumerate(distinct(soils)):
+        for k, soil in enumerate(self.section.soils_by_name.values()):
             law = cohesion_law(soil.cohesion)
             if law is None:
                 continue

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import Fault, complaint, raise_all
-from slipcircle.base.kinds import Floats
-from slipcircle.ground.coordinates import replace_unchecked
+from slipcircle.base.kinds import ArrayTriple, Floats
+from slipcircle.core.scene.tree import replace_unchecked
 from slipcircle.ground.errors import geometry_errors
 from slipcircle.ground.plane import each_lane
 from slipcircle.ground.section import Section
@@ -27,8 +27,7 @@ class CrackedSection(Section):
     def __post_init__(self) -> None:
         """Check the complete circle and the crack, then the remaining section."""
         if self._is_cracked:
-            of_whole = geometry_errors(self._uncracked)
-            faults = chain(of_whole, self._crack_errors())
+            faults = chain(geometry_errors(self._uncracked), self._crack_errors())
             raise_all("LayeredSection", complaint(faults, self.shape))
         super().__post_init__()
 
@@ -63,7 +62,7 @@ class CrackedSection(Section):
         return centre[:, 0] + radius * crack_place(self._lowered_ground, left.x, right.x, whole._facing)
 
     @cached_property
-    def _circle(self) -> tuple[Floats, Floats, Floats]:
+    def _circle(self) -> ArrayTriple:
         """Ground, centre and radius with one axis of lanes; a crack is a slit in the ground."""
         ground, centre, radius = super()._circle
         if not self._is_cracked:
@@ -75,11 +74,9 @@ class CrackedSection(Section):
         heights, _ = edge_below(lines, across, across)
         top = heights[:, 0]
         slit_x = np.stack([self._crack_place, self._crack_place, self._crack_place], axis=1)
-        slit_y = np.stack([top, below_circle, top], axis=1)
-        slit = np.stack([slit_x, slit_y], axis=2)
+        slit = np.stack([slit_x, np.stack([top, below_circle, top], axis=1)], axis=2)
         points = np.concatenate([lines, slit], axis=1)
-        all_x = points[..., 0]
-        order = np.argsort(all_x, axis=1, kind="stable")
+        order = np.argsort(points[..., 0], axis=1, kind="stable")
         return np.take_along_axis(points, order[..., None], axis=1), centre, radius
 
     @cached_property
@@ -89,10 +86,7 @@ class CrackedSection(Section):
         if not self._is_cracked:
             return *columns, held
         lane, _, left, right = columns
-        middle = (left + right) / 2
-        from_crack = middle - self._crack_place[lane]
-        facing = self._uncracked._facing[lane]
-        below = from_crack * facing > 0.0
+        below = ((left + right) / 2 - self._crack_place[lane]) * self._uncracked._facing[lane] > 0.0
         chosen = [column[below] for column in columns]
         return *chosen, held
 
@@ -100,8 +94,7 @@ class CrackedSection(Section):
         """Yield the error of masses that are thinner everywhere than their crack is deep."""
 
         def sentence(k: int) -> str:
-            depths = np.broadcast_to(self.crack, self.shape)
-            depth = depths.flat[k]
+            depth = np.broadcast_to(self.crack, self.shape).flat[k]
             return f"{{crack}} = {depth:.10g}: is deeper than the mass above the circle"
 
         yield np.isnan(self._crack_place), sentence
@@ -133,12 +126,7 @@ def crack_place(lowered_ground: Floats, left: Floats, right: Floats, facing: Flo
     NaN without such a point.
     """
     x = arc_crossings(lowered_ground)
-    first = left[:, None]
-    last = right[:, None]
-    inside = (x > first) & (x < last)
+    inside = (x > left[:, None]) & (x < right[:, None])
     or_right = np.where(inside, x, np.inf)
-    or_left = np.where(inside, x, -np.inf)
-    from_left = or_right.min(axis=1)
-    from_right = or_left.max(axis=1)
-    place = np.where(facing > 0.0, from_left, from_right)
+    place = np.where(facing > 0.0, or_right.min(axis=1), np.where(inside, x, -np.inf).max(axis=1))
     return np.where(np.isfinite(place), place, np.nan)

@@ -36,9 +36,7 @@ class Depths(NamedTuple):
             # The integral of the height of the line from the entry to directions on the arc.
             entry = self.facing * self.first
             end = self.facing * inside
-            left = np.minimum(entry, end)
-            right = np.maximum(entry, end)
-            within = self.heights.integral(left, right)
+            within = self.heights.integral(np.minimum(entry, end), np.maximum(entry, end))
         else:
             within = relieved(self.level, self.first, inside)
         at_first, at_last = self.held
@@ -63,13 +61,9 @@ def depths_below(section: Any, top: Any) -> Depths:
     lines = section._top_line(top)
     facing = section._facing
     first, last = section._span
-    from_centre = lines - centre[:, None]
-    over_radius = from_centre / radius[:, None, None]
-    line = continued(over_radius, -2.0, 2.0)
+    line = continued((lines - centre[:, None]) / radius[:, None, None], -2.0, 2.0)
     heights = height_integrals(lines, centre, radius)
-    at_first = _at_end(line, facing, first, _INWARD)
-    at_last = _at_end(line, facing, last, -_INWARD)
-    held = at_first, at_last
+    held = _at_end(line, facing, first, _INWARD), _at_end(line, facing, last, -_INWARD)
     level = None
     if top is not None and np.ndim(top) < 2:
         level = line[:, 0, 1]
@@ -79,8 +73,7 @@ def depths_below(section: Any, top: Any) -> Depths:
 def _at_end(line: Floats, facing: Floats, direction: Floats, inward: float) -> Floats:
     """Return the depths of an end of the arcs below lines over R."""
     x = facing * np.sin(direction)
-    inside = x + facing * inward
-    y, _ = edge_below(line, x[:, None], inside[:, None])
+    y, _ = edge_below(line, x[:, None], (x + facing * inward)[:, None])
     return np.maximum(y[:, 0] + np.cos(direction), 0.0)
 
 
@@ -99,24 +92,18 @@ class MeanDepth(NamedTuple):
     def kinks(self) -> Floats:
         """Rotations at which it is not smooth, on a last axis."""
         ends = np.stack([self.depths.first, self.depths.last], axis=1)
-        directions = self.depths.kinks[:, :, None]
-        between = directions - ends[:, None]
-        rotations = between.reshape(len(ends), -1)
+        rotations = (self.depths.kinks[:, :, None] - ends[:, None]).reshape(len(ends), -1)
         return np.sort(rotations, axis=1)
 
 
 def growing(section: Any, cohesion: Any, effects: Effects) -> Effects:
     """Return effects of which the cohesion, or that which softens, grows with depth."""
-    datum = cohesion.get("datum")
-    depths = depths_below(section, datum)
-    depth = MeanDepth(section, depths)
+    depth = MeanDepth(section, depths_below(section, cohesion.get("datum")))
     grown = {**effects}
     for name, given in effects.items():
         if name == "cohesion" and "gradient" in given:
             grown[name] = {**given, "depth": depth}
         elif name.startswith("softening"):
-            peak = cohesion_at_rest(cohesion)
-            per_peak = cohesion["gradient"] / peak
-            gradient = given["moment"] * per_peak
+            gradient = given["moment"] * (cohesion["gradient"] / cohesion_at_rest(cohesion))
             grown[name] = {**given, "gradient": gradient, "depth": depth}
     return grown

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape
+from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data, Tables
 from slipcircle.ground.water import first_rotation, upright
 from slipcircle.layers.strength import OfRotation
@@ -71,7 +71,7 @@ class RotationTables(NamedTuple):
         return self.section.arc_strength.rotation_kinks.shape[1]
 
     @property
-    def names(self) -> list[str]:
+    def names(self) -> Texts:
         """Names of the geometric parts whose sums are the functions."""
         names = dict[str, None]()
         for function in self.functions.values():
@@ -90,8 +90,7 @@ class RotationTables(NamedTuple):
                 return np.concatenate([parts[name] for name in names])
             return np.stack([function.combined(parts) for function in functions.values()])
 
-        kinks = strength.rotation_kinks
-        breaks, coefficients = between_kinks(values, kinks, first, last, self.tolerance)
+        breaks, coefficients = between_kinks(values, strength.rotation_kinks, first, last, self.tolerance)
         rows = [*np.moveaxis(coefficients, 2, 0)]
         if self.share_geometry:
             breaks = breaks[:, 0]

@@ -17,29 +17,30 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
+from generated.effects import LAWS
 from slipcircle.base.checks import Fault, array_of, complaint, freeze, mistakes, raise_all
-from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Values
+from slipcircle.base.kinds import ArrayPair, Effects, Floats, Names, Shape, Texts, Values
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import symbols_of
 from slipcircle.core.scene.friction import rate_mistakes
 from slipcircle.core.scene.mass import Farther
 from slipcircle.core.scene.piecewise import Tables
+from slipcircle.core.scene.tree import number, numbers
 from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import FAR
 from slipcircle.ground.section import Section, copy_computed
-from slipcircle.layers.cracks import CrackedSection
 from slipcircle.layers.depths import Depths, depths_below
 from slipcircle.layers.layered import RotationTables
 from slipcircle.layers.layered_numbers import LayeredNumbers
 from slipcircle.layers.profile import MEASURED, Profile, columns_of, profile_of
-from slipcircle.layers.soils import LANE_NUMBERS, Layers, Soil, datum_mistakes, layer_mistakes, soil_mistakes, top_of
+from slipcircle.layers.soils import Layers, Soil, datum_mistakes, layer_mistakes, soil_mistakes, top_of
 from slipcircle.layers.strength import ArcStrength, MeanFriction, Needs, OfRotation, over_circles
 from slipcircle.layers.stretches import OF_GEOMETRY
 from slipcircle.layers.strips import Strips, cut_into_strips
 
 
 @dataclass(frozen=True, eq=False)
-class LayeredSection(LayeredNumbers, CrackedSection):
+class LayeredSection(LayeredNumbers):
     """Mass between layered ground and a circular slip surface.
 
     Parameters
@@ -72,10 +73,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     strength: str = "base"
     foreland: Soil | None = None
     surcharge: Sequence[tuple[float, float, Any, Any]] = ()
-    rate: Values | None = None
-    crack: Any = 0.0
+    rate: Values | None = field(default=None, metadata={"laws": LAWS})
+    crack: Any = field(default=0.0, metadata=number("m", 0.0, FAR, help="its depth", key="tension_crack.depth_m"))
     own_effects: ClassVar[Names] = ("cohesion", "pore_pressure")
-    quantities: ClassVar[Mapping[str, int]] = {n: k for n, k in Section.quantities.items() if n != "unit_weight"}
 
     def __post_init__(self) -> None:
         """Check layers, surcharges and crack, convert their units and freeze them."""
@@ -121,11 +121,6 @@ class LayeredSection(LayeredNumbers, CrackedSection):
 
     # --- soils -------------------------------------------------------------------------------------------------------
 
-    @property
-    def tops(self) -> list[Any]:
-        """Tops of the layers below the first, whose top is the ground."""
-        return [top for _, top in self.layers[1:]]
-
     @cached_property
     def shape(self) -> Shape:
         """Shape of results that depend on the geometry alone, for one circle of all lanes or one per lane."""
@@ -147,12 +142,9 @@ class LayeredSection(LayeredNumbers, CrackedSection):
     @property
     def _shape_of_numbers(self) -> Shape:
         """Broadcast shape of all numbers of soils and surcharges."""
-        numbers = []
-        for soil in self.soils:
-            numbers += [getattr(soil, name) for name in LANE_NUMBERS]
-        for _, _, left, right in self.surcharge:
-            numbers += [left, right]
-        shapes = [np.shape(number) for number in numbers if number is not None]
+        of_soils = numbers(self.soils_by_name).items()
+        shapes = [np.shape(value) for name, value in of_soils if not name.endswith(".length")]
+        shapes += [np.shape(pressure) for _, _, *ends in self.surcharge for pressure in ends]
         return np.broadcast_shapes(*shapes)
 
     @property
@@ -305,7 +297,7 @@ class LayeredSection(LayeredNumbers, CrackedSection):
         """Friction of the arc as a whole, for a `Scene`."""
         return self.arc_strength.friction
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return messages, including about inputs given both by the scene and by its soils."""
         of_soils = "is given by the soils of a layered section; leave it out"
         found = super().mistakes(friction, effects)

@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from slipcircle.base.kinds import ArrayPair, Floats, Integers
+from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats, Integers
 from slipcircle.layers.strips import Strips
 
 RADIAL_Y, RADIAL_X, POLAR, HEAD, AREA, INERTIA, MOMENT_X, MOMENT_Y = range(8)  # in order; the head is over beta, not x
@@ -61,7 +61,7 @@ class Part(NamedTuple):
         pieces, circles, columns, integrals, terms = self.series.shape
         edges = self.edges
         inside = np.clip(beta, edges[0], edges[-1])
-        piece = np.zeros(beta.shape, dtype=np.intp)
+        piece = np.zeros(beta.shape, np.intp)
         for edge in edges[1:-1]:
             piece += inside >= edge
         number = piece * circles + np.arange(circles)
@@ -203,7 +203,7 @@ def _converged(strips: Strips, weights: Floats, circle: Integers, edges: Floats)
     return done
 
 
-def _developed(values: Floats) -> tuple[Floats, Floats, Floats]:
+def _developed(values: Floats) -> ArrayTriple:
     """Return series of pieces, (pieces, circles, columns, integrals, terms), and sizes of their coefficients.
 
     The head is the greater of the first two coefficients, the tail the greater of the last two.

@@ -3,22 +3,33 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from generated.effects import COHESION_LAWS, LAWS, Parameter
 from slipcircle.base.checks import array_of, freeze, mistakes, raise_all, shown
+from slipcircle.base.kinds import Texts
 from slipcircle.base.units import take_units
 from slipcircle.core.scene.effects import cohesion_law, cohesion_mistakes
 from slipcircle.core.scene.friction import law_mistakes
-from slipcircle.ground.ground import BOUNDS, points_errors
+from slipcircle.core.scene.tree import Parts, bounds, declared, number, parts_of_fields
+from slipcircle.ground.ground import FAR, WEIGHT, points_errors
 from slipcircle.layers.at_rest import cohesion_at_rest, friction_at_rest, least_friction
 
-# Numbers of a soil other than its friction that may vary, and numbers of a soil that may be arrays over lanes.
-SOIL_NUMBERS = ("unit_weight", "cohesion", "saturated_unit_weight", "cohesion_gradient", "pore_ratio")
-LANE_NUMBERS = (*SOIL_NUMBERS[:1], *SOIL_NUMBERS[2:], "peak", "residual", "peak_cohesion", "residual_cohesion")
+STRESS = (-5e-324, 1e12, "a stress of at least 0 in Pa")
+TOP = Parameter(
+    "top",
+    "m",
+    -FAR,
+    FAR,
+    "its top, of the first layer the ground; a line varies by its first height",
+    "top_m",
+    optional=True,
+    allowed="a height in m, or points from left to right",
+)
 
 
 @dataclass(frozen=True)
@@ -48,21 +59,68 @@ class Soil:
     name : str
     """
 
-    unit_weight: ArrayLike
-    cohesion: Any = 0.0
-    friction: Any = 0.0
-    saturated_unit_weight: ArrayLike | None = None
-    cohesion_gradient: ArrayLike = 0.0
+    unit_weight: ArrayLike = field(
+        metadata=number("N/m^3", *WEIGHT, help="unit weight", key="unit_weight_kN_m3", per_unit=1e3)
+    )
+    cohesion: Any = field(
+        default=0.0,
+        metadata={
+            "laws": COHESION_LAWS,
+            **number("Pa", *STRESS, help="cohesion, by default 0", key="cohesion_kPa", per_unit=1e3, optional=True),
+        },
+    )
+    friction: Any = field(default=0.0, metadata={"laws": LAWS})
+    saturated_unit_weight: ArrayLike | None = field(
+        default=None,
+        metadata=number(
+            "N/m^3",
+            *WEIGHT,
+            help="unit weight below the water level",
+            key="saturated_unit_weight_kN_m3",
+            per_unit=1e3,
+            optional=True,
+        ),
+    )
+    cohesion_gradient: ArrayLike = field(
+        default=0.0,
+        metadata=number(
+            "Pa/m",
+            -5e-324,
+            1e12,
+            "a growth of at least 0 in Pa/m",
+            help="growth of the cohesion per metre below datum_m, by default 0",
+            key="cohesion_per_m_kPa",
+            per_unit=1e3,
+            optional=True,
+        ),
+    )
     datum: float | None = None
-    pore_ratio: ArrayLike = 0.0
+    pore_ratio: ArrayLike = field(
+        default=0.0,
+        metadata=number(
+            "",
+            -5e-324,
+            1.0,
+            "at least 0 and below 1",
+            help="r_u, in place of the water level, by default 0",
+            key="pore_pressure_ratio",
+            optional=True,
+        ),
+    )
     name: str = ""
 
     def __post_init__(self) -> None:
         """Check the numbers, convert their units and freeze them."""
-        fields = (*SOIL_NUMBERS, "friction", "datum")
+        fields = (*declared(Soil), "friction", "datum")
         take_units(self, fields)
         freeze(self, fields)
         raise_all(f"Soil {self.name}".rstrip(), soil_mistakes(self))
+
+    def parts(self) -> Parts:
+        """Return the numbers and the laws of the soil by name, with friction as the last one."""
+        found = parts_of_fields(self)
+        friction = found.pop("friction")
+        return {**found, "friction": friction}
 
     @property
     def weight_below_water(self) -> ArrayLike:
@@ -106,21 +164,11 @@ class Soil:
 Layers = Sequence[tuple[Soil, Any]]  # soil and top of each layer
 
 
-def distinct(soils: Iterable[Soil]) -> list[Soil]:
-    """Return each of the soils once."""
-    by_identity = {id(soil): soil for soil in soils}
-    return list(by_identity.values())
-
-
-def soil_mistakes(soil: Soil) -> list[str]:
+def soil_mistakes(soil: Soil) -> Texts:
     """Return a message for each invalid number of a soil."""
-    bounds = {name: BOUNDS[name] for name in SOIL_NUMBERS}
-    if soil.saturated_unit_weight is None:
-        del bounds["saturated_unit_weight"]
     softens = callable(soil.cohesion) or isinstance(soil.cohesion, Mapping)
-    if softens:
-        del bounds["cohesion"]
-    found = mistakes(vars(soil), bounds)
+    absent = {"cohesion": softens, "saturated_unit_weight": soil.saturated_unit_weight is None}
+    found = mistakes(vars(soil), {name: limits for name, limits in bounds(Soil).items() if not absent.get(name)})
     found += cohesion_mistakes(soil.cohesion, "cohesion") if softens else []
     if softens and not found and np.any(soil.cohesion_gradient) and not np.all(soil.peak_cohesion):
         found.append("cohesion.peak = 0: must be positive, as the law multiplies the increase with depth")
@@ -134,7 +182,7 @@ def soil_mistakes(soil: Soil) -> list[str]:
     return found
 
 
-def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> list[str]:
+def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: Any = None) -> Texts:
     """Return a message for each mistake in the layers of a section, its foreland and its surcharges.
 
     Without ``strength`` the section does not move.
@@ -156,8 +204,7 @@ def layer_mistakes(layers: Any, surcharge: Any, strength: str = "", foreland: An
     used = [soil for soil, _ in pairs]
     if isinstance(foreland, Soil):
         used.append(foreland)
-    soils = distinct(used)
-    found += _together_mistakes(soils, strength)
+    found += _together_mistakes(used, strength)
     if not found:
         found += datum_mistakes(foreland, pairs)
     if not isinstance(surcharge, Sequence):
@@ -184,7 +231,7 @@ def top_of(foreland: Soil, layers: Layers) -> Any:
     return next(iter(_tops(foreland, layers)), None)
 
 
-def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
+def datum_mistakes(foreland: Soil | None, layers: Layers) -> Texts:
     """Return a message if the cohesion of the foreland grows with depth and its soil has not one top."""
     if foreland is None or foreland.datum is not None or not np.any(foreland.cohesion_gradient):
         return []
@@ -195,16 +242,15 @@ def datum_mistakes(foreland: Soil | None, layers: Layers) -> list[str]:
     return [f"soils.{foreland.name}.datum: {why}"]
 
 
-def _load_mistakes(k: int, load: Any) -> list[str]:
+def _load_mistakes(k: int, load: Any) -> Texts:
     """Return messages about a surcharge, counted from 0."""
     words = f"surcharge[{k}] = {shown(load)}: must be x1 < x2 in m and pressures there of at least 0 in Pa"
     if not isinstance(load, Sequence) or len(load) != 4:
         return [words]
-    numbers = [array_of(number) for number in load]
-    for number in numbers:
-        if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
-            return [words]
-    first, last, left, right = numbers
+    values = [array_of(value) for value in load]
+    if not all(value.dtype.kind in "iuf" and np.all(np.isfinite(value)) for value in values):
+        return [words]
+    first, last, left, right = values
     in_order = first.ndim == last.ndim == 0 and first < last
     pulls = np.any(left < 0.0) or np.any(right < 0.0)
     if in_order and not pulls:
@@ -212,7 +258,7 @@ def _load_mistakes(k: int, load: Any) -> list[str]:
     return [words]
 
 
-def _top_mistakes(k: int, top: Any) -> list[str]:
+def _top_mistakes(k: int, top: Any) -> Texts:
     """Return messages about the top of a layer, counted from 0 at the ground."""
     if k == 0:
         words = f"layers[0]: top = {shown(top)}: must be None, as its top is the ground"
@@ -224,7 +270,7 @@ def _top_mistakes(k: int, top: Any) -> list[str]:
     if array_of(top).ndim > 1:
         return points_errors(f"layers.{k + 1}.top", top, True)
     name = f"layers.{k + 1}.top"
-    return mistakes({name: top}, {name: BOUNDS["top"]})
+    return mistakes({name: top}, {name: (TOP.lower, TOP.upper, TOP.allowed)})
 
 
 def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
@@ -244,10 +290,10 @@ def share_one_law(soils: Iterable[Soil], strength: str = "friction") -> bool:
     return len(laws) <= 1
 
 
-def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
+def _together_mistakes(soils: list[Soil], strength: str) -> Texts:
     """Return messages about soils that cannot lie along one arc: equal names, and incompatible friction laws."""
-    names = [soil.name for soil in soils]
-    twice = [name for name in sorted({*names}) if names.count(name) > 1]
+    by_name = {soil.name: soil for soil in soils}
+    twice = sorted({soil.name for soil in soils if soil is not by_name[soil.name]})
     found = [f"layers: {name!r} is the name of two soils; give each its own" for name in twice]
     if not strength:
         return found
@@ -259,7 +305,7 @@ def _together_mistakes(soils: list[Soil], strength: str) -> list[str]:
     if share_one_law(soils):
         return found
     if strength == "base":
-        others = ", ".join(soil.name for soil in soils if isinstance(soil.friction, Mapping))
+        others = ", ".join(name for name, soil in by_name.items() if isinstance(soil.friction, Mapping))
         found.append(
             f"layers: the soils along an arc share one law of slip with one length, and not {others}, as base that the "
             "mass reaches has slipped less than the sole; with {strength} = 'mass' each may have a law of its own"

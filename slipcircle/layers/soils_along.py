@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from slipcircle.base.checks import plain
 from slipcircle.base.kinds import Floats
 from slipcircle.layers.layers import LayeredSection
 from slipcircle.layers.profile import AREA, HEAD, RADIAL_Y
@@ -66,7 +67,7 @@ def stretches(section: LayeredSection) -> tuple[Stretch, ...]:
         soil, _ = section.layers[layer]
         start = float(ends[k])
         end = float(ends[k + 1])
-        ratio = float(np.asarray(soil.pore_ratio))
+        ratio = plain(soil.pore_ratio)
         pressure = ratio * vertical[k] if ratio else _head(section, start, end)
         gradient = np.asarray(soil.cohesion_gradient)
         increase = gradient * growth[layer, k]
@@ -93,7 +94,7 @@ def mean_normal_stress(section: LayeredSection, directions: ArrayLike) -> Floats
     Directions increase and are measured as in `Stretch`.
     """
     _one_lane(section)
-    ends = np.asarray(directions, dtype=np.float64)
+    ends = np.asarray(directions, float)
     return _means(section, ends, -_from_entry(section, RADIAL_Y, ends))
 
 
@@ -108,7 +109,7 @@ def _one_lane(section: LayeredSection) -> None:
 
 
 def _radius(section: LayeredSection) -> float:
-    return float(np.asarray(section.radius))
+    return plain(section.radius)
 
 
 def soils_under(section: LayeredSection, rotation: float = 0.0) -> tuple[list[int], Floats]:
@@ -152,5 +153,5 @@ def _head(section: LayeredSection, start: float, end: float) -> float:
     low, high = np.sort([[facing * start], [facing * end]], axis=0)
     (integral,) = section.heads_between(low, high)
     height = float(integral / (high - low)[0])
-    water_unit_weight = float(np.asarray(section.water_unit_weight))
+    water_unit_weight = plain(section.water_unit_weight)
     return height * _radius(section) * water_unit_weight

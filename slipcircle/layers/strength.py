@@ -19,7 +19,7 @@ from generated.program import OF_SOIL
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Names, Parameters, ValueDict
 from slipcircle.core.scene.effects import Law
 from slipcircle.layers.cohesion import SoilCohesion
-from slipcircle.layers.soils import Soil, distinct, share_one_law
+from slipcircle.layers.soils import Soil, share_one_law
 from slipcircle.layers.stretches import LIKE_WEIGHTS, StretchIntegrals
 
 
@@ -177,7 +177,7 @@ class ArcStrength(StretchIntegrals):
         peak = self.section._shaped(self.mean_peak)
         rate = {} if self.section.rate is None else {"rate": self.section.rate}
         if self._own_laws:
-            by_soil = {soil.name: soil.friction for soil in self.distinct_soils}
+            by_soil = {name: soil.friction for name, soil in self.section.soils_by_name.items()}
             return MeanFriction(law="of each soil", coefficient=peak, soils=by_soil, **rate)
         if not self._laws:
             return MeanFriction(law="constant", coefficient=peak, **rate)
@@ -227,7 +227,7 @@ class ArcStrength(StretchIntegrals):
     @property
     def distinct_soils(self) -> list[Soil]:
         """Soils of the layers and of the foreland, without repetition."""
-        return distinct(self.section.soils)
+        return list(self.section.soils_by_name.values())
 
     def _is_soil(self, soil: Soil) -> Floats:
         """Return 1 for a soil and 0 for the other soils, (soils, 1)."""

@@ -63,8 +63,7 @@ def _moves(program: Program, rounding: float, is_refined: bool = False) -> Float
         moved += [table.cells + ix.SCALED_BY for table in program.tables]  # factors of the values of tables
     signs = np.zeros((len(program.cells), RUNS))
     for number, cell in enumerate(moved):
-        factor = number % len(_FIRST)
-        signs[cell, 1:] = SIGNS[:, factor]
+        signs[cell, 1:] = SIGNS[:, number % len(_FIRST)]
     factors = 1.0 + rounding * signs
     factors[ix.FACTOR] = LONGER
     return factors
@@ -117,19 +116,14 @@ def _of_ensemble(problem: Problem, final: Final, rounding: float) -> tuple[Float
     of_motion = np.array(_summary(final))
     sizes = np.maximum(np.abs(of_motion), LEAST_SIZE)
     spread = np.zeros(problem.lanes)
-    unlike = np.zeros(problem.lanes, dtype=bool)
+    unlike = np.zeros(problem.lanes, bool)
     for run in range(1, RUNS):
-        alone = slice(run, run + 1)
-        cells = integrate(problem, perturbed_runs(problem, alone, rounding))
-        of_run = np.array(_summary(cells))
-        change = np.abs(of_run - of_motion)
-        greatest = np.fmax.reduce(change / sizes)
+        cells = integrate(problem, perturbed_runs(problem, slice(run, run + 1), rounding))
+        greatest = np.fmax.reduce(np.abs(np.array(_summary(cells)) - of_motion) / sizes)
         spread = np.fmax(spread, greatest)
         # Whether runs end with another status than the motion, or move where the motion does not.
         other_status = _ending(cells[ix.STATUS]) != _ending(final[ix.STATUS])
-        moves = cells[ix.PHASES] > 0.0
-        phases = final[ix.PHASES]
-        unlike |= other_status | (moves != (phases > 0.0))
+        unlike |= other_status | ((cells[ix.PHASES] > 0.0) != (final[ix.PHASES] > 0.0))
     return spread, unlike
 
 
@@ -137,8 +131,7 @@ def _closer(plan: Plan, problem: Problem) -> Problem:
     """Return the same lanes with more accurate interpolation of functions of the rotation."""
     if not any(table.kind == "rotation" for table in problem.program.tables):
         return problem
-    accuracy = max(CLOSER * plan.accuracy, CLOSEST)
-    closer = problem_of(replace(plan, accuracy=accuracy))
+    closer = problem_of(replace(plan, accuracy=max(CLOSER * plan.accuracy, CLOSEST)))
     return replace(problem, data=closer.data, farther=closer.farther)
 
 
@@ -157,13 +150,11 @@ def _of_single(problem: Problem, final: Final, rounding: float) -> tuple[float, 
     if not (_end_alike(status, final) and move_alike):
         return 1.0, True
     in_time = [code == ix.ENDED and final[ix.TIME] < np.inf for code in status]
-    durations = np.where(in_time, end_times, rests).tolist()
-    rows = durations, run_outs, [*map(abs, peaks)]
+    rows = np.where(in_time, end_times, rests).tolist(), run_outs, [*map(abs, peaks)]
     greatest = [max(max(row) - of, of - min(row)) for row, of in zip(rows, of_motion, strict=True)]
     if moves:
         rotation_and_velocity = states[:2]
-        of_run_0 = rotation_and_velocity[:, :, :1]
-        change = np.abs(rotation_and_velocity - of_run_0)
+        change = np.abs(rotation_and_velocity - rotation_and_velocity[:, :, :1])
         greatest += np.fmax.reduce(change.reshape(2, -1), axis=1).tolist()
     sizes = [max(abs(of), LEAST_SIZE) for of in of_motion]
     return max(map(truediv, greatest, sizes + sizes[1:])), False

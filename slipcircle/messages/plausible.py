@@ -15,7 +15,7 @@ import numpy as np
 from generated import effects as declared
 from slipcircle.base.checks import UnusualInput
 from slipcircle.core.scene.scene import Scene
-from slipcircle.derivatives.parameters import possible_parameters
+from slipcircle.core.scene.tree import leaves
 
 _STRONG = 1e6  # Pa, g
 _STRONGEST = 5.0
@@ -27,8 +27,7 @@ def questions(scene: Scene, written: Callable[[str, float], str] | None) -> Iter
     ``written`` converts a name and a value in SI units to the number as the user wrote it. Without it, the question
     begins with name and value.
     """
-    known = possible_parameters(scene)
-    units = {name: parameter.unit for name, parameter in known.items()}
+    units = {leaf.path: leaf.number.unit for leaf in leaves(scene)}
 
     def in_si(name: str, value: float) -> str:
         unit = units.get(name, "")

@@ -3,10 +3,8 @@
 import math
 from typing import Any
 
-import numpy as np
-
 from generated.layout import MOST_TURNS, TIME
-from slipcircle.base.checks import InputError
+from slipcircle.base.checks import InputError, plain
 from slipcircle.core import Status
 from slipcircle.core.scene.effects import rotates
 
@@ -18,7 +16,7 @@ _REMEDIES = {"friction": "less friction", "drag": "a greater xi", "viscosity": "
 def refusal(motion: Any) -> InputError:
     """Return the error that explains why a single scene has no result and how to change the scene."""
     scene = motion.plan.scene
-    speed = float(np.asarray(scene.initial_velocity))
+    speed = plain(scene.initial_velocity)
     status = motion.status
     turns = rotates(motion.plan.recipe.effects)
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import digits_left, measured, shown
+from slipcircle.base.text import digits_left, measured, printed, shown
 from slipcircle.core.motion.states import Status
 
 OUTSIDE = "outside the range of the method"
@@ -25,30 +25,28 @@ def summary(motion: Any) -> str:
     if not motion.moves:
         return standing(motion)
     digits = digits_left(motion.error_estimate)
-    velocity = shown(motion.outcomes["peak_velocity"], digits)
-    run_out = shown(motion.run_out, digits)
+    velocity = measured(motion.outcomes["peak_velocity"], "m/s", digits)
+    run_out = measured(motion.run_out, "m", digits)
     if motion.status is Status.CREEPS:
         arrival = shown(motion.settling_time, digits)
-        return f"{velocity} m/s at most; creeps to a run-out of {run_out} m, 99 % of it in {arrival} s"
+        return f"{velocity} at most; creeps to a run-out of {run_out}, 99 % of it in {arrival} s"
     duration = shown(motion.duration, digits)
     end = "comes to rest after" if motion.arrested else "still moving at"
     if swings_back(motion):
-        end = f"swings back to {shown(motion.end.displacement, digits)} m; {end}"
+        end = f"swings back to {measured(motion.end.displacement, 'm', digits)}; {end}"
     if not motion.arrested and motion.plan.scene.end_time is None:
         end = "followed to its first standstill at"
-    return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
+    return f"{velocity} at most; run-out {run_out}; {end} {duration} s"
 
 
 def ensemble_summary(motion: Any) -> str:
     """Return the number of lanes by status, and the range of their run-outs."""
     counts = [f"{Status[name].words}: {count}" for name, count in motion.count().items()]
-    unknown = np.isnan(motion.run_out)
-    known = motion.run_out[~unknown]
+    known = motion.run_out[~np.isnan(motion.run_out)]
     span = "not known"
     if known.size:
-        least = shown(known.min())
-        greatest = shown(known.max())
-        span = f"{least} to {greatest} m"
+        factor, unit = printed("m")
+        span = f"{shown(factor * known.min())} to {shown(factor * known.max())} {unit}"
     return f"{', '.join(counts)}; run-out {span}"
 
 

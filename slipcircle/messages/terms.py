@@ -1,7 +1,7 @@
 """Terms of the equation of motion of a scene, and the numbers in them."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,11 +9,11 @@ import numpy as np
 from generated.effects import COHESION_LAWS, EFFECTS, LAWS, Parameter
 from generated.flow import COEFFICIENTS, EQUATION_QUANTITIES, SOIL_COEFFICIENTS, SOIL_TERMS, TERMS
 from generated.program import OF_COHESION
-from slipcircle.base.kinds import Names, Parameters
+from slipcircle.base.kinds import Names, Parameters, Texts
 from slipcircle.core.problem.plan import Plan
 from slipcircle.core.problem.problem import Problem
 from slipcircle.core.scene.effects import rotates, soil_number, without_soil
-from slipcircle.core.scene.friction import law_parts, law_paths
+from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.mass import Mass
 from slipcircle.core.scene.scene import Scene
 
@@ -118,7 +118,7 @@ def _term_of_law(symbol: str, law: str) -> EquationTerm:
     return EquationTerm(symbol, formula, law, latex=latex)
 
 
-def symbols_in(formula: str) -> list[str]:
+def symbols_in(formula: str) -> Texts:
     """Return the symbols in a formula."""
     return re.findall(r"[A-Za-z_]\w*'?", formula)
 
@@ -158,13 +158,13 @@ def numbers_of(plan: Plan, problem: Problem, soils: tuple[Any, ...]) -> Iterator
     for effect in plan.effects:
         yield from _numbers_of_effect(effect, scene, problem)
     yield from _numbers_of_cohesion(scene)
-    paths = law_paths(scene.friction)
     laws = law_parts(scene.friction)
-    for k, (path, (name, parameters)) in enumerate(zip(paths, laws, strict=True), 1):
+    has_rate = isinstance(scene.friction, Mapping) and "rate" in scene.friction
+    for k, (name, parameters) in enumerate(laws, 1):
         law = LAWS.get(without_soil(name))
         if law is None:
             continue
-        is_rate = path == "friction.rate"
+        is_rate = has_rate and k == len(laws)
         index = f"{k}" if soil_number(name) else "i" if soils and not is_rate else ""
         prefix = "rate_" if is_rate else ""
         for p in law.parameters:

@@ -43,13 +43,11 @@ def velocity_times(motion: Any) -> VelocityTimes:
     """
     above = np.zeros(len(CLASSES) + 1)  # times above the least velocity of each class, the slowest first
     phases = motion.phases if motion.moves else ()
-    angle = np.linspace(0.0, np.pi, SAMPLES)
-    share = (1.0 - np.cos(angle)) / 2
+    share = (1.0 - np.cos(np.linspace(0.0, np.pi, SAMPLES))) / 2
     for phase in phases:
         length = phase.end - phase.start
         times = phase.start + length * share
-        peak = np.clip(motion.peak.time, phase.start, phase.end)
-        times = np.unique([*times, peak])
+        times = np.unique([*times, np.clip(motion.peak.time, phase.start, phase.end)])
         above[0] += length
         for place, limit in enumerate(LIMITS, 1):
             above[place] += _time_above(motion, times, limit)
@@ -62,8 +60,7 @@ def _time_above(motion: Any, times: Floats, limit: float) -> float:
     before = faster[:-1]
     after = faster[1:]
     crosses = before != after
-    lengths = np.diff(times)
-    whole = np.sum(lengths[before & after])
+    whole = np.sum(np.diff(times)[before & after])
     begins_faster = before[crosses]
     start = times[:-1][crosses]
     end = times[1:][crosses]

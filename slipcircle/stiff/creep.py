@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import layout as ix
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, quiet
 from slipcircle.base.kinds import ArrayPair, Flags, Floats, Integers
 from slipcircle.base.sections import first_section
 from slipcircle.core.integrator import compiled
@@ -109,7 +109,7 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
         return integrate_lanes(begin, samples)
     begin = begin.copy()
     begin[ix.STEPS, which] = _first_steps(STEPS * damping * end_time)
-    creeping = np.zeros(which.size, dtype=bool)
+    creeping = np.zeros(which.size, bool)
     undecided = ~creeping
     while undecided.any() and end_time.max() < LONGEST:
         cells = integrate_lanes(_until(begin, which, end_time), None)
@@ -123,9 +123,7 @@ def integrate(problem: Problem, begin: Floats, samples: Samples | None, integrat
     rotation = equilibrium[creeping]
     arrival = _arrival(Now(problem, lanes, begin), rotation, end_time[creeping], integrate_lanes)
     if samples is not None:
-        last_sample = samples.times[-1].max()
-        last = np.maximum(end_time, last_sample)
-        integrate_lanes(_until(begin, which, last), samples)
+        integrate_lanes(_until(begin, which, np.maximum(end_time, samples.times[-1].max())), samples)
     _settle(cells, lanes, rotation, arrival)
     cells[ix.END_TIME, which] = np.inf
     cells[ix.STATUS, which[undecided]] = ix.TOO_LONG
@@ -141,12 +139,10 @@ def slow_rotation(problem: Problem) -> Floats:
         return np.full(problem.lanes, np.nan)
     lanes = np.arange(problem.lanes)
     cells = problem.cells()
-    place = problem.program.places["driving_moment"]
-    direction = _direction(cells[place])
+    direction = _direction(cells[problem.program.places["driving_moment"]])
     cells[ix.DIRECTION] = direction
     now = Now(problem, lanes, cells)
-    start = np.zeros((1, lanes.size))
-    (net,) = _net(now, start)
+    (net,) = _net(now, np.zeros((1, lanes.size)))
     stands = net <= 0.0
     ahead = _ahead(now)
     left = np.where(stands, 0.0, ahead.left)
@@ -243,7 +239,7 @@ def _ahead(now: Now) -> Ahead:
     shares[0] = NEXT
     left = shares[:, None] * low
     net = _net(now, low - left)
-    with np.errstate(all="ignore"):
+    with quiet():
         stiffness = np.where(falls, net / left, np.inf)
     return Ahead(
         left=np.where(falls, low, np.inf),

@@ -14,7 +14,7 @@ import numpy as np
 
 from generated import integrator
 from generated import layout as ix
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, quiet
 from slipcircle.base.kinds import Floats, Integers
 from slipcircle.core.integrator.compiled import Log, Samples, engine
 from slipcircle.core.problem.problem import Problem
@@ -57,7 +57,7 @@ def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log
         state = lane.cells
         state[ix.STATUS] = ix.MOVING
         state[ix.STEPS] = 0.0
-        with np.errstate(all="ignore"):
+        with quiet():
             integrator.advance_origin(lane, _ONE)
             state[ix.PENDING] = ix.BEGIN_PHASE
             integrator.begin_phases(lane)
@@ -67,7 +67,7 @@ def integrate(problem: Problem, cells: Floats, samples: Samples | None, log: Log
 
 
 _ONE = np.arange(1)  # the index of the one lane
-_HERE = np.ones(1, dtype=bool)
+_HERE = np.ones(1, bool)
 
 
 class Event(NamedTuple):

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.polynomial import legendre
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, Pair
+from slipcircle.base.kinds import ArrayTriple, Floats, Pair
 
 POINTS = 12
 LEAST_SIZE = 1e-300  # divisor in place of 0
@@ -23,7 +23,7 @@ TOLERANCE = 1e-13  # relative size of the last coefficients of a step's polynomi
 SAFETY = 0.9  # ratio of a step to the step whose error would equal the tolerance
 
 
-def _radau(count: int) -> tuple[Floats, Floats, Floats]:
+def _radau(count: int) -> ArrayTriple:
     """Return the points c_i in (0, 1], a_ij, and the matrix from values at 0 and c_i to Legendre coefficients."""
     difference = np.zeros(count + 1)
     difference[-2:] = -1.0, 1.0  # P_s - P_(s-1), 1 among its roots

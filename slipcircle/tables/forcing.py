@@ -60,7 +60,7 @@ def record_numbers(shaking: Parameters) -> ValueDict:
     if not isinstance(record, Series):
         return {}
     scale = factor("shaking", shaking, "horizontal")
-    return {"shaking.scale": scale, "shaking.peak": scale * record.greatest}
+    return {"scale": scale, "peak": scale * record.greatest}
 
 
 def in_time(called: Effects) -> dict[str, Series | Pulse]:
@@ -69,8 +69,7 @@ def in_time(called: Effects) -> dict[str, Series | Pulse]:
     for effect, given in called.items():
         for name, value in given.items():
             if isinstance(value, Series | Pulse):
-                scale = float(factor(effect, given, name))
-                functions[f"{effect}.{name}"] = value.scaled(scale)
+                functions[f"{effect}.{name}"] = value.scaled(float(factor(effect, given, name)))
     return functions
 
 
@@ -90,8 +89,7 @@ def _water(given: Parameters) -> ValueDict:
     if time.ndim != 1 or not lists:
         raise InputError("", ["{time} and {ratio} or {pressure}: must be lists of numbers"])
     for name in lists:
-        values = array_of(rest[name])
-        rest[name] = Series(time, values)
+        rest[name] = Series(time, array_of(rest[name]))
     return rest
 
 
@@ -115,9 +113,7 @@ def _as_series(given: Parameters) -> ValueDict:
         if needed not in given:
             raise InputError("", [f"{{{needed}}} is missing: a pulse needs it"])
     start = float(given.get("start", 0.0))
-    duration = float(given["duration"])
-    cycles = float(given.get("cycles", 1.0))
-    pulse = Pulse(given["pulse"], 1.0, start, duration, cycles)
+    pulse = Pulse(given["pulse"], 1.0, start, float(given["duration"]), float(given.get("cycles", 1.0)))
     made = {"horizontal": pulse}
     if "vertical_amplitude" in given:
         made["vertical"] = pulse
@@ -133,9 +129,7 @@ def _check_strength(given: Parameters) -> None:
         record = given.get(name)
         if not isinstance(record, Series):
             continue
-        factors = np.abs(factor("shaking", given, name))
-        greatest_factor = float(np.max(factors))
-        peak = greatest_factor * record.greatest
+        peak = float(np.max(np.abs(factor("shaking", given, name)))) * record.greatest
         if peak > STRONGEST:
             unlikely = f"{{{name}}} reaches {peak:.6g} g, more than any recorded ground motion ({STRONGEST:g} g)"
             unit = 'its values are over gravity; in Python give their unit, such as Record(t, a, units="cm/s2")'

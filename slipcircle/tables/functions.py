@@ -28,10 +28,8 @@ def first_table(function: Function, radius: Any) -> Data:
 def extend(problem: Problem, cells: Floats) -> None:
     """Extend the tables of a problem's functions to the slip of lanes."""
     for name, function in problem.functions.items():
-        place = problem.program.places[f"{name}.SCALE"]
-        slip = cells[ix.SLIP] * cells[place]
-        greatest = np.max(slip)
-        farthest = float(greatest)
+        slip = cells[ix.SLIP] * cells[problem.program.places[f"{name}.SCALE"]]
+        farthest = float(np.max(slip))
         farthest *= 1.0 + 1e-12
         table = problem.data[name]
         end = float(table.breaks[-1])
@@ -107,7 +105,7 @@ def _values(function: Function, slip: Floats) -> Floats:
         values = np.asarray(function(slip))
         if values.dtype.kind == "c":
             raise ValueError("complex numbers")
-        values = values.astype(np.float64)
+        values = values.astype(float)
     except Exception as error:  # any exception means an invalid function
         reason = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
         raise ValueError(f"friction: {reason}") from error

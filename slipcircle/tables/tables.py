@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from generated.flow import PIECES
-from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import ArrayDict, Floats, Parameters, Shape, Texts
 from slipcircle.core.scene.piecewise import Data
 from slipcircle.tables.interpolation import continuous
 from slipcircle.tables.series import LaneSeries, Pulse, Series
@@ -31,7 +32,7 @@ def of_law(name: str, parameters: Mapping[str, ArrayLike], shape: Shape) -> tupl
     return table, 1.0, of_places.unit
 
 
-def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> list[str]:
+def list_faults(path: str, name: str, parameters: Parameters, values: str = "coefficient") -> Texts:
     """Return the mistakes in a tabulated law, where ``values`` names its second list."""
     argument = LAWS[name].parameters[0].name
     places = np.asarray(parameters[argument], float)
@@ -117,7 +118,7 @@ def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data
     weight_before = 2 * step_after + step_before
     weight_after = step_after + 2 * step_before
     weight = weight_before + weight_after
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         reciprocal = weight_before / before + weight_after / after
         mean = weight / reciprocal
     same_sign = before * after > 0.0

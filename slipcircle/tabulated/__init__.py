@@ -9,7 +9,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import INFINITY, Bounds, choose, mistakes
-from slipcircle.base.kinds import Effects, Names, Numbers
+from slipcircle.base.kinds import Effects, Names, NumberMap, Numbers, Texts
 from slipcircle.core import Arc, Dimensionless
 
 __all__ = ["GIVEN", "GivenArc"]
@@ -28,7 +28,7 @@ GIVEN: Mapping[str, Bounds] = {
 class GivenArc(Arc[Numbers]):
     """Arc with tabulated instead of computed coefficients, which are valid only in its initial position."""
 
-    def _mistakes(self) -> list[str]:
+    def _mistakes(self) -> Texts:
         return super()._mistakes() + _given_mistakes(self.given)
 
     def __post_init__(self) -> None:
@@ -37,12 +37,12 @@ class GivenArc(Arc[Numbers]):
         object.__setattr__(self, "given", dict(self.coefficients))
 
     @property
-    def coefficients(self) -> Mapping[str, float]:
+    def coefficients(self) -> NumberMap:
         """Tabulated coefficients, with the names of `GIVEN`."""
         assert self.given is not None
         return self.given
 
-    def mistakes(self, friction: Any, effects: Effects) -> list[str]:
+    def mistakes(self, friction: Any, effects: Effects) -> Texts:
         """Return a message if an effect turns the mass, since the coefficients belong to its initial position."""
         if any(EFFECTS[name].turns for name in effects if name in EFFECTS):
             return ["arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"]
@@ -90,7 +90,7 @@ class GivenArc(Arc[Numbers]):
         return self.dimensionless.radial_weight_per_inertia
 
 
-def _given_mistakes(given: Any) -> list[str]:
+def _given_mistakes(given: Any) -> Texts:
     """Return messages about the tabulated coefficients."""
     if not isinstance(given, Mapping):
         return [f"given = {given!r}: must be a mapping of coefficients, or None"]

@@ -59,7 +59,7 @@ def of_arc(rng: Rng) -> Scene:
 
 def of_section(rng: Rng) -> Scene:
     """Return a mass under any ground, dry or under a level, with every kind of time, rate, heat and record."""
-    return section_references.scene(section_references.drawn(str(rng.choice(section_references.GROUPS)), rng))
+    return section_references.scene(section_references.drawn(rng))
 
 
 def of_layers(rng: Rng) -> Scene:

@@ -50,7 +50,7 @@ def number(rng: Random) -> Any:
 
 def allowed(rng: Random, key: Any) -> float:
     """Return a number that a key may have, often of an odd size."""
-    low, high = key.number.low, key.number.high
+    low, high = key.low, key.high
     wide = rng.random() < 0.3
     size = 10 ** (rng.uniform(-12, 20) if wide else rng.uniform(-2, 3))
     size = size if rng.random() < 0.8 or low >= 0.0 else -size

@@ -53,13 +53,17 @@ def friction(law: str, low: float, high: float, length: float, speed: float, pac
     return falls | {"length": length}
 
 
-def drawn(effects: tuple[str, ...], law: str, seed: int) -> golden.Data:
-    """Return a scene of an arc, a start and parameters drawn so that every effect matters."""
+def drawn(effects: tuple[str, ...], law: str, seed: int, mass: tuple[Any, Any] | None = None) -> golden.Data:
+    """Return a scene with a start and parameters drawn so that every effect matters.
+
+    ``mass`` is the data of an arc or a section with its moments; by default an arc is drawn.
+    """
     rng = np.random.default_rng([seed, LAWS.index(law), ALL.index(effects)])
-    given = arc(str(rng.choice(list(ARCS))))
-    m = {k: float(v) for k, v in oracle.moments(given).items()}
-    limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))
-    stress = m["press"] * math.cos(m["dip"]) / m["level"] * m["reference_stress"]
+    given, moments = mass or (arc(str(rng.choice(list(ARCS)))), None)
+    m = {k: float(v) for k, v in (moments or oracle.moments(given)).items()}
+    load = m["press"] * math.cos(m.get("lean", m["dip"]))  # normal
+    limit = m["fall"] * abs(math.sin(m["dip"])) / load
+    stress = load / m["level"] * m["reference_stress"]
     speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
     layer = 2 * m["half_angle"] / m["inertia"]
     called: dict[str, Any] = {e: {} for e in effects}

@@ -31,7 +31,7 @@ def of_sections(**changed: Any) -> Scene:
     return Scene(Section(**slope | changed), 0.25, effects)
 
 
-def of_layers(section: LayeredSection, values: Mapping[str, Sequence[float]]) -> Scene:
+def of_layers(section: LayeredSection, values: Mapping[str, Sequence[Any]]) -> Scene:
     arrays = {name: np.array(numbers) for name, numbers in values.items()}
     return with_parameter_arrays(Scene(section, effects=TURNING), arrays)[0]
 
@@ -63,6 +63,8 @@ SCENES: dict[str, Scene] = {
     "soils, the base": of_layers(profile("softening", "base"), SOILS),
     "soils, the mass": of_layers(profile("softening", "mass"), SOILS),
     "laws of soils": of_layers(of_each_soil(level=BELOW_GROUND), {"soils.a.friction.length": [0.3, 0.302]}),
+    "rows of circles, columns of soils": of_layers(
+        profile("softening", "base"), {"radius": [[48.0], [47.5]], "soils.soil 1.unit_weight": [19e3, 18e3, 18.5e3]}),
     "circles and boundaries": of_layers(
         profile("constant friction"), {"radius": [48.0, 47.5], "layers.3.top": [2.0, 2.4]}),
     "cracks, loads and cohesion": of_layers(CRACKED, CUT),

@@ -1,9 +1,14 @@
-"""Tests by the files that they reach: ``reach.json``, which ``python -m tests.campaigns.mutants --map FILE`` writes."""
+"""Tests by the files that they reach, and the option ``--of FILE`` of ``./run test``, a plugin of pytest.
+
+``python -m tests.campaigns.mutants 0 --map FILE`` writes the map, ``reach.json``.
+"""
 
 import json
 from collections.abc import Iterable, Mapping
 from itertools import groupby
 from pathlib import Path
+
+import pytest
 
 FILE = Path(__file__).with_name("reach.json")
 ROOT = FILE.parents[2]
@@ -46,3 +51,21 @@ def tests_of(files: Iterable[str]) -> tuple[set[str], set[str]]:
             first, _, last = run.partition("-")
             chosen |= {*names[int(first) : int(last or first) + 1]}
     return chosen, {*names}
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add ``--of FILE``, which may be repeated."""
+    parser.addoption("--of", action="append", metavar="FILE", help="run the tests that reach this file, and new tests")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Deselect the tests that are known to reach none of the files of ``--of``."""
+    if files := config.getoption("of"):
+        try:
+            chosen, known = tests_of(files)
+        except ValueError as error:
+            raise pytest.UsageError(str(error)) from None
+        others = [item for item in items if item.nodeid.partition("[")[0] in known - chosen]
+        config.hook.pytest_deselected(items=others)
+        items[:] = [item for item in items if item not in {*others}]

@@ -7,7 +7,7 @@ line of the package. That series of another length agree says how good they are.
 
 import math
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -141,9 +141,6 @@ def zero(series: arb_series, h: arb, passed: bool = False) -> arb | None:
         if abs(step) <= abs(at) * arb(2) ** (8 - ctx.prec):
             break
     return at
-
-
-BLOCK = 6  # of coefficients that one evaluation of the slopes gives
 
 
 class Step(NamedTuple):
@@ -297,9 +294,8 @@ class Solution:
                 lifted: bool, reach: arb | None) -> tuple[tuple[arb_series, ...], arb_series]:  # fmt: skip
         """Return the series of x, omega and the excess pressure, and of the normal load.
 
-        With n coefficients known, the slopes S of the series so far lack only what the next ones add, which is linear
-        in them: y[k] k = S[k - 1] + sum J[i] y[k - 1 - i], n <= k < n + BLOCK, J being the Jacobian along the motion.
-        Coefficients that do not count within reach, where that is short, are left out.
+        Coefficient n of a series is coefficient n - 1 of its slope over n. Within a short reach, coefficients without
+        influence are left out.
         """
         p, known = self.p, [[s.mid()] for s in start]
 
@@ -316,31 +312,10 @@ class Solution:
                 heat = friction * omega * (p.kappa / p.level) if p.heats else heat
             return omega, rate, heat
 
-        def jacobian() -> Iterator[list[list[arb]]]:
-            """Yield for each variable the first coefficients that t**BLOCK in it adds to each slope."""
-            ctx.cap = 2 * BLOCK - 1
-            series, further = [arb_series(k) for k in known], arb_series([0] * BLOCK + [1])
-            before = slopes(*series)
-            for j in range(2 + p.heats):
-                after = slopes(*(s + further if i == j else s for i, s in enumerate(series)))
-                added = (a - b for a, b in zip(after, before, strict=True))
-                yield [[slope[k].mid() for k in range(BLOCK, 2 * BLOCK - 1)] for slope in added]
-
-        n, columns = 1, list[list[list[arb]]]()
-        while n < self.terms:
-            if n == BLOCK:
-                columns = [*jacobian()]
-            last = n + 1 if n < BLOCK else min(n + BLOCK, self.terms)
-            ctx.cap = last - 1
-            found = slopes(*(arb_series(k) for k in known))
-            for k in range(n, last):
-                new = [slope[k - 1] for slope in found]
-                for column, variable in zip(columns, known, strict=False):
-                    for row, of_slope in enumerate(column):
-                        new[row] += sum(a * b for a, b in zip(of_slope, variable[k - 1 : n - 1 : -1], strict=False))
-                for of_one, added in zip(known, new, strict=True):
-                    of_one.append((added / k).mid())
-            n = last
+        for n in range(1, self.terms):
+            ctx.cap = n
+            for of_one, slope in zip(known, slopes(*(arb_series(k) for k in known)), strict=True):
+                of_one.append((slope[n - 1] / n).mid())
             if n > 9 and reach is not None and reach < 0.01 and not any(self._counts(k, reach) for k in known[:2]):
                 break
         ctx.cap = self.terms

@@ -478,7 +478,17 @@ INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
 INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
 INLINE V log_of(V x) { return by_lanes(log, x); }
 INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
-INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
+INLINE V sqrt_of(V x)
+{
+#if WIDE == 512
+    return (V)_mm512_sqrt_pd((__m512d)x);
+#elif SPAN == 256
+    return (V)_mm256_sqrt_pd((__m256d)x);
+#else
+    for (int k = 0; k < LANES; k++) x[k] = sqrt(x[k]);
+    return x;
+#endif
+}
 
 /* What the text of the operations calls functions of vectors. */
 #define IN(name) vector_##name
@@ -670,6 +680,31 @@ static void load_lane(Batch *b, unsigned k, int64_t column)
     if (c[STATUS][k] == START) start(b, k);
 }
 
+/* Neighbours that have not begun take all lanes at once. */
+static int load_neighbours(Batch *b, int64_t first)
+{
+    const Job *const job = b->job;
+    if (b->held || job->end - first < LANES) return 0;
+    for (int k = 0; k < LANES; k++) if (job->all[STATUS * job->count + first + k] != START) return 0;
+    const double *from = job->all + first;
+    for (int i = 0; i < job->made; i++, from += job->count) memcpy(b->c + i, from, sizeof(V));
+    for (int k = 0; k < LANES; k++) b->column[k] = first + k, start(b, k);
+    b->held = ALL;
+    return 1;
+}
+
+/* Neighbours that have come to rest leave at once. */
+static int store_neighbours(Batch *b, unsigned ended)
+{
+    const Job *const job = b->job;
+    for (int k = 0; k < LANES; k++) if (b->column[k] != b->column[0] + k) return 0;
+    if (ended != ALL || !all_lanes(b->c[STATUS] == (double)ARRESTED)) return 0;
+    double *to = job->all + b->column[0];
+    for (int i = 0; i < OMEGA - 1 + job->states; i++, to += job->count) memcpy(to, b->c + i, sizeof(V));
+    b->held = 0;
+    return 1;
+}
+
 /* Of a lane that has ended only the first cells are read. */
 static void store_lane(Batch *b, unsigned k)
 {
@@ -732,7 +767,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
     const int least_free = job->autonomous == 2 && job->timed ? LANES : LEAST_FREE;
     for (int64_t round = 0;; round++) {
         const int vacant = LANES - __builtin_popcount(b->held);
-        if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
+        if (round < job->budget && load_neighbours(b, next)) next += LANES;
+        else if (round < job->budget && (vacant >= least_free || vacant >= job->end - next))
             EACH(k, ~b->held & ALL) {
                 while (next < job->end && !is_active(job, next)) next++;
                 if (next == job->end) break;
@@ -741,7 +777,8 @@ static __attribute__((noinline)) int64_t integrate_queue(Job *job)
         begin_phases(b);
         if (round >= job->budget || !b->held || (job->notes_room && job->notes_room - job->noted < LANES)) break;
         advance(b, lanes(b->held));
-        EACH(k, b->held & ~bits(c[STATUS] <= (double)RESTING)) store_lane(b, k);
+        const unsigned ended = b->held & ~bits(c[STATUS] <= (double)RESTING);
+        if (!store_neighbours(b, ended)) EACH(k, ended) store_lane(b, k);
     }
     int64_t left = 0;
     EACH(k, b->held) store_lane(b, k), left++;

@@ -26,6 +26,7 @@ from derive.flow.integrator.records import look_for_quiet, rest_through, slide_t
 from derive.flow.integrator.roots import first_root, increment, margin_of, may_cross
 from derive.flow.integrator.series import expand, radius_of_convergence
 from derive.flow.integrator.step import make_step
+from derive.flow.integrator.swing import leap
 from derive.flow.integrator.tables import next_break, pass_breaks
 
 TOUCHES = 2.0  # units of rounding of the drive below which the net moment at rest is zero
@@ -173,12 +174,14 @@ def stop_endless(s: Lanes, here: M) -> None:
 
 
 def advance(s: Lanes, here: M) -> None:
-    """Make one step of the moving lanes or of the lanes at rest, whichever are more.
+    """Complete phases in closed form, and make one step of the other moving lanes or of the lanes at rest.
 
-    The cost does not depend on the number of lanes, so that the other lanes wait until they are the majority.
+    The cost of a step does not depend on the number of lanes, so that the minority waits until it is the majority.
     """
     moving = here and s.status == number(Status.MOVING)
     resting = here and s.status == number(Status.RESTING)
+    if s.has.net_sine and not s.samples:
+        moving = moving and not leap(s, moving)
     if any_lane(moving) and lanes_in(moving) >= lanes_in(resting):
         make_step(s, moving)
     if lanes_in(resting) > lanes_in(moving):

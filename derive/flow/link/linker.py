@@ -22,6 +22,9 @@ OUTPUT_CELLS = {
     "cell_mu": "mu_0",
     "cell_limit": "limit",
 }
+# Sums of which phases have a closed form: the roles of their constants, and of the factors of their registers.
+CONSTANTS = {"net": "cell_drive", "normal": "cell_normal0", "upright": "cell_normal_load"}
+FACTORS = {"sin(x)": "sine", "vers(x)": "vers", "omega*omega": "square"}
 
 
 class Linked(NamedTuple):
@@ -47,6 +50,8 @@ def link(definitions: Definitions, given: Iterable[str], asked: Names) -> Linked
         elif registers[name] is None:  # the integrator reads it, although it is zero
             registers[name] = linker.zero(name)
     outputs = {role: linker.cell(name) for role, name in OUTPUT_CELLS.items()}
+    if not definitions.tables and len(definitions.states) == 2:
+        outputs |= linker.closed_form(registers, outputs)
     pending = {*definitions.states, *registers.values(), *outputs.values()}
     series = _needed(linker.series, pending)
     scalar = _needed(linker.scalar, pending)
@@ -159,6 +164,23 @@ class Linker:
         """Return a register whose roots are events, or None if it is constant during a phase."""
         constant = {results for operation, results in self.series.items() if operation[:2] == ("lin", ())}
         return None if (register,) in constant else register
+
+    def closed_form(self, registers: Mapping[str, str | None], outputs: Mapping[str, str]) -> dict[str, str]:
+        """Return the factors of sin(x), 1 - cos(x) and omega^2 in net moment, normal force and dip by role, if any.
+
+        There are none if other registers occur in these sums, or no sine.
+        """
+        sums = {results[0]: operation for operation, results in self.series.items() if operation.kind == "lin"}
+        cells = dict[str, str]()
+        for name, constant in CONSTANTS.items():
+            operation = sums.get(str(registers[name]), OnSeries("", (), ("",)))
+            start, *factors = operation.cells
+            known = dict(zip(operation.registers, factors, strict=True))
+            if start != outputs[constant] or "sin(x)" not in known or known.keys() - FACTORS:
+                return {}
+            for register, factor in FACTORS.items():
+                cells[f"cell_{name}_{factor}"] = known.get(register, ZERO)
+        return cells
 
     def zero(self, name: str) -> str:
         """Return a register that contains zero."""

@@ -380,7 +380,7 @@ class Motion(Conversions, Generic[Numbers]):
         """Return the motion of one lane, or of several lanes, by NumPy indices of the scene's shape."""
         if not self.shape:
             raise TypeError("a single motion cannot be indexed: its scene has no arrays")
-        scene = lazy_import("parameters").taken(self.plan.scene, lambda values: values[index])
+        scene = lazy_import("parameters").lanes_of(self.plan.scene, index)
         plan = replace(self.plan, scene=scene)
         invalid = np.broadcast_to(self.invalid, self.shape)[index]
         if scene.shape:

@@ -83,6 +83,6 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     every_invalid = np.broadcast_to(invalid, scene.shape).reshape(-1)
     for first in range(0, lanes, BLOCK):
         which = slice(first, first + BLOCK)
-        part = lazy_import("parameters").taken(scene, lambda values, which=which: values.reshape(-1)[which])
+        part = lazy_import("parameters").lanes_of(scene, which, flat=True)
         final[:, which] = integrate(problem_of(replace(chosen, scene=part), every_invalid[which]))[:ENTRIES]
     return Motion(chosen, final.reshape(ENTRIES, *scene.shape), invalid)

@@ -3,42 +3,25 @@
 from __future__ import annotations  # so that a signature says ArrayLike
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import (
-    Bounds,
-    Fault,
-    choose,
-    complaint,
-    freeze,
-    mistakes,
-    plain,
-    raise_all,
-    shape_mistakes,
-    two_sum,
-)
-from slipcircle.base.kinds import Array, Numbers, Shape, cached_property
+from generated.effects import Parameter
+from slipcircle.base.checks import Fault, choose, complaint, freeze, mistakes, plain, raise_all, shape_mistakes, two_sum
+from slipcircle.base.kinds import Array, Numbers, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.mass import Dimensionless, Mass, MomentCoefficients
+from slipcircle.core.scene.tree import Parts, bounds, number
 
-ARC_BOUNDS: Mapping[str, Bounds] = {
-    "radius": (1e-6, 1e20, "a positive length in m"),
-    "theta_1": (-1e3, 1e3, "a finite angle in rad"),
-    "theta_2": (-1e3, 1e3, "a finite angle in rad"),
-    "unit_weight": (1e-3, 1e6, "a positive unit weight in N/m^3"),  # 1000 kN/m^3 exceeds gold
-    "gravity": (1e-6, 1e6, "a positive acceleration in m/s^2"),
-    "width": (1e-6, 1e9, "a positive length in m"),
-}
-QUANTITIES = tuple(ARC_BOUNDS)
 GRAVITY = 9.81  # default
 WIDTH = 1.0
+DIP = Parameter("dip", "rad", -5e-324, np.pi / 2, "dip of the chord", "arc.dip_deg", np.pi / 180, kind="derived")
 
 
 @dataclass(frozen=True)
@@ -75,14 +58,67 @@ class Arc(Mass, Generic[Numbers]):
     J_theta in ``given`` has the sign of the angles, which determines the facing.
     """
 
-    radius: Numbers | float
-    theta_1: Numbers | float
-    theta_2: Numbers | float
-    unit_weight: Numbers | float
-    gravity: Numbers | float = GRAVITY
-    width: Numbers | float = WIDTH
+    radius: Numbers | float = field(
+        metadata=number("m", 1e-6, 1e20, "a positive length in m", help="radius of the slip circle", key="arc.radius_m")
+    )
+    theta_1: Numbers | float = field(
+        metadata=number(
+            "rad",
+            -1e3,
+            1e3,
+            "a finite angle in rad",
+            help="polar angle of the arc's first end; 270 is below the centre",
+            key="arc.theta_1_deg",
+            per_unit=np.pi / 180,
+        )
+    )
+    theta_2: Numbers | float = field(
+        metadata=number(
+            "rad",
+            -1e3,
+            1e3,
+            "a finite angle in rad",
+            help="polar angle of the arc's second end, above the first",
+            key="arc.theta_2_deg",
+            per_unit=np.pi / 180,
+        )
+    )
+    unit_weight: Numbers | float = field(
+        metadata=number(  # 1000 kN/m^3 exceeds gold
+            "N/m^3",
+            1e-3,
+            1e6,
+            "a positive unit weight in N/m^3",
+            help="unit weight",
+            key="arc.unit_weight_kN_m3",
+            per_unit=1e3,
+        )
+    )
+    gravity: Numbers | float = field(
+        default=GRAVITY,
+        metadata=number(
+            "m/s^2",
+            1e-6,
+            1e6,
+            "a positive acceleration in m/s^2",
+            help=f"gravity, by default {GRAVITY}",
+            key="arc.gravity_m_s2",
+            optional=True,
+        ),
+    )
+    width: Numbers | float = field(
+        default=WIDTH,
+        metadata=number(
+            "m",
+            1e-6,
+            1e9,
+            "a positive length in m",
+            help=f"length across the section, by default {WIDTH}",
+            key="arc.width_m",
+            optional=True,
+        ),
+    )
     given: Mapping[str, float] | None = None
-    quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # fields that vary, each without axes
     centre = (0.0, 0.0)  # origin of coordinates
 
     if TYPE_CHECKING:  # one array makes an ensemble
@@ -118,15 +154,16 @@ class Arc(Mass, Generic[Numbers]):
             self.__post_init__()
             return
         if not self.has_plain_numbers:
-            take_units(self, ARC_BOUNDS)
+            take_units(self, self.quantities)
         raise_all("Arc", self._mistakes())
         if not self.has_plain_numbers:
-            freeze(self, ARC_BOUNDS)
+            freeze(self, self.quantities)
 
     def _mistakes(self) -> list[str]:
         """Return messages about the fields."""
-        values = {name: getattr(self, name) for name in ARC_BOUNDS}
-        found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
+        values = {name: getattr(self, name) for name in self.quantities}
+        kind: Any = type(self)
+        found = mistakes(values, bounds(kind)) or shape_mistakes(values)
         if not found and not self._is_plain_arc:
             angles = np.broadcast(self.theta_1, self.theta_2)
             found = complaint(self.geometry_errors(), angles.shape)
@@ -141,6 +178,18 @@ class Arc(Mass, Generic[Numbers]):
         if not 0.0 < last - first <= np.pi:
             return False
         return bool(self._radial_amplitude * self._cosine_of_dip > 0.0)
+
+    def parts(self) -> Parts:
+        """Return the numbers of the fields by name, and the dip, which turns both ends."""
+        return super().parts() | {"dip": (self.dip, DIP)}
+
+    def with_parts(self, changed: Values) -> Any:
+        """Return the arc with other values of some numbers. Nothing is checked."""
+        fields = dict(changed)
+        if "dip" in fields:
+            turn = self.facing * (self.dip - fields.pop("dip"))
+            fields |= {end: np.asarray(getattr(self, end)) + turn for end in ("theta_1", "theta_2")}
+        return super().with_parts(fields)
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Yield the errors of invalid arcs and of arcs without a normal load."""

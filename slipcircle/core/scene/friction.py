@@ -80,21 +80,6 @@ def law_parts(friction: Any) -> tuple[Law, ...]:
     return ((name, parameters), *rate)
 
 
-def law_paths(friction: Any) -> Names:
-    """Return the prefix of the numbers of each of `law_parts` among the numbers of a scene."""
-    first: Names = ("friction",)
-    if isinstance(friction, MAPPING) and "soils" in friction:
-        first = tuple(f"soils.{soil}.friction" for soil in friction["soils"])
-    with_rate = (*first, "friction.rate")
-    count = len(law_parts(friction))
-    return with_rate[:count]
-
-
-def number_name(path: str, name: str) -> str:
-    """Return the name of a law's number in a scene. The coefficient of constant friction is ``friction``."""
-    return path if (path, name) == ("friction", "coefficient") else f"{path}.{name}"
-
-
 def law_names(given: Any) -> Names:
     """Return the names of a scene's law of slip and of the law of speed that multiplies it."""
     return tuple(name for name, _ in law_parts(given))

@@ -4,18 +4,20 @@ Every implementation can be solved, since the core does not distinguish kinds of
 """
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
+from generated.effects import Parameter
 from generated.program import OF_COHESION
 from slipcircle.base.checks import EPS, Fault, plain
-from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, ValueDict, Values, cached_property
+from slipcircle.base.kinds import Effects, Floats, Names, Parameters, Shape, Values, cached_property
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.effects import Law, cohesion_law
 from slipcircle.core.scene.piecewise import Data, Tables
+from slipcircle.core.scene.tree import Parts, declared, parts_of_fields, replace_unchecked
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,19 @@ Farther = Callable[[dict[str, Data], Floats, Any], bool]
 
 
 class Mass:
-    """Mass that slides along a circular arc: required attributes, optional methods, and derived quantities.
+    """Base class of masses that slide along a circular arc.
+
+    To implement a new kind of mass:
+
+    1. Declare it as a frozen dataclass derived from this class, or from `Arc` or `Section`. Each number that may vary
+       is a field with its unit, bounds and meaning in the metadata, ``field(metadata=number("N/m", 0.0, 1e9))``. Such
+       numbers may be arrays; derivatives, ensembles and back-analyses name them by their fields.
+    2. Provide the attributes ``radius``, ``unit_weight``, ``gravity``, ``width``, ``half_angle`` and ``facing``.
+    3. Provide ``dimensionless`` and ``moment_coefficients``, which determine the motion.
+    4. Provide ``centre``, ``entry``, ``exit``, ``area`` and ``centroid`` for positions and masses.
+    5. Override `geometry_errors` if some lanes may be impossible, `mistakes` if some effects cannot be combined with
+       the mass, and `effects_with_own` and `tables` if it adds effects of its own.
+    6. Override `parts` and `with_parts` only for numbers that are not fields.
 
     Attributes
     ----------
@@ -78,8 +92,6 @@ class Mass:
     dimensionless : Dimensionless
     moment_coefficients : MomentCoefficients
         Coefficients of the balance of moments, with their change as the mass turns.
-    quantities : mapping
-        Fields that may vary in scenes, each with its number of axes in one mass.
     rounding : float
         Relative error of each coefficient.
     own_effects : tuple of str
@@ -111,7 +123,6 @@ class Mass:
     exit: Any
     area: Any
     centroid: Any
-    quantities: ClassVar[Mapping[str, int]]
     rounding: ClassVar[float] = 4 * EPS
     own_effects: ClassVar[Names] = ()
     friction: Any = None
@@ -161,31 +172,32 @@ class Mass:
         """Return the exact limit friction minus its rounded value, 0 where unknown, for some lanes of a shape."""
         return 0.0
 
-    def numbers_by_name(self) -> ValueDict:
-        """Return all numbers by name, each a number or an array over lanes."""
-        fields = {name: getattr(self, name) for name in self.quantities}
-        return fields | self.other_numbers()
+    @property
+    def quantities(self) -> dict[str, Parameter]:
+        """Declarations of the fields that are numbers, by name."""
+        kind: Any = type(self)
+        return declared(kind)
 
     @cached_property
     def has_plain_numbers(self) -> bool:
         """Whether all numbers are floats."""
-        return {float}.issuperset(map(type, self.numbers_by_name().values()))
+        return {float}.issuperset(type(getattr(self, name)) for name in self.quantities)
 
-    def other_numbers(self) -> ValueDict:
-        """Return numbers other than fields by name, such as the numbers of soils."""
-        return {}
+    def parts(self) -> Parts:
+        """Return the numbers, and the nodes with further numbers, by name, each with its declaration."""
+        return parts_of_fields(self)
+
+    def with_parts(self, changed: Values) -> Any:
+        """Return the mass with other values of some parts. Nothing is checked."""
+        return replace_unchecked(self, changed)
+
+    def together(self, values: Values) -> Values:
+        """Return other values of numbers with the values of all numbers that they determine."""
+        return values
 
     def numbers_without_effect(self) -> Collection[str]:
         """Return the names of numbers without influence on the motion, and of numbers determined by others."""
         return ()
-
-    def fields_with(self, values: Values) -> ValueDict:
-        """Return the fields that change if some of `other_numbers` have other values."""
-        return {}
-
-    def with_lanes(self, of_lanes: Callable[..., Any]) -> Any:
-        """Return the mass with selected lanes of data that are not numbers; ``of_lanes(value, axes)`` selects them."""
-        return self
 
     def drowned(self, *rotations: float) -> float:
         """Return the greatest depth of the ground over the mass below a water level after rotations, m."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated.effects import LAWS, LEAST, QUESTIONED_FRICTION
+from generated.effects import EFFECTS, LAWS, LEAST, LIMITS, QUESTIONED_FRICTION
 from slipcircle.base.checks import (
     EMPTY,
     INFINITY,
@@ -22,34 +22,20 @@ from slipcircle.base.checks import (
     raise_all,
     shape_mistakes,
 )
-from slipcircle.base.kinds import (
-    MAPPING,
-    Array,
-    Effects,
-    Function,
-    Numbers,
-    Parameters,
-    Shape,
-    ValueDict,
-    Values,
-    cached_property,
-)
+from slipcircle.base.kinds import MAPPING, Array, Effects, Function, Numbers, Parameters, Shape, Values, cached_property
 from slipcircle.base.units import take_units
 from slipcircle.core.lazy import lazy_import
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.effects import Law, declared_parameters, named, resolved
-from slipcircle.core.scene.friction import law_mistakes, law_parts, law_paths, number_name
+from slipcircle.core.scene.friction import law_mistakes, law_parts
 from slipcircle.core.scene.mass import Mass
+from slipcircle.core.scene.tree import Parts, bounds, declared, number, numbers, parts_of_fields, replace_unchecked
 
 One = float | str | Function | Mapping[str, float | str]  # parameter of a single scene
 AS_ENTERED = 1.0  # strength factor
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
-START: Mapping[str, Bounds] = {
-    "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
-    "strength_factor": (0.0, INFINITY, "a positive number"),
-}
 PLAIN = frozenset((float, str, type(None)))
-END: Mapping[str, Bounds] = {"end_time": (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")}
+_, _FASTEST = LIMITS["m/s"]
 MAPS = {"uncertain": "from numbers to their distributions", "observed": "from outcomes to observed values"}
 
 
@@ -105,16 +91,39 @@ class Scene(Generic[Numbers]):
     """
 
     arc: Arc[Numbers] | Any
-    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Function | None = None
+    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Function | None = field(
+        default=None, metadata={"laws": LAWS}
+    )
     effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
-    initial_velocity: Numbers | float = 0.0
-    end_time: Numbers | float | None = None
+    initial_velocity: Numbers | float = field(
+        default=0.0,
+        metadata=number(
+            "m/s",
+            -_FASTEST,
+            _FASTEST,
+            "a velocity in m/s",
+            help="velocity along the arc at the start, positive down-slope, by default 0",
+            key="initial_velocity_m_s",
+            optional=True,
+        ),
+    )
+    end_time: Numbers | float | None = field(
+        default=None,
+        metadata=number(
+            "s",
+            *LIMITS["s"],
+            "a positive time in s, or None to run until the mass rests",
+            help="end time, by default when the mass rests",
+            key="end_time_s",
+            optional=True,
+        ),
+    )
     accuracy: float | None = None
     name: str = ""
     note: str = ""
     uncertain: Values = field(default_factory=lambda: EMPTY)
     observed: Values = field(default_factory=lambda: EMPTY)
-    strength_factor: Numbers | float = AS_ENTERED
+    strength_factor: Numbers | float = field(default=AS_ENTERED, metadata=number("", *LIMITS[""], "a positive number"))
 
     if TYPE_CHECKING:  # numbers alone are a single scene, an array an ensemble, and other mappings may be either
 
@@ -158,7 +167,7 @@ class Scene(Generic[Numbers]):
 
     def __post_init__(self) -> None:
         """Check mass, friction, effects and times, convert their units and freeze them."""
-        take_units(self, ("effects", "friction", *START, *END))
+        take_units(self, ("effects", "friction", *_NUMBERS))
         effects, faults = named(self.effects)
         object.__setattr__(self, "effects", effects)
         mass: Any = self.arc
@@ -183,7 +192,7 @@ class Scene(Generic[Numbers]):
                 faults += error.messages
         object.__setattr__(self, "effects", Frozen(effects))
         if not (faults or self._has_plain_numbers):
-            freeze(self, (*START, *END))
+            freeze(self, _NUMBERS)
             faults += shape_mistakes(self.numbers)
         if faults:
             raise_all(f"Scene {self.name}".rstrip(), faults)
@@ -195,7 +204,7 @@ class Scene(Generic[Numbers]):
         """Whether a strength or weight is outside the usual range, by a quick check."""
         arc: Any = self.arc
         if arc.friction is not None:
-            return any(map(_is_unusual, arc.other_numbers().items()))
+            return any(map(_is_unusual, numbers(arc).items()))
         friction: Any = self.friction
         weight = arc.unit_weight
         effects: Any = self.effects
@@ -212,9 +221,8 @@ class Scene(Generic[Numbers]):
     def _field_faults(self) -> list[str]:
         """Return messages about the fields of the start, the end, and the requested accuracy."""
         fields = vars(self)
-        faults = mistakes(fields, START)
-        if self.end_time is not None:
-            faults += mistakes(fields, END)
+        given = _SIGNS if self.end_time is not None else _SIGNS_OF_START
+        faults = mistakes(fields, given)
         faults += accuracy_mistakes(self.accuracy)
         for name, which in MAPS.items():
             value = fields[name]
@@ -257,24 +265,32 @@ class Scene(Generic[Numbers]):
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """Numbers that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ..."""
-        numbers = self.arc.numbers_by_name()
-        if self.arc.friction is None:  # otherwise its soils have the numbers of friction
-            numbers |= _friction_numbers(self.friction)
-        numbers["initial_velocity"] = self.initial_velocity
-        if type(self.strength_factor) is not float or self.strength_factor != 1.0:
-            numbers["strength_factor"] = self.strength_factor
-        if self.end_time is not None:
-            numbers["end_time"] = self.end_time
-        shaking = self.checked_effects.get("shaking", {})
-        if callable(shaking.get("horizontal")):
-            numbers |= lazy_import("forcing").record_numbers(shaking)
-        for effect, given in self.checked_effects.items():
-            for p in declared_parameters(effect, given):
-                if p.name in given and p.kind in ("number", "series"):
-                    value = given[p.name]
-                    if not callable(value):
-                        numbers[f"{effect}.{p.name}"] = value
-        return numbers
+        return numbers(self)
+
+    def parts(self) -> Parts:
+        """Return the parts of the mass, the friction, the start and end, and the effects, each with its declaration."""
+        found: Parts = self.arc.parts() | parts_of_fields(self)
+        if self.arc.friction is not None:  # its soils have the numbers of friction
+            del found["friction"]
+        if type(self.strength_factor) is float and self.strength_factor == AS_ENTERED:
+            found["strength_factor"] = None, declared(Scene)["strength_factor"]
+        given = self.checked_effects
+        for name in (*given, *EFFECTS):
+            if name not in self.arc.own_effects:
+                one = given.get(name, EMPTY)
+                found[name] = one, declared_parameters(name, one)
+        return found
+
+    def with_parts(self, changed: Values) -> Any:
+        """Return the scene with other parts. Nothing is checked."""
+        of_mass = {name: changed[name] for name in self.arc.parts() if name in changed}
+        effects = {name: changed[name] for name in EFFECTS if name in changed}
+        fields = {name: value for name, value in changed.items() if name not in of_mass | effects}
+        if of_mass:
+            fields["arc"] = self.arc.with_parts(of_mass)
+        if effects:
+            fields["effects"] = {**self.checked_effects, **effects}
+        return replace_unchecked(self, fields)
 
     @cached_property
     def _has_plain_numbers(self) -> bool:
@@ -309,18 +325,13 @@ def _is_unusual(number: tuple[str, Any]) -> bool:
     return check is not None and isinstance(value, int | float) and check(value)
 
 
-def _friction_numbers(friction: Any) -> ValueDict:
-    """Return the numbers of a friction by name. Functions and tables have none."""
-    if callable(friction):
-        return {}
-    if not isinstance(friction, MAPPING):
-        return {"friction": friction}
-    numbers = {}
-    for path, (law, parameters) in zip(law_paths(friction), law_parts(friction), strict=True):
-        if LAWS[law].parameters[0].kind != "list":
-            for name, value in parameters.items():
-                numbers[number_name(path, name)] = value
-    return numbers
+_NUMBERS = ("initial_velocity", "strength_factor", "end_time")
+_SIGNS: dict[str, Bounds] = {  # a scene in Python may have any number of the right sign
+    name: (0.0 if low > 0.0 else -INFINITY, INFINITY, allowed)
+    for name in _NUMBERS
+    for low, _, allowed in [bounds(Scene)[name]]
+}
+_SIGNS_OF_START = {name: _SIGNS[name] for name in _NUMBERS[:2]}
 
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:

@@ -65,8 +65,6 @@ def choose_units(options: argparse.Namespace) -> None:
     """
     values = vars(options)
     scenes = values.get("scenes") or [name for name in [values.get("scene")] if name]
-    if not scenes:
-        return
     given = (values.get("units") or "").upper()
     if given in SYSTEMS:
         options.units = None

@@ -6,7 +6,7 @@ from typing import Any
 
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.units import ACCELERATION
-from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.outputs.tables import Answer, Part, headed, in_unit
 from slipcircle.workbench.records.suite import Suite, read_suite
 from slipcircle.workbench.suites.synthetic import synthetic_records, write_records
 
@@ -97,12 +97,14 @@ def _check_folder(options: argparse.Namespace) -> None:
 def records_part(suite: Suite) -> Part:
     """Return a table of the records and their intensity measures."""
     with_components = any(entry.component for entry in suite)
-    head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", "PGV (m/s)"]
-    head += ["I_A (m/s)", "D5-95 (s)", "T_m (s)"]
+    head = ["record", *["component"] * with_components, "samples", "step (s)", "unit", "PGA (g)", headed("PGV", "m/s")]
+    head += [headed("I_A", "m/s"), "D5-95 (s)", "T_m (s)"]
     rows = []
     for entry in suite:
         component = [entry.component or "-"] if with_components else []
-        rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *entry.intensities])
+        pga, pgv, arias, *times = entry.intensities
+        measures = pga, in_unit(pgv, "m/s"), in_unit(arias, "m/s"), *times
+        rows.append([entry.name, *component, entry.samples, entry.step, entry.unit, *measures])
     note = "I_A: Arias intensity; D5-95: significant duration; T_m: mean period"
     pairs = f", {_counted(len(suite.pairs), 'pair')} of components" if suite.pairs else ""
     return Part(head, rows, f"{_counted(len(suite), 'record')}{pairs}", note)

@@ -8,26 +8,23 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.text import shown
+from slipcircle.base.text import measured, shown
 from slipcircle.core import Scene
 from slipcircle.workbench.commands import values
 from slipcircle.workbench.commands.records import FORMATS, add_reading, add_synthetic, records_part, suite_of
-from slipcircle.workbench.outputs.tables import Part
+from slipcircle.workbench.outputs.tables import Part, headed, in_unit
 from slipcircle.workbench.studies.ensemble import ensemble
 from slipcircle.workbench.studies.fragility import interval_note
 from slipcircle.workbench.studies.statistics import distribution, exceedance, variance_shares
 from slipcircle.workbench.studies.study import Study
 from slipcircle.workbench.suites.regressions import Comparison
 
-_HEADS = {
-    "record": "record",
-    "pga_g": "PGA (g)",
-    "displacement_m": "recorded (m)",
-    "reversed_m": "reversed (m)",
-    "mean_m": "mean (m)",
-    "peak_velocity_m_s": "v (m/s)",
-    "slips": "slips",
-    "rotation_rad": "phi (deg)",
+_HEADS = {"record": "record", "pga_g": "PGA (g)", "slips": "slips", "rotation_rad": "phi (deg)"}
+_MEASURED = {  # heads with SI units
+    "displacement_m": ("recorded", "m"),
+    "reversed_m": ("reversed", "m"),
+    "mean_m": ("mean", "m"),
+    "peak_velocity_m_s": ("v", "m/s"),
 }
 
 
@@ -90,6 +87,9 @@ def _by_record_part(study: Study, scale: int) -> Part:
     """Return a table of the displacement, peak velocity, slips and rotation for each record at a scale."""
     columns = study.by_record(scale)
     columns["rotation_rad"] = np.rad2deg(columns["rotation_rad"]).tolist()
+    heads = _HEADS | {name: headed(*words) for name, words in _MEASURED.items()}
+    for name in columns.keys() & _MEASURED.keys():
+        columns[name] = [in_unit(value, _MEASURED[name][1]) for value in columns[name]]
     rows = [*zip(*columns.values(), strict=True)]
     samples = study.values["status"].shape[-1]
     of_samples = f"; medians of {samples} samples" if samples > 1 else ""
@@ -97,17 +97,18 @@ def _by_record_part(study: Study, scale: int) -> Part:
     title = f"{study.scene.name}: displacement along the arc at {study.scale_text(scale)}{others}{of_samples}"
     note = "v: peak velocity; slips: how often it begins to slide; phi: rotation at the end"
     note += "; the greater of both polarities" if len(study.polarities) > 1 else ""
-    return Part([_HEADS[name] for name in columns], rows, title, note)
+    return Part([heads[name] for name in columns], rows, title, note)
 
 
 def _statistics_part(study: Study) -> Part:
     """Return a table of the distribution of displacements at each scale."""
-    head = ["", "moving", "mean (m)", "16 % (m)", "median (m)", "84 % (m)", "geometric (m)", "std of ln D"]
+    lengths = (headed(name, "m") for name in ("mean", "16 %", "median", "84 %", "geometric"))
+    head = ["", "moving", *lengths, "std of ln D"]
     rows = []
     for k in range(study.scales.size):
         moving, mean, median, p16, p84, geometric, std_ln = distribution(study.displacement, k)
-        lengths = (mean, p16, median, p84, geometric, std_ln)
-        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *lengths])
+        values = (in_unit(value, "m") for value in (mean, p16, median, p84, geometric))
+        rows.append([study.scale_text(k), f"{100 * moving:.3g} %", *values, std_ln])
     return Part(
         head,
         rows,
@@ -118,13 +119,13 @@ def _statistics_part(study: Study) -> Part:
 
 def _regressions_part(study: Study, compared: Sequence[Comparison], scale: int) -> Part:
     """Return a table of published regressions and the displacements at a scale, with notes on their ranges."""
-    head = ["regression", "in range", "predicted (m)", "ln ratio", "std", "published std"]
+    head = ["regression", "in range", headed("predicted", "m"), "ln ratio", "std", "published std"]
     factor = shown(study.block_factor)
     divided = f"displacements are divided by {factor}, the ratio of the displacement on the arc to that of a block"
     notes = [divided, "ln ratio: mean over the records"]
     rows = []
     for c in compared:
-        rows.append([c.name, f"{c.records} of {c.of}", c.predicted, c.mean, c.std, c.std_ln])
+        rows.append([c.name, f"{c.records} of {c.of}", in_unit(c.predicted, "m"), c.mean, c.std, c.std_ln])
         if not c.records:
             notes.append(f"{c.name} applies to {c.valid}")
         if not math.isnan(c.negligible):
@@ -140,7 +141,7 @@ def _exceedance_part(study: Study) -> Part:
     thresholds = study.records.thresholds
     levels = exceedance(study.displacement, thresholds)
     pga = [] if study.records.to_pga else np.median(study.pga, axis=0)[:, None].tolist()
-    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {shown(d)} m" for d in thresholds.tolist())]
+    head = ["", *["PGA (g)"] * bool(pga), *(f"D > {measured(d, 'm')}" for d in thresholds.tolist())]
     rows = [[study.scale_text(k), *(pga[k] if pga else []), *levels[k]] for k in range(len(levels))]
     median = "" if study.records.to_pga else "PGA: median of the records; "
     note = f"{median}95 % intervals, of as many draws as there are records"
@@ -150,7 +151,7 @@ def _exceedance_part(study: Study) -> Part:
 def _fragility_part(study: Study) -> Part:
     """Return a table of lognormal fragility curves, with the reason where a curve is missing."""
     head = ["", "median PGA (g)", "dispersion", "no curve"]
-    rows = [[f"D > {shown(c.threshold)} m", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
+    rows = [[f"D > {measured(c.threshold, 'm')}", c.median, c.dispersion, c.reason or "-"] for c in study.fragility()]
     if not any(curve.reason for curve in study.fragility()):
         head, rows = head[:-1], [row[:-1] for row in rows]
     title = "lognormal fragility: probability Phi(ln(PGA/median)/dispersion) that D exceeds a threshold"

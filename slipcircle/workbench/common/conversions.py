@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import TextDict, ValueDict
+from slipcircle.base.kinds import TextDict, Texts, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Status
@@ -105,7 +105,7 @@ def _units(motion: Motion) -> TextDict:
     return {q.name: q.unit for q in (*results(motion), *HISTORY.values())}
 
 
-def _dimensions(motion: Motion) -> list[str]:
+def _dimensions(motion: Motion) -> Texts:
     """Return the names of the axes of an ensemble: dimensions of its inputs, else lane, or lane_0, lane_1, ..."""
     count = len(motion.shape)
     named: dict[int, str] = {}

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import shown
-from slipcircle.base.kinds import Names, Pair, ValueDict, Values
+from slipcircle.base.kinds import Names, NumberMap, Pair, Texts, ValueDict, Values
 from slipcircle.base.optional import optional
 
 _FAR = 30.0  # standard deviations, beyond which the probability is zero in float64
@@ -95,7 +95,7 @@ class Distribution(NamedTuple):
     help: str
     parameters: Names
     frozen: Callable[..., Any]
-    rules: Mapping[str, Callable[[Mapping[str, float]], bool]]
+    rules: Mapping[str, Callable[[NumberMap], bool]]
 
 
 def _lognormal(mean: float, std: float) -> Gaussian:
@@ -165,7 +165,7 @@ def described(frozen: Any) -> ValueDict:
     return {"distribution": type(getattr(frozen, "dist", frozen)).__name__} | moments | quantiles
 
 
-def distribution_mistakes(given: Values, limits: Pair) -> list[str]:
+def distribution_mistakes(given: Values, limits: Pair) -> Texts:
     """Return a message for each mistake in the mapping of a distribution whose number has these limits."""
     name = given.get("distribution")
     if name is None:
@@ -185,7 +185,7 @@ def distribution_mistakes(given: Values, limits: Pair) -> list[str]:
     return faults or _limit_mistakes(distribution_of(given), *limits)
 
 
-def _limit_mistakes(distribution: Any, lower: float, upper: float) -> list[str]:
+def _limit_mistakes(distribution: Any, lower: float, upper: float) -> Texts:
     """Return a message for each limit of its number that a distribution exceeds.
 
     The tails of a normal distribution are ignored: samples out of bounds are counted when they are drawn.

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from slipcircle.base.checks import raise_all
-from slipcircle.base.kinds import PathName, Values
+from slipcircle.base.kinds import PathName, Texts, Values
 from slipcircle.base.text import clean
 
 _HTML, _CSV = (".html", ".htm", ".xhtml", ""), (".csv", ".txt", "")
@@ -19,7 +19,7 @@ ENDINGS |= {"--write": (".toml", "")}
 NEW = ("FILE", "--write")  # options of files that are never overwritten
 
 
-def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
+def check(command: str, outputs: Mapping[str, str | Texts], inputs: Sequence[str] = ()) -> None:
     """Check that the output files of a command, by option, can be written and are not among its input files.
 
     Raises

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, Texts
 
 Lines = NDArray[np.int64]  # of numbers in a file, from 1
 NUMBER = re.compile(r"[-+]?(?:(?:\d+\.?\d*|\.\d+)(?:[ed][-+]?\d+)?|nan|inf(?:inity)?)", re.ASCII | re.IGNORECASE)
@@ -70,7 +70,7 @@ def without_comment(line: str) -> str:
     return re.split(r"\s[#!]", plain, maxsplit=1)[0] if "#" in plain or "!" in plain else plain
 
 
-def split(line: str, separator: str | None) -> list[str]:
+def split(line: str, separator: str | None) -> Texts:
     """Return the fields of a line without quotes; a separator at the end of the line adds no field."""
     fields = [field.strip().strip('"') for field in line.split(separator)]
     return fields[:-1] if len(fields) > 1 and not fields[-1] and fields[-2] else fields
@@ -121,9 +121,7 @@ def _row(k: int, line: str) -> list[tuple[int, str | None, int]]:
     return []
 
 
-def cells_of(
-    name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1
-) -> tuple[list[str], Lines]:
+def cells_of(name: str, below: Iterable[str], above: int, separator: str | None, width: int = 1) -> tuple[Texts, Lines]:
     """Return the fields below a header and the line number of each; a table of ``width`` > 1 must be complete."""
     fields, lines = list[str](), array("q")
     for k, line in enumerate(map(without_comment, below), above + 1):
@@ -158,10 +156,10 @@ def _number(name: str, line: int, field: str) -> float:
     return float(field.replace("d", "E").replace("D", "E"))
 
 
-def plain_numbers(cells: list[str]) -> Floats:
+def plain_numbers(cells: Texts) -> Floats:
     """Return the cells of a column as numbers; an empty array if a cell is not a plain number."""
     try:
-        return np.array(cells, dtype=np.float64)
+        return np.array(cells, float)
     except ValueError:
         return np.empty(0)
 

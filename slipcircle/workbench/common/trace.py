@@ -50,8 +50,7 @@ def telling_times(motion: Motion) -> Floats:
     scene = motion.plan.scene
     extremes = [float(state.time) for state in (motion.peak, motion.farthest, motion.range_end) if state]
     times: list[Any] = [even_times(motion), extremes]
-    each = max(4, SAMPLES // len(motion.phases))
-    angle = np.linspace(0.0, np.pi, each + 1)
+    angle = np.linspace(0.0, np.pi, max(4, SAMPLES // len(motion.phases)) + 1)
     share = (1.0 - np.cos(angle)) / 2
     for phase in motion.phases:
         length = phase.end - phase.start
@@ -61,8 +60,7 @@ def telling_times(motion: Motion) -> Floats:
     law = scene.friction
     if isinstance(law, Mapping) and "time" in law:
         times.append(law["time"])
-    every = np.concatenate(times)
-    return np.unique(np.clip(every, 0.0, motion.settling_time))
+    return np.unique(np.clip(np.concatenate(times), 0.0, motion.settling_time))
 
 
 def _kinks_and_crests(function: Any) -> list[Any]:
@@ -70,9 +68,7 @@ def _kinks_and_crests(function: Any) -> list[Any]:
     kinks = np.asarray(function.kinks)
     before = np.nextafter(kinks, -np.inf)
     values = function(kinks)
-    greatest = np.max(np.abs(values), initial=0.0)
-    change = np.abs(function(before) - values)
-    is_jump = change > _JUMP * greatest
+    is_jump = np.abs(function(before) - values) > _JUMP * np.max(np.abs(values), initial=0.0)
     return [kinks, before[is_jump], function.crests]
 
 
@@ -86,7 +82,7 @@ def toe_height(motion: Motion) -> float:
     if not isinstance(section, Section):
         return np.nan
     toe = motion.journey
-    ground_x, ground_y = np.asarray(section.ground, dtype=np.float64).T
+    ground_x, ground_y = np.asarray(section.ground, float).T
     below = np.interp(float(toe.toe_x), ground_x, ground_y, left=np.nan, right=np.nan)
     return float(toe.toe_y - below)
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Floats, NumberMap
 from slipcircle.tables import STRONGEST
 
 # The international foot is 0.3048 m and the pound 0.45359237 kg (yard and pound agreement of 1959), standard gravity
@@ -17,7 +17,7 @@ _POUND = _POUND_MASS * 9.80665  # N, of force
 _PSF = _POUND / _FOOT**2
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "ft": _FOOT, "in": 0.0254, "us_ft": 1200 / 3937}
 STRESSES = {"kPa": 1e3, "Pa": 1.0, "MPa": 1e6, "psf": _PSF, "ksf": 1e3 * _PSF, "psi": 144 * _PSF}
-UNITS_OF_KEYS: Mapping[str, Mapping[str, float]] = {  # by SI unit; published keys have the first unit
+UNITS_OF_KEYS: Mapping[str, NumberMap] = {  # by SI unit; published keys have the first unit
     "m": LENGTHS,
     "m/s": {f"{length}/s": size for length, size in LENGTHS.items()},
     "m/s^2": {f"{length}/s2": size for length, size in LENGTHS.items()},
@@ -33,6 +33,8 @@ SYSTEMS: Mapping[str, Mapping[str, tuple[str, float]]] = {  # units of output by
         "m/s^2": ("ft/s^2", _FOOT),
         "m^2": ("ft^2", _FOOT**2),
         "Pa": ("psf", _PSF),
+        "Pa/m": ("psf/ft", _PSF / _FOOT),
+        "N/m^3": ("pcf", _POUND / _FOOT**3),
         "kg/m": ("lb/ft", _POUND_MASS / _FOOT),
         "J": ("kip-ft", 1e3 * _POUND * _FOOT),
     },
@@ -52,7 +54,7 @@ class Quantity(NamedTuple):
     """Quantity in record files: sizes of its units, expressions for their spellings, and formats of its files."""
 
     name: str
-    units: Mapping[str, float]
+    units: NumberMap
     spellings: Mapping[str, str]
     choice: str
     role: str = ""  # of a column, as the option ``columns`` names it

@@ -12,12 +12,11 @@ from difflib import get_close_matches
 from itertools import chain
 from typing import Any
 
-from slipcircle.base.kinds import TextDict, ValueDict, Values
+from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, published, spelt_like, suffix
 from slipcircle.workbench.files.keys import VARYING, Key, Table, joined
-from slipcircle.workbench.files.numbers import numbers
 
 _UNITS = re.compile(f"_(deg|s|{'|'.join(suffix(next(iter(units))) for units in UNITS_OF_KEYS.values())})$")
 
@@ -43,10 +42,10 @@ class Document:
         self.arguments: dict[str, ValueDict] = {}
         self.typed: TextDict = {}
         self.uncertain: ValueDict = {}
-        self.mistakes: list[str] = []
+        self.mistakes: Texts = []
         self.wrong: set[str] = set()
         self._tables = tables
-        self._odd_distributions: dict[str, list[str]] = {}
+        self._odd_distributions: dict[str, Texts] = {}
         self._missing: TextDict = {}
         self._meant: set[str] = set()  # keys that were misspelt
         self._read_table("", content)
@@ -68,7 +67,7 @@ class Document:
 
     def _put_in_order_of_samples(self) -> None:
         """Sort the distributions into the order of samples, and put their mistakes first."""
-        order = [*numbers(self._tables)]
+        order = [joined(path, name) for path, table in self._tables.items() for name in table.keys]
 
         def place(key: str) -> int:
             return order.index(published(key)[0])
@@ -114,7 +113,7 @@ class Document:
         units: dict[str, TextDict] = {}
         for known, name in spelt.items():
             if known in table.keys:
-                quantity = units.setdefault(table.keys[known].number.si, {})
+                quantity = units.setdefault(table.keys[known].unit, {})
                 quantity.setdefault(published(name)[1], joined(path, name))
         for typed in units.values():
             if len(typed) > 1:
@@ -134,7 +133,7 @@ class Document:
     def _argument(self, full: str, key: Key, value: Any, content: Values, table: Table) -> Any:
         """Return a value in SI units, or the median of a distribution; report a wrong value and return None."""
         if isinstance(value, dict) and key.kind in VARYING:
-            limits = key.number.low, key.number.high
+            limits = key.low, key.high
             odd = distribution_mistakes(value, limits)
             if odd:
                 self._odd_distributions[full] = [f"{full}: {mistake}" for mistake in odd]
@@ -159,8 +158,8 @@ class Document:
     def _note_missing(self, path: str, content: Values) -> None:
         """Collect the missing required keys and tables; they are reported when all misspelt keys are known."""
         for name, key in self._tables[path].keys.items():
-            if key.required and name not in content:
-                self._missing[joined(path, name)] = f"{key.title}, {key.allowed}"
+            if not key.optional and name not in content:
+                self._missing[joined(path, name)] = f"{key.help}, {key.allowed}"
         for name, table in self._tables[path].tables.items():
             full = joined(path, name)
             if table.required and name not in content:
@@ -191,7 +190,7 @@ class Document:
             if not choice or any(key in content for key in choice):
                 continue
             if self._meant.isdisjoint(paths):
-                title = table.keys[choice[-1]].title
+                title = table.keys[choice[-1]].help
                 self._report(path, f"{path}: {' or '.join(choice)} is missing: {title}")
             else:
                 self._report(path)
@@ -208,7 +207,7 @@ def shown(value: Any) -> str:
 
 def _question(key: Key, entry: Any, table: Table) -> str:
     """Return additional advice on a wrong value: the key's title, and a similar word, another unit or an angle."""
-    title = f": {key.title}"
+    title = f": {key.help}"
     if "|" in key.kind or key.name == "law":
         choice = table.laws or key.kind.split("|")
         for word in get_close_matches(str(entry), choice, 1):
@@ -217,15 +216,14 @@ def _question(key: Key, entry: Any, table: Table) -> str:
     is_number = isinstance(entry, int | float) and not isinstance(entry, bool)
     if not is_number or not abs(entry) < math.inf:
         return title
-    number = key.number
-    low = number.limits.get("gt", 0.0)
-    high = number.high
-    if entry > high and number.per_unit == 1e3:
-        meant = f"was {entry / 1e3:g} {number.unit} meant, which are {entry:g} {number.si}?"
+    low = key.limits.get("gt", 0.0)
+    high = key.high
+    if entry > high and key.per_unit == 1e3:
+        meant = f"was {entry / 1e3:g} {key.written} meant, which are {entry:g} {key.unit}?"
         bound = "" if f"{high:g}" in key.allowed else f", at most {high:g}"
         return f"{title}{bound}; {meant}".replace("^", "")
-    angles = [k for k, other in table.keys.items() if other.number.tangent and other.name == key.name]
-    if entry >= high and angles and not number.tangent:
+    angles = [k for k, other in table.keys.items() if other.tangent and other.name == key.name]
+    if entry >= high and angles and not key.tangent:
         return f"{title}; an angle? say {angles[0]}"
     beyond = 0.0 < entry <= low or abs(entry) >= high
     if beyond and f"{high:g}" not in key.allowed:
@@ -264,7 +262,7 @@ def _advice(path: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, 
     return "", f"known are {', '.join(here)}"
 
 
-def _similar(unknown: str, here: list[str], table: Table) -> str:
+def _similar(unknown: str, here: Texts, table: Table) -> str:
     """Return the key or table most similar to an unknown key, or the only key with its unit; "" without a candidate."""
     units = {key: found[1] for key in (unknown, *here) if (found := _UNITS.search(key))}
     of_unit = [key for key in here if key in units and units[key] == units.get(unknown)]

@@ -6,48 +6,70 @@ They follow from the declarations in `generated.effects`, so that new effects an
 import math
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from difflib import get_close_matches
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import COHESION_LAWS, EFFECTS, INFINITY, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
+from generated.effects import COHESION_LAWS, EFFECTS, LAWS, LIMITS, USUAL_FRICTION, Law, Parameter
 from slipcircle.base import SCENE_FORMAT
 from slipcircle.base.kinds import Names, ValueDict
-from slipcircle.core import ARC_BOUNDS, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
+from slipcircle.core import RATE_LAWS, Arc, Scene, declared, may_have_rate
 from slipcircle.tabulated import GIVEN
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval
 from slipcircle.workbench.common.units import SYSTEMS, published
 
-_MOST = {"N/m^3": 1e6, "Pa": 1e12, "Pa/m": 1e12}  # by SI unit: upper bounds that only values in a wrong unit exceed
+_SMALL, _LARGE = 0.01, 100.0  # bounds of keys beyond these only detect a wrong unit
+_BELOW_0 = -5e-324  # lower bound that allows 0, since bounds are open
+_NUMBERS = ("a number", "a list of numbers")
 VARYING = ("number", "series", "line", "load")  # kinds of keys whose numbers may vary
 
 
-@dataclass(frozen=True)
-class Number:
-    """Declaration of a number of a scene: key and unit in files, name and unit in the scene, and bounds."""
+@dataclass(frozen=True, slots=True)
+class Key(Parameter):
+    """Key of a scene file and the number that it gives, whose unit and bounds are in SI units.
 
-    key: str = ""  # a scene file's key, or the name
-    name: str = ""  # in `Scene.numbers`
-    unit: str = ""  # of the key
-    low: float = -math.inf  # open bounds, in the key's unit
-    high: float = math.inf
-    closed: bool = False  # whether the lower bound itself is allowed
-    per_unit: float = 1.0  # size of the key's unit in SI units
-    tangent: bool = False  # whether the key is the angle of a coefficient, in degrees
-    si: str = ""  # unit of the name
+    ``written`` is the unit of the key, which has ``per_unit`` SI units. With ``tangent`` the key is an angle in
+    degrees, whose tangent is the number. ``allowed`` states the allowed values in the unit of the key. ``kind`` is
+    "text", "name" (a text or a whole number), "flag", "number", "fixed" (a number that no scene varies), "list" (of
+    numbers), "series" (a number or a list), "pair" and "points" (of two numbers), "line" (a number or points), "load"
+    (a number or two), "seen" (a number or an interval), or words: "this|that".
+    """
+
+    written: str = ""
+    tangent: bool = False
 
     @property
-    def plain(self) -> "Number":
-        """Declaration of the same number by its name and SI unit in the scene instead of its key and unit."""
-        low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
-        return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
+    def _is_closed(self) -> bool:
+        """Whether 0, the lower bound, is allowed."""
+        return self.lower == _BELOW_0
 
-    def in_unit(self, key: str, unit: str, ratio: float) -> "Number":
+    @property
+    def low(self) -> float:
+        """Lower bound in the key's unit; it is open unless 0 is allowed."""
+        return 0.0 if self._is_closed else float(self.from_si(self.lower))
+
+    @property
+    def high(self) -> float:
+        """Open upper bound in the key's unit."""
+        return float(self.from_si(self.upper))
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """Finite bounds in the key's unit by their names in JSON Schema: gt or ge, and lt."""
+        every = {"ge" if self._is_closed else "gt": self.low, "lt": self.high}
+        return {name: bound for name, bound in every.items() if abs(bound) < math.inf}
+
+    @property
+    def plain(self) -> "Key":
+        """Declaration of the same number by its name and SI unit in the scene instead of its key and unit."""
+        return replace(self, key=self.name, written=self.unit, per_unit=1.0)
+
+    def in_unit(self, key: str, unit: str, ratio: float) -> "Key":
         """Return the declaration of the number for another key, whose unit is ``ratio`` times the unit of this key."""
-        low, high = self.low / ratio, self.high / ratio
-        return replace(self, key=key, unit=unit, low=low, high=high, per_unit=self.per_unit * ratio)
+        return replace(self, key=key, written=unit, per_unit=self.per_unit * ratio)
 
     def to_si(self, values: Any) -> Any:
         """Return values converted from the key's unit to SI units; angles of friction become coefficients."""
@@ -60,33 +82,6 @@ class Number:
     def slope(self, value: float) -> float:
         """Return the derivative of the value in SI units with respect to the value in the key's unit."""
         return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
-
-    def holds(self, values: Any) -> Any:
-        """Return whether each value, in the key's unit, is finite and within the bounds."""
-        least = values >= self.low if self.closed else values > self.low
-        return least & (values < self.high) & (abs(values) < math.inf)
-
-    @property
-    def limits(self) -> dict[str, float]:
-        """Finite bounds in the key's unit by their names in JSON Schema: gt or ge, and lt."""
-        low, high = {"ge" if self.closed else "gt": self.low}, {"lt": self.high}
-        return (low if self.low > -math.inf else {}) | (high if self.high < math.inf else {})
-
-
-class Key(NamedTuple):
-    """Declaration of a key of a scene file: its argument, meaning and allowed values.
-
-    ``kind`` is "text", "name" (a text or a whole number), "flag", "number", "fixed" (a number that no scene varies),
-    "list" (of numbers), "series" (a number or a list), "pair" and "points" (of two numbers), "line" (a number or
-    points), "load" (a number or two), "seen" (a number or an interval), or words: "this|that".
-    """
-
-    name: str
-    title: str
-    allowed: str = "text"
-    required: bool = False
-    kind: str = "text"
-    number: Number = Number()
 
     def wrong(self, value: Any) -> list[tuple[str, Any]]:
         """Return the mistakes in a value, pairs of a place ("[2]", or "" for the value itself) and the wrong item."""
@@ -110,15 +105,15 @@ class Key(NamedTuple):
     def spelt(self, name: str) -> "Key":
         """Return the declaration for another spelling of the key, in the unit at the end of that spelling."""
         _, unit, ratio = published(name)
-        if unit in ("", self.number.unit):
+        if unit in ("", self.written):
             return self
 
         def bound(words: re.Match[str]) -> str:
             return f"{words[1]} {float(words[2]) / ratio:.6g}"
 
         allowed = re.sub(r"(above|below|least|most) ([-+.e\d]*\d)", bound, self.allowed)
-        allowed = allowed.replace(f"({self.number.unit})", f"({unit})")
-        return self._replace(allowed=allowed, number=self.number.in_unit(name, unit, ratio))
+        allowed = allowed.replace(f"({self.written})", f"({unit})")
+        return replace(self.in_unit(name, unit, ratio), allowed=allowed)
 
     def convert(self, value: Any) -> Any:
         """Return a valid value of a file as an argument in SI units."""
@@ -126,7 +121,7 @@ class Key(NamedTuple):
             value = Interval.of_limit(value)
         if self.kind not in (*VARYING, "fixed", "list", "pair", "points", "seen"):
             return value.lower() if "|" in self.kind else value
-        values = self.number.to_si(np.array(value, dtype=np.float64))
+        values = self.to_si(np.array(value, dtype=np.float64))
         if self.kind == "points" or (self.kind == "line" and values.ndim):
             return values
         plain = values.tolist()
@@ -135,7 +130,11 @@ class Key(NamedTuple):
         return plain
 
     def _number(self, value: Any) -> bool:
-        return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))
+        """Return whether a value is a number within the bounds."""
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            return False
+        least = value >= self.low if self._is_closed else value > self.low
+        return least and value < self.high and abs(value) < math.inf
 
     def _limit(self, value: Any) -> bool:
         return isinstance(value, str) and self._number(Interval.of_limit(value).limit)
@@ -144,7 +143,9 @@ class Key(NamedTuple):
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
 
 
-LENGTH = Number(unit="m", si="m")  # of points
+def worded(name: str, help: str, allowed: str = "text", kind: str = "text", optional: bool = True) -> Key:
+    """Return the declaration of a key that is not a number."""
+    return Key(name, help=help, key=name, optional=optional, kind=kind, allowed=allowed)
 
 
 class Table(NamedTuple):
@@ -171,7 +172,7 @@ class Table(NamedTuple):
         names = tuple(self.laws)
         near = get_close_matches(str(given), names, 1)
         if not near:
-            law = self.laws[names[0]].keys["law"]._replace(kind="|".join(names))
+            law = replace(self.laws[names[0]].keys["law"], kind="|".join(names))
             return self._replace(keys={"law": law})
         chosen: Table = self.laws[near[0]]
         return chosen._replace(title=self.title, required=self.required, laws=self.laws)
@@ -208,66 +209,37 @@ def fitted(table: Table, content: Any = None, path: str = "") -> dict[str, Table
     return found
 
 
-def declare(
-    name: str,
-    key: str,
-    unit: str,
-    help: str,
-    lower: float = 0.0,
-    upper: float = INFINITY,
-    per_unit: float = 1.0,
-    optional: bool = False,
-    kind: str = "number",
-) -> Parameter:
-    """Return the declaration of a parameter that files read in the key's unit, ``per_unit`` SI units each."""
-    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
-
-
 _TEXT = {
-    "format": Key(
-        "format", "version of the keys; a newer one needs a newer slipcircle", SCENE_FORMAT, False, SCENE_FORMAT
+    "format": worded(
+        "format", "version of the keys; a newer one needs a newer slipcircle", SCENE_FORMAT, kind=SCENE_FORMAT
     ),
-    "name": Key("name", "name of the scene, by default the file's"),
-    "note": Key("note", "source of the numbers"),
+    "name": worded("name", "name of the scene, by default the file's"),
+    "note": worded("note", "source of the numbers"),
 }
+_OF_SCENE = declared(Scene)
 _TOP = (
-    declare(
-        "initial_velocity",
-        "initial_velocity_m_s",
-        "m/s",
-        "velocity along the arc at the start, positive down-slope, by default 0",
-        -LIMITS["m/s"][1],
-        LIMITS["m/s"][1],
+    _OF_SCENE["initial_velocity"],
+    _OF_SCENE["end_time"],
+    Parameter(
+        "accuracy",
+        "",
+        0.0,
+        1.0,
+        "requested relative error; a single scene: rounding",
+        "accuracy",
         optional=True,
-    ),
-    declare("end_time", "end_time_s", "s", "end time, by default when the mass rests", *LIMITS["s"], optional=True),
-    declare(
-        "accuracy", "accuracy", "", "requested relative error; a single scene: rounding", 0.0, 1.0, 1.0, True, "fixed"
+        kind="fixed",
     ),
 )
-ARC = tuple(
-    declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
-    for name, key, unit, per_unit, help in (
-        ("radius", "radius_m", "m", 1.0, "radius of the slip circle"),
-        ("theta_1", "theta_1_deg", "rad", math.pi / 180, "polar angle of the arc's first end; 270 is below the centre"),
-        ("theta_2", "theta_2_deg", "rad", math.pi / 180, "polar angle of the arc's second end, above the first"),
-        ("unit_weight", "unit_weight_kN_m3", "N/m^3", 1e3, "unit weight"),
-        ("gravity", "gravity_m_s2", "m/s^2", 1.0, f"gravity, by default {GRAVITY}"),
-        ("width", "width_m", "m", 1.0, f"length across the section, by default {WIDTH}"),
-    )
-)
-_GIVEN = [declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kind="fixed") for n, b in GIVEN.items()]
+ARC = tuple(declared(Arc).values())
+_GIVEN = [Parameter(n, "", *b[:2], f"{n.replace('_', ' ')}, dimensionless", n, kind="fixed") for n, b in GIVEN.items()]
 
 
-def _number(p: Parameter, title: str, unit: str = "", required: bool = False, tangent: bool = False) -> Key:
-    """Return the declaration of the key of a number or a list, with the parameter's bounds in the file's unit."""
-    of = Number(p.key, p.name, unit, per_unit=p.per_unit, tangent=tangent, si=p.unit)
-    closed = p.lower == -5e-324  # bounds are open, and zero is allowed
-    of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
-    if p.key.endswith("_deg") and not p.unit and not tangent:
-        of = replace(of, high=USUAL_FRICTION[1])  # not named in messages: a value beyond it was an angle
-    words = _bounds_in_words(p, of)
-    one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
+def _number(key: Key, written: str = "", tangent: bool = False) -> Key:
+    """Return the declaration of the key of a number or a list, with the bounds in the file's unit in words."""
+    key = replace(key, written=written, tangent=tangent)
+    words = _bounds_in_words(key)
+    one, many = (" ".join(filter(None, [of, words, written and f"({written})"])) for of in _NUMBERS)
     forms = {
         "list": many,
         "series": f"{one}, or {many}",
@@ -275,47 +247,48 @@ def _number(p: Parameter, title: str, unit: str = "", required: bool = False, ta
         "load": f"{one}, or two of them, [left, right]",
         "seen": one.replace("a number", 'a number, or an interval [low, high], low first, or a limit "<60",'),
     }
-    return Key(p.name, title, forms.get(p.kind, one), required, p.kind, of)
+    return replace(key, allowed=forms.get(key.kind, one))
 
 
-def _bounds_in_words(p: Parameter, number: Number) -> str:
-    """Return a parameter's bounds in the file's unit, in words; only the sign if they just detect a wrong unit."""
-    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
-    most = min(most, _MOST.get(p.unit, INFINITY))
-    bounds = dict(number.limits)
-    if p.lower in (least, -most):
-        bounds = {"gt": 0.0} if p.lower >= 0.0 else {}
-    bounds.pop("lt", None)
-    if p.upper < most or number.tangent:
-        bounds["lt"] = number.high
-    is_allowed = number.high > float(f"{number.high:g}")  # the bound in words: open ones lie a bit above it
-    comparisons = {"gt": "above", "ge": "at least", "lt": "at most" if is_allowed else "below"}
-    return " and ".join(f"{comparisons[k]} {v:g}" for k, v in bounds.items())
+def _bounds_in_words(key: Key) -> str:
+    """Return the bounds of a key in words, without those that only values in a wrong unit exceed."""
+    low, high = key.low, key.high
+    is_allowed = high > float(f"{high:g}")  # the bound in words: open ones lie a bit above it
+    comparisons = {
+        f"{'at least' if key.lower == _BELOW_0 else 'above'} {0.0 if 0.0 <= low < _SMALL else low:g}": low > -_LARGE,
+        f"{'at most' if is_allowed else 'below'} {high:g}": high <= _LARGE,
+    }
+    return " and ".join(words for words, is_shown in comparisons.items() if is_shown)
 
 
-def _keys(p: Parameter) -> dict[str, Key]:
+@lru_cache(maxsize=512)
+def keys_of(p: Parameter) -> dict[str, Key]:
     """Return the keys of a parameter by spelling; friction has a key for its angle and one for its coefficient."""
-    plain = {"flag": "true or false", "text": "text", "name": "text or a number"}
-    words = plain.get(p.kind, f"one of {p.kind.replace('|', ', ')}")
-    if not p.key:
+    name = p.key.rpartition(".")[2]
+    if not name:
         return {}
+    given = {field.name: getattr(p, field.name) for field in fields(p) if field.name != "dimensionless"}
+    key = Key(**given | {"key": name})
+    plain = {"flag": "true or false", "text": "text", "name": "text or a number"}
     if p.kind in plain or "|" in p.kind:
-        return {p.key: Key(p.name, p.help, words, not p.optional, p.kind)}
-    if not p.unit and p.key.endswith("_deg"):
-        angle = _number(p, f"{p.help}, as an angle", "deg", tangent=True)
-        return {p.key: angle, p.name: _number(p, p.help)}
-    _, known, _ = published(p.key)
+        return {name: replace(key, allowed=plain.get(p.kind, f"one of {p.kind.replace('|', ', ')}"))}
+    if not p.unit and name.endswith("_deg"):
+        coefficient = replace(key, key=p.name, optional=True)
+        angle = _number(replace(key, help=f"{p.help}, as an angle", optional=True), "deg", tangent=True)
+        of_coefficient = _number(coefficient)  # a value beyond the usual ones was an angle
+        return {name: angle, p.name: replace(of_coefficient, upper=USUAL_FRICTION[1])}
+    _, known, _ = published(name)
     unit = known if p.per_unit != 1.0 else p.unit
     if not unit and p.unit:  # the key has the unit, such as MPa_K for Pa/K, without its separators
         between = iter(re.findall("[/ ]", p.unit))
-        tail = p.key.removeprefix(f"{p.name}_")
+        tail = name.removeprefix(f"{p.name}_")
         unit = re.sub("_", lambda _: next(between, " "), tail)
-    return {p.key: _number(p, p.help, unit, not p.optional)}
+    return {name: _number(key, unit)}
 
 
 def table_of(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: Names = ()) -> Table:
     """Return a table with the keys of parameters and ``more`` keys; at least one key of ``any_of`` is required."""
-    keys = {p: _keys(p) for p in parameters}
+    keys = {p: keys_of(p) for p in parameters}
     by_name = dict(more)
     alternatives: list[Names] = []
     needed: list[str] = []
@@ -333,7 +306,7 @@ def _laws(laws: Iterable[Law], title: str = "friction law") -> dict[str, Table]:
     by_name = {law.name: law for law in laws}
     found = {}
     for name, law in by_name.items():
-        key = Key("law", title, f"one of {', '.join(by_name)}", name != "constant", name)
+        key = worded("law", title, f"one of {', '.join(by_name)}", name, name == "constant")
         found[name] = table_of(law.help, law.parameters, {"law": key})
     return found
 
@@ -359,26 +332,31 @@ ARC_TABLE = table_of("the failed section", ARC)._replace(required=True, tables={
 _SEEN = []
 for _q in OBSERVABLE.values():
     _most = LIMITS[_q.unit][1]
-    _least = -5e-324 if _q.unit in ("s", "") else -_most
-    _SEEN.append(declare(_q.name, _q.head, _q.unit, f"observed {_q.label}", _least, _most, 1.0, True, "seen"))
+    _least = _BELOW_0 if _q.unit in ("s", "") else -_most
+    _SEEN.append(
+        Parameter(_q.name, _q.unit, _least, _most, f"observed {_q.label}", _q.head, optional=True, kind="seen")
+    )
 OBSERVED = table_of("observations of the motion, for `slipcircle backanalyse`", _SEEN)
 REPORT = Table(
     "heading of a report",
     {
-        "title": Key("title", "title, by default the name of the scene"),
-        "project": Key("project", "project"),
-        "author": Key("author", "author of the computation"),
-        "checker": Key("checker", "checker of the computation"),
+        name: worded(name, help)
+        for name, help in (
+            ("title", "title, by default the name of the scene"),
+            ("project", "project"),
+            ("author", "author of the computation"),
+            ("checker", "checker of the computation"),
+        )
     },
 )
 OUTPUT = Table(
     "how the command line prints",
     {
-        "units": Key(
+        "units": worded(
             "units",
             "units of tables, pictures and reports; JSON, CSV files, live pages and Python have SI units",
             f"one of {', '.join(SYSTEMS)}",
-            kind="|".join(SYSTEMS).lower(),
+            "|".join(SYSTEMS).lower(),
         )
     },
 )

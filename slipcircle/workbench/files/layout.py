@@ -7,7 +7,7 @@ Tables in lists, [[layers]], [[surcharge]] and [[pond]], are read as tables name
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-from slipcircle.base.kinds import TextDict, ValueDict, Values
+from slipcircle.base.kinds import TextDict, Texts, ValueDict, Values
 from slipcircle.workbench.common.units import published
 from slipcircle.workbench.files.keys import WITH_ARC, Table, fitted
 from slipcircle.workbench.files.slopekeys import NOT_WITH_LAYERS, WITH_LAYERS, WITH_ONE_SOIL
@@ -33,7 +33,7 @@ class Layout(NamedTuple):
 
     tables: dict[str, Table]
     content: ValueDict
-    mistakes: list[str]
+    mistakes: Texts
     on_slope: bool
     layered: bool
 

@@ -17,7 +17,7 @@ def warnings_of(motion: Motion) -> Names:
 
     def written(name: str, value: float) -> str:
         number = by_name(scene)[name]
-        return f"{number.key} = {float(number.from_si(value)):.6g} {number.unit}".rstrip()
+        return f"{number.key} = {float(number.from_si(value)):.6g} {number.written}".rstrip()
 
     stability = stability_of(scene)
     of_circle = [stability.warning] if stability and stability.warning else []

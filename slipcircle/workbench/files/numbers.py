@@ -16,9 +16,8 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import Pair, ValueDict
-from slipcircle.core import Scene, law_names
-from slipcircle.derivatives import possible_parameters
-from slipcircle.layers import LayeredSection
+from slipcircle.base.text import printed
+from slipcircle.core import Scene, leaves
 from slipcircle.workbench.common.distributions import (
     Gaussian,
     Triangle,
@@ -26,30 +25,11 @@ from slipcircle.workbench.common.distributions import (
     distribution_mistakes,
     distribution_of,
 )
-from slipcircle.workbench.common.units import published
-from slipcircle.workbench.files.keys import ARC_TABLE, VARYING, WITH_ARC, Table, fitted
-from slipcircle.workbench.files.keys import Number as Number
-from slipcircle.workbench.files.slopekeys import WITH_LAYERS
+from slipcircle.workbench.common.units import published, suffix
+from slipcircle.workbench.files.keys import Key as Key
+from slipcircle.workbench.files.keys import joined, keys_of
 
-
-def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
-    """Return the declarations of the numbers that tables of a scene file have, by key."""
-    found = {}
-    for path, table in tables.items():
-        for k, key in table.keys.items():
-            if key.kind in VARYING:
-                constant = path.endswith("friction") and key.name == "coefficient"
-                constant |= path.endswith(".cohesion") and key.name == "cohesion"  # of a soil
-                within = path.removeprefix("slip.")
-                of_scene = path in ("", "arc", "tension_crack")
-                name = key.name if of_scene else path if constant else f"{within}.{key.name}"
-                shown = f"{path}.{k}".lstrip(".")
-                found[shown] = replace(key.number, key=shown, name=name)
-    return found
-
-
-DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad")  # down-slope; turns both ends
-_POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "water.level_m"}  # where files have them
+_POINTS = ("circle.centre_m", "ground.points_m", "water.level_m")
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
 
@@ -60,59 +40,37 @@ def lengths(arc: Any) -> set[str]:
     """
     if "ground" not in arc.quantities:
         return set()
-    return {name for name in arc.numbers_by_name() if name.partition(".")[0] in ("radius", *_POINTS)}
+    return {"radius", *(leaf.path for leaf in leaves(arc) if leaf.number.axes)}
 
 
-def _tables(scene: Any) -> dict[str, Table]:
-    """Return the tables, by path, that a file of the scene may have with its laws."""
-    arc = scene.arc
-    if not isinstance(arc, LayeredSection):
-        law, *rate = law_names(scene.friction)
-        named = {} if law == "callable" else {"law": law}
-        given: ValueDict = {"friction": named | ({"rate": {"law": rate[0]}} if rate else {})}
-        return fitted(WITH_ARC, given | {"cohesion": scene.effects.get("cohesion", {})})
-    soils = ValueDict()
-    for soil in arc.soils:
-        soils[soil.name] = {"friction": {"law": law_names(soil.friction)[0]}, "cohesion": soil.cohesion}
-    given = {"soils": soils, "slip": {"rate": arc.rate or {}}, "layers": _some(arc.layers)}
-    return {"arc": ARC_TABLE} | fitted(WITH_LAYERS, given | {"surcharge": _some(arc.surcharge)})
-
-
-def _some(these: Collection[Any]) -> ValueDict:
-    """Return empty tables named by the numbers 1 to n of n items."""
-    return {f"{k}": {} for k in range(1, len(these) + 1)}
-
-
-def by_key(scene: Any) -> dict[str, Number]:
-    """Return the declarations of the numbers that a scene with its friction and arc may have, by key."""
-    arc = scene.arc
-    law = "constant" if isinstance(arc, LayeredSection) else law_names(scene.friction)[0]
-    known = numbers(_tables(scene))
-    if law == "callable":
-        known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
-    if "ground" not in arc.quantities:
-        return known | {DIP.key: DIP}
-    found = {}
-    for k, n in known.items():  # the file of a slope has the numbers of an arc in other tables
-        if n.name in arc.quantities:
-            k = k.replace("arc.", "circle." if n.name == "radius" else "ground.")
-        if not k.startswith("arc."):
-            found[k] = replace(n, key=k)
-    coordinates = [p for p in possible_parameters(scene).values() if p.name.partition(".")[0] in _POINTS]
-    for p in coordinates:
-        field, _, place = p.name.partition(".")
-        key = f"{_POINTS[field]}.{place}"
-        found[key] = Number(key, p.name, p.unit, p.lower, p.upper, si=p.unit)
+def by_key(scene: Any) -> dict[str, Key]:
+    """Return the declarations of the numbers that a scene with its friction and mass may have, by key."""
+    found = dict[str, Key]()
+    for path, full, p, _ in leaves(scene):
+        for name, key in keys_of(p).items():
+            spelt = full if p.axes else joined(full.rpartition(".")[0], name)
+            spelt = f"slip.{spelt}" if spelt.startswith("rate.") else spelt
+            beside_law = spelt.replace(".cohesion.cohesion_kPa", ".cohesion_kPa")  # of a soil, which may have a law
+            found |= {one: replace(key, key=one, name=path) for one in (beside_law, spelt)}
     return found
 
 
-def by_name(scene: Any) -> dict[str, Number]:
+def in_output_unit(number: Key) -> Key:
+    """Return a number with its key in the unit of output, such as ``cohesion.cohesion_psf``."""
+    factor, unit = printed(number.unit)
+    if factor == 1.0:
+        return number
+    key = number.key.removesuffix(suffix(number.written)) + suffix(unit)
+    return number.in_unit(key, unit, 1.0 / (factor * number.per_unit))
+
+
+def by_name(scene: Any) -> dict[str, Key]:
     """Return the declarations of a scene's numbers by name, with friction in degrees and rate factors as numbers."""
     found = reversed(by_key(scene).values())
     return {n.name: n for n in found if not (n.tangent and n.name.startswith(("friction.rate.", "rate.")))}
 
 
-def number_in(scene: Any, path: str) -> Number:
+def number_in(scene: Any, path: str) -> Key:
     """Return the declaration of a number of a scene by its key or name, also of a number without a value."""
     known = by_key(scene)
     path = str(path)
@@ -130,13 +88,13 @@ def number_in(scene: Any, path: str) -> Number:
         if n.name == path and not n.tangent:  # a friction has two keys, its angle and itself
             return n.plain
     near = get_close_matches(path, known, 1)
-    asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith((*_POINTS.values(),)) for n in near)
+    asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith(_POINTS) for n in near)
     raise ValueError(f"{path}: is not a parameter of this scene{asked or '; known are ' + listed(known)}")
 
 
 def listed(keys: Collection[str]) -> str:
     """Return keys as a comma-separated text, with all coordinates of points replaced by one rule."""
-    plain = [k for k in keys if not k.startswith((*_POINTS.values(),))]
+    plain = [k for k in keys if not k.startswith(_POINTS)]
     return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
 
 
@@ -144,7 +102,7 @@ def listed(keys: Collection[str]) -> str:
 class Uncertain:
     """Uncertain number: its declaration and distribution, as in a scene file or frozen by SciPy, in the key's unit."""
 
-    number: Number
+    number: Key
     given: Any
 
     @property

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from slipcircle.base.checks import raise_all
-from slipcircle.base.kinds import Pair, ValueDict, Values
+from slipcircle.base.kinds import Pair, Texts, ValueDict, Values
 from slipcircle.base.optional import optional
 from slipcircle.ground import points_errors
 from slipcircle.workbench.common.textfiles import decoded
@@ -34,7 +34,7 @@ def with_points(content: Values, folder: Path) -> ValueDict:
         Lists a message for each file that cannot be read.
     """
     tables = dict(content)
-    mistakes: list[str] = []
+    mistakes: Texts = []
     for name, key in _PLACES.items():
         given = content.get(name)
         if isinstance(given, dict):
@@ -45,7 +45,7 @@ def with_points(content: Values, folder: Path) -> ValueDict:
     return tables
 
 
-def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: list[str]) -> ValueDict:
+def _with_points(table: Values, path: str, key: str, folder: Path, mistakes: Texts) -> ValueDict:
     """Return a table with its reference to a file replaced by points; append mistakes to the list."""
     found = dict(table)
     file = found.pop(f"{key}_file", None)
@@ -137,7 +137,7 @@ def _point(line: int, row: Sequence[str], columns: tuple[int, int], decimal: str
     return x, y
 
 
-def _column(cell: str, names: str) -> list[str]:
+def _column(cell: str, names: str) -> Texts:
     """Return a list of the unit in the name of a column, "" without a unit; an empty list for other columns."""
     parts = re.fullmatch(rf"({names})(?:[\s_,]*[(\[{{]?([^()\[\]{{}}]+)[)\]}}]?)?", cell, re.IGNORECASE)
     unit = unit_of(parts[2], LENGTH) if parts and parts[2] else ""

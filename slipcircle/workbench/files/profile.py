@@ -1,6 +1,6 @@
 """Conversion of soils, layers and loads of a scene file to objects of the core, with checks across tables."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import InputError
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Rename, Texts, ValueDict, Values
 from slipcircle.layers import Soil, layer_mistakes
 from slipcircle.workbench.files.document import shown
 from slipcircle.workbench.stability.critical import Critical
 
 Arguments = Mapping[str, ValueDict]
+Surcharges = list[tuple[float, float, float, float]]  # left and right x in m, and the pressures there in Pa
 
 
 class Profile(NamedTuple):
@@ -23,8 +24,8 @@ class Profile(NamedTuple):
     foreland: Soil | None
     strength: str
     rate: Values | None  # law of speed of all soils
-    mistakes: list[str]
-    remarks: list[str]
+    mistakes: Texts
+    remarks: Texts
 
 
 def numbered(given: Arguments, name: str) -> list[ValueDict]:
@@ -37,7 +38,7 @@ def numbered(given: Arguments, name: str) -> list[ValueDict]:
     return [tables[number] for number in sorted(tables)]
 
 
-def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]], list[str]]:
+def surcharges(given: Arguments) -> tuple[Surcharges, Texts]:
     """Return surcharges as tuples (left and right x in m, pressures there in Pa), and mistakes in them."""
     loads = []
     mistakes = []
@@ -55,7 +56,7 @@ def surcharges(given: Arguments) -> tuple[list[tuple[float, float, float, float]
     return loads, mistakes
 
 
-def profile(given: Arguments, keys: Callable[[str], str], rate: Values | None, readable: bool) -> Profile:
+def profile(given: Arguments, keys: Rename, rate: Values | None, readable: bool) -> Profile:
     """Return the layers of a file; if its tables are not ``readable``, only mistakes across them."""
     layers = numbered(given, "layers")
     slip = given.get("slip", {})
@@ -82,7 +83,7 @@ def profile(given: Arguments, keys: Callable[[str], str], rate: Values | None, r
     return Profile(pairs, foreland, strength, rate, mistakes, remarks)
 
 
-def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tuple[dict[str, Soil], list[str]]:
+def _soils(names: Texts, given: Arguments, keys: Rename) -> tuple[dict[str, Soil], Texts]:
     """Return the soils of a file by name, and the mistakes in them."""
     soils = {}
     mistakes = []
@@ -95,7 +96,7 @@ def _soils(names: list[str], given: Arguments, keys: Callable[[str], str]) -> tu
     return soils, mistakes
 
 
-def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]:
+def _unknown_soils(places: Mapping[str, str], names: Texts) -> Iterator[str]:
     """Yield a message for each reference to an undefined soil and for each unused soil."""
     meant = set()
     for path, soil in places.items():
@@ -109,7 +110,7 @@ def _unknown_soils(places: Mapping[str, str], names: list[str]) -> Iterator[str]
             yield f"soils.{name}: is not used by any layer; assign it to a layer, or leave it out"
 
 
-def idle_loads(loads: list[tuple[float, float, float, float]], circle: Critical) -> Iterator[str]:
+def idle_loads(loads: Surcharges, circle: Critical) -> Iterator[str]:
     """Yield a message for each surcharge that lies wholly or partly beside the ground or the sliding mass."""
     ground = np.asarray(circle.slope.ground)[[0, -1], 0].tolist()
     for k, (left, right, _, _) in enumerate(loads, 1):
@@ -154,8 +155,7 @@ def _cut_off(given: Arguments, layers: list[tuple[Soil, Any]]) -> Iterator[str]:
         lines.append(np.asarray(line))
     tolerance = 1e-9 * np.ptp(ground, axis=0).max()
     for k, (upper, lower) in enumerate(pairwise(lines), 3):
-        vertices = np.concatenate([upper[:, 0], lower[:, 0]])
-        x = np.unique(vertices)
+        x = np.unique(np.concatenate([upper[:, 0], lower[:, 0]]))
         excess = np.interp(x, *lower.T) - np.interp(x, *upper.T)
         highest = int(np.argmax(excess))
         if excess[highest] > tolerance:

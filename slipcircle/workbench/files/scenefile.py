@@ -4,16 +4,15 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from generated.effects import EFFECTS
-from slipcircle.base.checks import InputError, Message
+from slipcircle.base.checks import InputError, Message, plain
+from slipcircle.base.kinds import Rename, Tell, Texts, ValueDict, Values
 from slipcircle.core import Arc, Scene, law_mistakes
 from slipcircle.ground import Section
 from slipcircle.workbench.common.units import SYSTEMS
@@ -22,7 +21,7 @@ from slipcircle.workbench.files.keys import Table
 from slipcircle.workbench.files.layout import Layout, layout_of
 from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.files.points import with_points
-from slipcircle.workbench.files.profile import idle_loads, profile, surcharges
+from slipcircle.workbench.files.profile import Arguments, idle_loads, profile, surcharges
 from slipcircle.workbench.files.shipped import find
 from slipcircle.workbench.files.slope import SlopeInput, motion_mistakes
 from slipcircle.workbench.files.slopekeys import LOADS, SLOPING
@@ -48,10 +47,10 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     stability = parts.pop("stability")
     remarks = parts.pop("remarks")
     try:
-        gravity = float(np.asarray(parts["arc"].gravity))
+        gravity = plain(parts["arc"].gravity)
         parts["effects"], of_records = with_records(parts["effects"], gravity, parts["uncertain"])
         remarks = (*remarks, *of_records)
-        scene: Scene[float]
+        scene: Any
         if of_records and "start" not in parts:
             parts["set_by_start"] = None  # an arc starts as it is
         if "start" in parts or of_records:
@@ -63,9 +62,7 @@ def load(name: str | PathLike[str]) -> Scene[float]:
         raise ValueError(error.worded(keys, file)) from error
 
 
-def critical_of_file(
-    name: str | PathLike[str], method: str | None, tell: Callable[[str], None]
-) -> tuple[str, str, Critical, list[str]]:
+def critical_of_file(name: str | PathLike[str], method: str | None, tell: Tell) -> tuple[str, str, Critical, Texts]:
     """Return the name, note, critical circle and warnings of the slope in a file.
 
     A file without [circle] is searched with Bishop's method. If a circle is given, its factors of safety are returned.
@@ -136,7 +133,7 @@ def with_circle(name: str | PathLike[str], found: Critical, path: str) -> str:
     return text
 
 
-def _with_tables(text: str, tables: Mapping[str, Mapping[str, Any]]) -> str:
+def _with_tables(text: str, tables: Mapping[str, Values]) -> str:
     """Return the text of a file with its [circle] replaced by the first of the tables, and the others appended."""
     texts = []
     for name, values in tables.items():
@@ -159,7 +156,7 @@ _ADVICE = (
 )
 
 
-def _content(source: Any, file: str) -> dict[str, Any]:
+def _content(source: Any, file: str) -> ValueDict:
     """Return the content of a TOML file; raise an error with one sentence if it cannot be read."""
     try:
         with source.open("rb") as opened:
@@ -179,7 +176,7 @@ def _content(source: Any, file: str) -> dict[str, Any]:
         raise ValueError(f"{file}: is not TOML: {error}{'' if file.endswith('.toml') else _ADVICE}") from error
 
 
-def _check_depth(content: Mapping[str, Any], file: str) -> None:
+def _check_depth(content: Values, file: str) -> None:
     """Reject tables and lists nested more deeply than in any scene, on which recursive functions would fail."""
     inside: list[Any] = [content]
     for _ in range(_DEEPEST):
@@ -192,14 +189,14 @@ class _Input(NamedTuple):
     """Content of a file: arc or slope, friction, keys of arguments, and mistakes."""
 
     document: Document
-    keys: Callable[[str], str]
+    keys: Rename
     arc: Arc | None
     slope: SlopeInput | None
-    friction: dict[str, Any] | None
-    mistakes: list[str]
+    friction: ValueDict | None
+    mistakes: Texts
 
 
-def _read(content: Mapping[str, Any], moving: bool) -> _Input:
+def _read(content: Values, moving: bool) -> _Input:
     """Return the content of a file with its mistakes; unless ``moving``, tables for statics alone are allowed."""
     layout = layout_of(content)
     document = Document(layout.content, layout.tables)
@@ -207,7 +204,7 @@ def _read(content: Mapping[str, Any], moving: bool) -> _Input:
     keys = _keys(layout.tables, document.typed)
     arc = None
     slope = None
-    wrong: list[str] = []
+    wrong: Texts = []
     if layout.on_slope:
         slope, wrong = _slope_input(given, layout, document.wrong, keys, moving)
     elif "arc" not in document.wrong:
@@ -218,9 +215,7 @@ def _read(content: Mapping[str, Any], moving: bool) -> _Input:
     return _Input(document, keys, arc, slope, friction, [*layout.mistakes, *document.mistakes, *wrong])
 
 
-def _parts(
-    content: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None, moving: bool = True
-) -> tuple[dict[str, Any], Callable[[str], str]]:
+def _parts(content: ValueDict, file: str, tell: Tell = lambda _: None, moving: bool = True) -> tuple[ValueDict, Rename]:
     """Return the fields of a scene with its stability, and a function from arguments to keys; list all mistakes.
 
     Unless ``moving``, tables that only factors of safety use are allowed, and the arc of a slope is None.
@@ -246,32 +241,27 @@ def _parts(
     return parts | document.arguments[""], keys
 
 
-def _short(friction: Mapping[str, Any] | None) -> Any:
+def _short(friction: Values | None) -> Any:
     """Return a friction law as a mapping, or the coefficient of constant friction."""
     constant = friction is not None and friction["law"] == "constant" and "rate" not in friction
     return friction["coefficient"] if friction is not None and constant else friction
 
 
 def _slope_input(
-    given: Mapping[str, dict[str, Any]],
-    layout: Layout,
-    wrong: Collection[str],
-    keys: Callable[[str], str],
-    moving: bool,
-) -> tuple[SlopeInput, list[str]]:
+    given: Arguments, layout: Layout, wrong: Collection[str], keys: Rename, moving: bool
+) -> tuple[SlopeInput, Texts]:
     """Return the slope of a file, without the strength of a single soil, and the mistakes across tables."""
     mistakes = motion_mistakes(given, layout.layered) if moving else []
     layers = None
     if layout.layered:
-        readable = not {"soils", "layers", "slip"} & {*wrong}
-        layers = profile(given, keys, given.get("slip.rate"), readable)
+        layers = profile(given, keys, given.get("slip.rate"), not {"soils", "layers", "slip"} & {*wrong})
         mistakes += layers.mistakes
     loads, of_loads = surcharges(given)
     return SlopeInput(given, {}, layers, loads), mistakes + of_loads
 
 
 def _along_slope(
-    slope: SlopeInput, keys: Callable[[str], str], tell: Callable[[str], None], file: str, moving: bool
+    slope: SlopeInput, keys: Rename, tell: Tell, file: str, moving: bool
 ) -> tuple[Section | None, Critical | None]:
     """Return the section of a slope and its stability; an error names the keys of the file."""
     try:
@@ -280,7 +270,7 @@ def _along_slope(
         raise ValueError(_slope_message(error, keys, file)) from error
 
 
-def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tuple[Arc | None, list[str]]:
+def _arc(given: Arguments, keys: Rename) -> tuple[Arc | None, Texts]:
     """Return the arc of a file and no mistakes, or None and its mistakes."""
     try:
         return Arc(**given["arc"], given=given.get("arc.given")), []
@@ -288,13 +278,13 @@ def _arc(given: Mapping[str, dict[str, Any]], keys: Callable[[str], str]) -> tup
         return None, [message.within("arc").worded(keys) for message in error.messages]
 
 
-def _friction(given: Mapping[str, dict[str, Any]]) -> dict[str, Any]:
+def _friction(given: Arguments) -> ValueDict:
     """Return the law of slip of a file, with the law of speed that multiplies it."""
     rate = {"rate": given["friction.rate"]} if "friction.rate" in given else {}
     return {"law": "constant"} | given.get("friction", {"coefficient": 0.0}) | rate
 
 
-def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[str], str]:
+def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Rename:
     """Return a function from names of arguments (``effects.shaking.step``) to keys in the file (``shaking.step_s``)."""
     keys = {"arc.level": "water.level_m", "end_time": "end_time_s", "initial_velocity": "initial_velocity_m_s"}
     for path, table in tables.items():
@@ -303,7 +293,7 @@ def _keys(tables: Mapping[str, Table], typed: Mapping[str, str]) -> Callable[[st
     return lambda name: keys.get(name.removeprefix("effects."), name.removeprefix("effects."))
 
 
-def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dict[str, Any]]:
+def _effects(given: Arguments, folder: Path) -> dict[str, ValueDict]:
     """Return the effects among the tables, by name; paths of records are relative to the scene file."""
     effects = {name: dict(given[name]) for name in EFFECTS if name in given}
     if effects.get("cohesion", {}).get("law") == "constant":
@@ -313,7 +303,7 @@ def _effects(given: Mapping[str, dict[str, Any]], folder: Path) -> dict[str, dic
     return effects
 
 
-def _slope_message(error: InputError, keys: Callable[[str], str], file: str) -> str:
+def _slope_message(error: InputError, keys: Rename, file: str) -> str:
     """Return the message of an error in a slope, a section or a search, with the keys of its file."""
     tables = {**SLOPING, **LOADS}
     about = ("search",) if error.what == "critical" else ("ground", "circle", "water", "tension_crack")

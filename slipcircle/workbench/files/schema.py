@@ -1,8 +1,9 @@
 """JSON Schema of a scene file, for editors: tables, keys and their allowed values."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Texts, ValueDict, Values
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.common.units import UNITS_OF_KEYS, suffix
 from slipcircle.workbench.files.keys import WITH_ARC, Key, Table
@@ -15,7 +16,7 @@ _FILED = ("points", "line")  # kinds of keys whose points may be in a file
 
 def _present(name: str, key: Key) -> ValueDict:
     """Return the schema condition that a key is present, in any unit or as a file."""
-    units = [*map(suffix, UNITS_OF_KEYS.get(key.number.si, ()))]
+    units = [*map(suffix, UNITS_OF_KEYS.get(key.unit, ()))]
     stem = name.removesuffix(units[0]) if units else name
     others = [stem + end for end in units[1:] + ["file"] * (key.kind in _FILED)]
     conditions = [{"required": [spelling]} for spelling in (name, *others)]
@@ -26,7 +27,7 @@ def _other_units(keys: Mapping[str, Key]) -> ValueDict:
     """Return the schema of keys in units other than the published ones, and of points in files."""
     patterns = {}
     for name, key in keys.items():
-        first, *others = map(suffix, UNITS_OF_KEYS.get(key.number.si, ("",)))
+        first, *others = map(suffix, UNITS_OF_KEYS.get(key.unit, ("",)))
         stem = name.removesuffix(first)
         if others:
             patterns[f"^{stem}({'|'.join(others)})$"] = {"$ref": "#/$defs/other_unit"}
@@ -53,7 +54,7 @@ def schema() -> ValueDict:
     defs["other_unit"] = _OTHER_UNIT
     forms = (WITH_ARC, WITH_ONE_SOIL, WITH_LAYERS)
     ground = WITH_ONE_SOIL.tables["ground"]
-    any_ground = ground._replace(keys={k: key._replace(required=False) for k, key in ground.keys.items()})
+    any_ground = ground._replace(keys={k: replace(key, optional=True) for k, key in ground.keys.items()})
     tables = {**WITH_LAYERS.tables, **WITH_ONE_SOIL.tables, **WITH_ARC.tables, "ground": any_ground}
     found = _schema_of_table(WITH_ARC._replace(tables=tables), "", defs)
     found["required"] = []
@@ -82,7 +83,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
         properties[inside] = many[inner.repeats] | {"title": inner.title} if inner.repeats else one
     schema = _object(properties, table.title, []) | _other_units(table.keys)
     present = {k: _present(k, key) for k, key in table.keys.items()}
-    needs = [present[k] for k, key in table.keys.items() if key.required]
+    needs = [present[k] for k, key in table.keys.items() if not key.optional]
     needs += [{"oneOf": [present[k] for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [present[k] for k in table.any_of]}] if table.any_of else []
     if table.sets:
@@ -92,7 +93,7 @@ def _schema_of_table(table: Table, name: str, defs: ValueDict) -> ValueDict:
     return schema
 
 
-def _object(properties: Values, title: str, required: list[str]) -> ValueDict:
+def _object(properties: Values, title: str, required: Texts) -> ValueDict:
     return {
         "type": "object",
         "title": title,
@@ -104,7 +105,7 @@ def _object(properties: Values, title: str, required: list[str]) -> ValueDict:
 
 def _schema_of_key(key: Key) -> ValueDict:
     """Return the schema of a key; a number may be uncertain unless it is fixed."""
-    number: ValueDict = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
+    number: ValueDict = {"type": "number"} | {_LIMITS[k]: v for k, v in key.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}
     points = {"type": "array", "items": pair, "minItems": 2}
@@ -125,4 +126,4 @@ def _schema_of_key(key: Key) -> ValueDict:
     }
     words = key.kind.split("|")
     choice = {"const": key.kind} if len(words) == 1 else {"enum": words}
-    return kinds.get(key.kind, choice) | {"title": key.title, "description": key.allowed}
+    return kinds.get(key.kind, choice) | {"title": key.help, "description": key.allowed}

@@ -1,18 +1,16 @@
 """Slope of a scene file: its circle with factors of safety, and the section that moves along it."""
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from slipcircle.base.checks import InputError, complaint, raise_all
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Tell, Texts, ValueDict, Values
 from slipcircle.ground import Section, circle_through, circle_touching, outside_between, simple_slope
 from slipcircle.layers import LayeredSection
-from slipcircle.workbench.files.profile import Profile, numbered
+from slipcircle.workbench.files.profile import Arguments, Profile, Surcharges, numbered
 from slipcircle.workbench.stability.critical import Critical, at_circle
 from slipcircle.workbench.stability.search import critical
 from slipcircle.workbench.stability.stability import METHODS, Slope, require_drive
 
-Arguments = Mapping[str, ValueDict]
 _FLATTEST = 1e5  # radius over the size of the ground, beyond which a mass is a thin skin
 _OF_MOTION = ("gravity", "width")  # in [ground], not used by statics
 
@@ -36,7 +34,7 @@ class SlopeInput:
     given: Arguments
     strength: Values
     profile: Profile | None
-    surcharge: list[tuple[float, float, float, float]]
+    surcharge: Surcharges
 
     @property
     def ground(self) -> ValueDict:
@@ -76,7 +74,7 @@ class SlopeInput:
         soils = {"layers": self.profile.layers} if self.profile else self.strength
         return Slope(**fields, **soils, surcharge=self.surcharge)
 
-    def stability(self, tell: Callable[[str], None]) -> tuple[ValueDict, Critical | None]:
+    def stability(self, tell: Tell) -> tuple[ValueDict, Critical | None]:
         """Return the given or the critical circle, and its factors of safety; None without strength."""
         circle = {name: value for name, value in self.given.get("circle", {}).items() if name != "start"}
         known = self.profile is not None or bool(self.strength)
@@ -117,13 +115,13 @@ class SlopeInput:
             crack=self.given.get("tension_crack", {}).get("crack", 0.0),
         )
 
-    def moving(self, tell: Callable[[str], None]) -> tuple[Section, Critical | None]:
+    def moving(self, tell: Tell) -> tuple[Section, Critical | None]:
         """Return the section of a motion, and the factors of safety of its circle."""
         circle, found = self.stability(tell)
         return self.section(circle), found
 
 
-def motion_mistakes(given: Arguments, layered: bool) -> list[str]:
+def motion_mistakes(given: Arguments, layered: bool) -> Texts:
     """Return a message for each table that factors of safety use but motions do not."""
     alone = "is for factors of safety alone (slipcircle search)"
     mistakes = []

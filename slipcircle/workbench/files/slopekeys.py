@@ -5,78 +5,64 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from generated.effects import INFINITY, LIMITS, Parameter
-from slipcircle.derivatives import SOIL_BOUNDS
+from slipcircle.core import declared
+from slipcircle.layers import PRESSURE, TOP, Soil
 from slipcircle.workbench.files.keys import (
     ARC,
     COHESION,
     EFFECT_TABLES,
     FRICTION,
     FURTHER,
-    LENGTH,
     OF_SOIL,
     RATE_OF_SOILS,
-    TOP,
     Key,
     Table,
-    declare,
     table_of,
+    worded,
 )
+from slipcircle.workbench.files.keys import TOP as TOP_LEVEL
 from slipcircle.workbench.stability.factors import YIELD
 from slipcircle.workbench.stability.stability import METHODS
 
 NOT_WITH_LAYERS = ("friction", "cohesion", "pore_pressure")
-_MOST_COHESION = 1e5  # kPa, of the soil of a homogeneous slope; larger values are in Pa by mistake
+_MOST_COHESION = 1e8  # Pa, of the soil of a homogeneous slope; larger values are in Pa by mistake
 
 
 def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
-    return declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], 1.0, True, "fixed")
+    return Parameter(name, "m", lower, LIMITS["m"][1], help, f"{name}_m", optional=True, kind="fixed")
 
 
 def _weight(help: str, optional: bool = False) -> Parameter:
-    return declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional, "fixed")
+    return Parameter("unit_weight", "N/m^3", 0.0, 1e5, help, "unit_weight_kN_m3", 1e3, optional=optional, kind="fixed")
 
 
 def _points(name: str, title: str) -> dict[str, Key]:
     key = "points_m" if name == "ground" else f"{name}_m"
-    words = "a list of two points or more, [[x, y], [x, y], ...] (m)"
-    return {key: Key(name, title, words, kind="points", number=LENGTH)}
+    return _of_points(name, key, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", "points")
 
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
-    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair", number=LENGTH)}
+    return _of_points(name, f"{name}_m", title, f"two numbers, {form} (m)", "pair")
+
+
+def _of_points(name: str, key: str, help: str, allowed: str, kind: str) -> dict[str, Key]:
+    return {key: Key(name, "m", help=help, key=key, optional=True, kind=kind, allowed=allowed, written="m")}
 
 
 def _place(name: str, help: str) -> Parameter:
     return replace(_length(name, help, -INFINITY), optional=False)
 
 
-def _of_soil(name: str, key: str, help: str, per_unit: float = 1.0, optional: bool = True) -> Parameter:
-    """Return the declaration of a number of a soil by its field of `Soil`."""
-    return declare(name, key, SOIL_BOUNDS[name][0], help, *SOIL_BOUNDS[name][1:], per_unit, optional)
-
-
-_PRESSURE = declare(
-    "pressure",
-    "pressure_kPa",
-    "Pa",
-    "the pressure, or at both ends, which varies by the greater one",
-    -5e-324,
-    1e12,
-    1e3,
-    False,
-    "load",
-)
-
-_UPRIGHT = declare(
+_UPRIGHT = Parameter(
     "angle",
-    "angle_deg",
     "rad",
-    "its angle, 90 for a scarp",
     0.0,
     math.nextafter(math.pi / 2, 2.0),
+    "its angle, 90 for a scarp",
+    "angle_deg",
     math.pi / 180,
-    True,
-    "fixed",
+    optional=True,
+    kind="fixed",
 )
 SLOPING: Mapping[str, Table] = {  # in place of an arc
     "ground": table_of(
@@ -105,13 +91,13 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         | _points("through", "two points of the circle")
         | _pair("between", "range of x that contains the intended mass, if the circle cuts off several")
         | {
-            "critical": Key(
+            "critical": worded(
                 "critical",
                 "method of the search for the critical circle",
                 f"one of {', '.join(METHODS)}, or {YIELD}: least yield coefficient",
                 kind="|".join((*METHODS, YIELD)),
             ),
-            "start": Key(
+            "start": worded(
                 "start",
                 "method from whose factor of safety the motion starts, by default the method of critical, or bishop",
                 f"one of {', '.join(METHODS)}",
@@ -133,7 +119,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         [_weight("unit weight of water, of ponds and cracks too, by default 9.81", True)],
         _points("level", "points of the level from left to right, over the whole mass; horizontal above the ground")
         | {
-            "confined": Key(
+            "confined": worded(
                 "confined",
                 "whether the water is confined: a level above the ground is then artesian pressure without free water",
                 "true or false",
@@ -145,22 +131,21 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         "limits of the search for the critical circle",
         [
             _length("depth", "least thickness of the mass, against skins", -5e-324),
-            declare(
-                "k_h",
+            Parameter(
                 "k_h",
                 "",
-                "horizontal acceleration as a share of g, positive down-slope",
                 -1.0,
                 1.0,
-                1.0,
-                True,
-                "fixed",
+                "horizontal acceleration as a share of g, positive down-slope",
+                "k_h",
+                optional=True,
+                kind="fixed",
             ),
         ],
         _pair("entry", "x of the upper end")
         | _pair("exit", "x of the lower end")
         | {
-            "k_h_on_surcharge": Key(
+            "k_h_on_surcharge": worded(
                 "k_h_on_surcharge", "whether k_h acts on surcharges, by default false", "true or false", kind="flag"
             )
         },
@@ -177,7 +162,7 @@ LOADS: Mapping[str, Table] = {  # in addition to them
     ),
     "surcharge": table_of(
         "a pressure on the ground, linear from one x to the other",
-        [_place("from", "x of its left end"), _place("to", "x of its right end"), _PRESSURE],
+        [_place("from", "x of its left end"), _place("to", "x of its right end"), replace(PRESSURE, kind="load")],
     )._replace(repeats="numbered"),
     "pond": table_of(
         "free water whose pore pressure is given otherwise, by r_u or by a lower or a confined level of [water]",
@@ -187,20 +172,13 @@ LOADS: Mapping[str, Table] = {  # in addition to them
 
 # --- soils and layers ------------------------------------------------------------------------------------------------
 
+_OF_SOIL = declared(Soil)
 _SOIL = table_of(
     "the soils, each by its name",
     [
-        _of_soil("unit_weight", "unit_weight_kN_m3", "unit weight", 1e3, optional=False),
-        _of_soil("saturated_unit_weight", "saturated_unit_weight_kN_m3", "unit weight below the water level", 1e3),
-        _of_soil("cohesion", "cohesion_kPa", "cohesion, by default 0", 1e3),
-        _of_soil(
-            "cohesion_gradient",
-            "cohesion_per_m_kPa",
-            "growth of the cohesion per metre below datum_m, by default 0",
-            1e3,
-        ),
+        *(_OF_SOIL[name] for name in ("unit_weight", "saturated_unit_weight", "cohesion", "cohesion_gradient")),
         _length("datum", "y below which the cohesion grows, by default the top of the layer", -INFINITY),
-        _of_soil("pore_ratio", "pore_pressure_ratio", "r_u, in place of the water level, by default 0"),
+        _OF_SOIL["pore_ratio"],
     ],
 )._replace(
     required=True,
@@ -209,25 +187,22 @@ _SOIL = table_of(
 )
 _LAYER = table_of(
     "the soils from the ground down, each by its name and its top",
-    [
-        replace(
-            _of_soil("top", "top_m", "its top, of the first layer the ground; a line varies by its first height"),
-            kind="line",
-        )
-    ],
-    {"soil": Key("soil", "name of the soil", required=True)},
+    [replace(TOP, kind="line")],
+    {"soil": worded("soil", "name of the soil", optional=False)},
 )._replace(required=True, repeats="numbered")
 _SLIP = table_of(
     "strength along the slip surface as the mass slides",
     [],
     {
-        "strength": Key(
+        "strength": worded(
             "strength",
             "base (default): strength of the ground below; mass: strength carried along with the mass",
             "one of base, mass",
             kind="base|mass",
         ),
-        "foreland": Key("foreland", "name of the soil below the arc beyond its exit, by default the soil at the exit"),
+        "foreland": worded(
+            "foreland", "name of the soil below the arc beyond its exit, by default the soil at the exit"
+        ),
     },
 )._replace(tables={"rate": RATE_OF_SOILS})
 
@@ -235,8 +210,7 @@ _SLIP = table_of(
 def _plausible(table: Table) -> Table:
     """Return a table of cohesion with the bounds that apply to soils."""
     keys = {
-        name: key._replace(number=replace(key.number, high=_MOST_COHESION)) if name.endswith("_kPa") else key
-        for name, key in table.keys.items()
+        name: replace(key, upper=_MOST_COHESION) if name.endswith("_kPa") else key for name, key in table.keys.items()
     }
     return table._replace(keys=keys)
 
@@ -245,9 +219,9 @@ _COHESION = EFFECT_TABLES["cohesion"]
 _OF_EFFECTS = EFFECT_TABLES | {
     "cohesion": _COHESION._replace(laws={name: _plausible(table) for name, table in _COHESION.laws.items()})
 }
-WITH_ONE_SOIL = TOP._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, **FURTHER})
+WITH_ONE_SOIL = TOP_LEVEL._replace(tables={"friction": FRICTION, **_OF_EFFECTS, **SLOPING, **LOADS, **FURTHER})
 _GROUND = SLOPING["ground"]
 _OF_LAYERS = {name: table for name, table in WITH_ONE_SOIL.tables.items() if name not in NOT_WITH_LAYERS} | {
     "ground": _GROUND._replace(keys={k: key for k, key in _GROUND.keys.items() if key.name != "unit_weight"})
 }
-WITH_LAYERS = TOP._replace(tables={**_OF_LAYERS, "slip": _SLIP, "soils": _SOIL, "layers": _LAYER})
+WITH_LAYERS = TOP_LEVEL._replace(tables={**_OF_LAYERS, "slip": _SLIP, "soils": _SOIL, "layers": _LAYER})

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import plain
 from slipcircle.base.kinds import ValueDict
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
@@ -39,5 +40,5 @@ def slope_of(scene: Scene, like: Slope) -> Slope:
     if isinstance(arc, LayeredSection):
         soils: ValueDict = {"layers": arc.layers, "surcharge": arc.surcharge, "crack": float(arc.crack)}
     else:
-        soils = soil(scene.friction, scene.effects) | {"unit_weight": float(np.asarray(arc.unit_weight))}
+        soils = soil(scene.friction, scene.effects) | {"unit_weight": plain(arc.unit_weight)}
     return replace(like, ground=arc.ground, level=arc.level, **soils)

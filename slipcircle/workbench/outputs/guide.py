@@ -123,11 +123,11 @@ def _keys(table: Table) -> Iterator[str]:
         other = pairs.get(k)
         if other is not None:
             alternative = table.keys[other]
-            words = f"{alternative.title}: {key.allowed} or {alternative.allowed}, needed"
+            words = f"{alternative.help}: {key.allowed} or {alternative.allowed}, needed"
             yield from _title(f"  {k} or {other}", words)
         elif k != "law" and k not in pairs.values():
-            needed = ", needed" if key.required else ""
-            yield from _title(f"  {k}", f"{key.title}: {key.allowed}{needed}")
+            needed = ", needed" if not key.optional else ""
+            yield from _title(f"  {k}", f"{key.help}: {key.allowed}{needed}")
     if table.any_of:
         yield f"{'':{INDENT}}needed: {' or '.join(table.any_of)}"
     if table.sets:

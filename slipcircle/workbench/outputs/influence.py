@@ -8,7 +8,8 @@ import numpy as np
 from slipcircle.base.text import printed, shown
 from slipcircle.derivatives import Sensitivity
 from slipcircle.workbench.common.quantities import words
-from slipcircle.workbench.files.numbers import Number, by_name, lengths
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import by_name, lengths
 from slipcircle.workbench.outputs.tables import Part
 
 _MOST = 10  # rows
@@ -79,7 +80,7 @@ def sensitivity_part(table: Sensitivity, stops: Mapping[str, float], names: Mapp
     return Part(head, rows, name, _note(table, names))
 
 
-def _label(table: Sensitivity, key: Number) -> str:
+def _label(table: Sensitivity, key: Key) -> str:
     """Return the key of a number; for a coordinate, also the number of coordinates."""
     count = sum(map(_is_point, table.parameters))
     if count > 1 and _is_point(key.name):
@@ -87,7 +88,7 @@ def _label(table: Sensitivity, key: Number) -> str:
     return key.key
 
 
-def _cell(table: Sensitivity, output: str, parameter: str, key: Number) -> str:
+def _cell(table: Sensitivity, output: str, parameter: str, key: Key) -> str:
     """Return a derivative as text: per unit of the key, in brackets relative, and its kind unless it is smooth."""
     at = table.at[output]
     value = float(key.from_si(table.at[parameter]))

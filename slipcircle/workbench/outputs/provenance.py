@@ -65,10 +65,10 @@ def _of_table(tables: Values, sources: Mapping[str, str], path: str, given: Valu
             source = sources.get(where) or sources.get(path, "")
             of_gravity = "g" if name.endswith("_g") else ""
             unit = _unit(key) or of_gravity
-            yield Input(where, _shown(value), unit, key.title, source)
+            yield Input(where, _shown(value), unit, key.help, source)
     spelt = {published(name)[0] for name in given}
     for name, key in keys.items():
-        title, _, default = key.title.partition(", by default ")
+        title, _, default = key.help.partition(", by default ")
         if default and name not in spelt and name != "name":
             yield Input(f"{prefix}{name}", default, _unit(key), title, "default")
 

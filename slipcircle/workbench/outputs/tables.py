@@ -329,6 +329,11 @@ def _total(columns: Sequence[Sequence[str]], most: int) -> int:
     return sum(_widths(columns, most)) + _GAP * len(columns)
 
 
+def headed(name: str, unit: str) -> str:
+    """Return the head of a column, with the unit of output for an SI unit."""
+    return f"{name} ({printed(unit)[1]})"
+
+
 def in_unit(cell: Any, unit: str) -> Any:
     """Return an outcome in an SI unit, or an estimate of one, in the unit of output."""
     factor, _ = printed(unit)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from slipcircle.base.checks import InputError, Message
-from slipcircle.base.kinds import ValueDict, Values
+from slipcircle.base.kinds import Texts, ValueDict, Values
 from slipcircle.workbench.common.units import ACCELERATION, PORE_PRESSURE, Quantity
 from slipcircle.workbench.records.recordfiles import Options, Samples
 from slipcircle.workbench.records.records import pressure_of, read_samples, shaking_of
@@ -12,9 +12,7 @@ from slipcircle.workbench.suites.intensities import drift_warning
 _BESIDE_RECORDS = ("two_way", "scale", "peak")
 
 
-def with_records(
-    effects: Mapping[str, Values], gravity: float, uncertain: Values
-) -> tuple[dict[str, Values], list[str]]:
+def with_records(effects: Mapping[str, Values], gravity: float, uncertain: Values) -> tuple[dict[str, Values], Texts]:
     """Return effects with the series of their records instead of file names, and remarks about the records.
 
     Gravity is in m/s^2, and must not be among the uncertain keys.
@@ -24,7 +22,7 @@ def with_records(
     ValueError
         If a file cannot be read as described. The message names the effect.
     """
-    remarks: list[str] = []
+    remarks: Texts = []
     readers = {
         "shaking": lambda settings: _shaking(settings, gravity, remarks),
         "pore_pressure": lambda settings: _pore_pressure(settings, remarks),
@@ -48,7 +46,7 @@ def with_records(
     return read, remarks
 
 
-def _samples(quantity: Quantity, file: str, settings: Values, remarks: list[str]) -> Samples:
+def _samples(quantity: Quantity, file: str, settings: Values, remarks: Texts) -> Samples:
     """Return the samples of a record with the settings of an effect, and add remarks about unused columns."""
     options = Options(**{key: settings[key] for key in Options._fields if key in settings})
     samples, unused = read_samples(quantity, file, options)
@@ -56,7 +54,7 @@ def _samples(quantity: Quantity, file: str, settings: Values, remarks: list[str]
     return samples
 
 
-def _pore_pressure(settings: Values, remarks: list[str]) -> ValueDict:
+def _pore_pressure(settings: Values, remarks: Texts) -> ValueDict:
     """Return a pore pressure ratio or a pressure from a record."""
     file = settings["record"]
     series = pressure_of(_samples(PORE_PRESSURE, file, settings, remarks), file)
@@ -68,7 +66,7 @@ def _pore_pressure(settings: Values, remarks: list[str]) -> ValueDict:
     return others | series
 
 
-def _shaking(settings: Values, gravity: float, remarks: list[str]) -> ValueDict:
+def _shaking(settings: Values, gravity: float, remarks: Texts) -> ValueDict:
     """Return k_h(t) and k_v(t) from a record, divided by gravity."""
     for way in ("horizontal", "pulse"):
         if way in settings:

@@ -144,8 +144,7 @@ def _header(found: re.Match[str] | None, units: str) -> Header | None:
         return None
     components = (fields.get(key, "").upper().replace("-", "") for key in ("component", "seed"))
     component = next((_KIK_NET.get(text, text) for text in components if text and is_direction(text)), "")
-    comments = max(round(numbers["comments"]), 0)
-    lines = found[0].count("\n") + comments
+    lines = found[0].count("\n") + max(round(numbers["comments"]), 0)
     scale = numbers["gal"] / (numbers["counts"] or INFINITY)
     return Header(lines, samples, step, fields.get("units") or units, component, scale, fields)
 

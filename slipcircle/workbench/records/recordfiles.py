@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.checks import InputError
-from slipcircle.base.kinds import Floats, Names
+from slipcircle.base.checks import InputError, quiet
+from slipcircle.base.kinds import Floats, Names, Texts
 from slipcircle.workbench.common.textfiles import (
     CLOCK,
     Lines,
@@ -141,7 +141,7 @@ def _of_format(name: str, text: str, header: Header) -> Samples:
     check_count(name, len(fields), header.samples)
     samples = _samples(name, header.step, fields, lines, _unit(ACCELERATION, name, header.units))
     if header.scale:
-        with np.errstate(invalid="ignore", over="ignore"):  # numbers that are not finite are refused later
+        with quiet():  # numbers that are not finite are refused later
             return samples._replace(values=(samples.values - np.mean(samples.values)) * header.scale)
     return samples
 
@@ -216,9 +216,7 @@ def _unit_of_column(quantity: Quantity, name: str, place: int, column: Column, a
     return unit
 
 
-def _with_roles(
-    quantity: Quantity, named: list[Column], cells: Sequence[list[str]], roles: Sequence[str]
-) -> list[Column]:
+def _with_roles(quantity: Quantity, named: list[Column], cells: Sequence[Texts], roles: Sequence[str]) -> list[Column]:
     """Return the columns of a table with roles from the options, the header or conventions."""
     width = len(cells)
     columns = list(named) or [Column("")] * width
@@ -246,12 +244,7 @@ def _with_roles(
 
 
 def _times(
-    quantity: Quantity,
-    name: str,
-    columns: Sequence[Column],
-    cells: Sequence[list[str]],
-    lines: Lines,
-    step: float | None,
+    quantity: Quantity, name: str, columns: Sequence[Column], cells: Sequence[Texts], lines: Lines, step: float | None
 ) -> Floats | float:
     """Return the times of the samples, or their step, in s.
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import EPS, INFINITY, Bounds, InputError, array_of, frozen, mistakes, raise_all
-from slipcircle.base.kinds import Floats, PathName
+from slipcircle.base.kinds import Floats, PathName, Texts
 from slipcircle.tables import Series, bad_sample
 from slipcircle.workbench.common.units import (
     ACCELERATION,
@@ -150,8 +150,7 @@ class Record(Series):
             time = dt * np.arange(float(values.size))
         super().__init__(array_of(time), values, held=False)
         check_strength("Record", self.values, unit)
-        driving = over_gravity(self.values, unit, holds, gravity)
-        object.__setattr__(self, "values", frozen(driving))
+        object.__setattr__(self, "values", frozen(over_gravity(self.values, unit, holds, gravity)))
 
     read = staticmethod(read_record)
 
@@ -208,7 +207,7 @@ _TIMES: dict[str, Bounds] = {
 }
 
 
-def read_samples(quantity: Quantity, path: PathName, options: Options) -> tuple[Samples, list[str]]:
+def read_samples(quantity: Quantity, path: PathName, options: Options) -> tuple[Samples, Texts]:
     """Return checked samples of the single record in a file, and a line for each unused column."""
     name = str(path)
     times = {n: v for n, v in (("step", options.step), ("start", options.start)) if v is not None}
@@ -219,8 +218,7 @@ def read_samples(quantity: Quantity, path: PathName, options: Options) -> tuple[
         shown = choice((channel.place, channel.name) for channel in read)
         raise InputError("", [f"{name}: has several columns of {quantity.name}; give {{column}}, one of {shown}"])
     samples = checked_samples(quantity, name, read[0].samples, options)
-    steps = np.diff(samples.time)
-    step = float(np.mean(steps))
+    step = float(np.mean(np.diff(samples.time)))
     if options.step and abs(step - options.step) > 0.01 * step:
         rule = f"but the file has steps of {step:.6g} s; leave it out"
         raise InputError("", [f"{name}: {{step}} = {options.step!r}, {rule}"])

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.base.kinds import PathName, ValueDict, Values
+from slipcircle.base.kinds import PathName, Texts, ValueDict, Values
 from slipcircle.base.progress import track
 from slipcircle.tables import Series
 from slipcircle.workbench.common.files import files_in
@@ -177,18 +177,18 @@ class Suite:
         return [(one, other) for one, other in pairs]
 
     @property
-    def reasons(self) -> list[str]:
+    def reasons(self) -> Texts:
         """Line for each file, column and vertical component that is not used."""
         verticals = [f"{entry.name}: is a vertical component" for entry in self.verticals]
         return [*map(str, self.unread), *verticals]
 
     @property
-    def not_used(self) -> list[str]:
+    def not_used(self) -> Texts:
         """Unused files, columns and components as warnings."""
         return [f"{line}; not used" for line in self.reasons]
 
     @property
-    def warnings(self) -> list[str]:
+    def warnings(self) -> Texts:
         """Warnings about unused files and columns, and about each record with a drift."""
         drifts = [f"{entry.name}: {entry.drift}" for entry in self.entries if entry.drift]
         return self.not_used + drifts

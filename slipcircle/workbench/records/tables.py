@@ -3,6 +3,7 @@
 import re
 from typing import NamedTuple
 
+from slipcircle.base.kinds import Texts
 from slipcircle.workbench.common.textfiles import NUMBER, NUMBER_AND_STEP, SEPARATORS, first_row, split, without_comment
 from slipcircle.workbench.common.units import ACCELERATION, TIME, Quantity, period_of, seconds_of, unit_of
 from slipcircle.workbench.records.columns import Column, column_of
@@ -65,7 +66,7 @@ def _unit(quantity: Quantity, said: dict[str, tuple[str, str]]) -> str:
     return ""
 
 
-def _columns(quantity: Quantity, above: list[str], separator: str | None, width: int) -> list[Column]:
+def _columns(quantity: Quantity, above: Texts, separator: str | None, width: int) -> list[Column]:
     """Return the columns from the last header line that names them, with units from the line below.
 
     The list is empty without names.
@@ -91,7 +92,7 @@ def _columns(quantity: Quantity, above: list[str], separator: str | None, width:
     return [column_of(f"({unit})", quantity) for unit in units if unit]
 
 
-def _parts(line: str, separator: str | None, width: int) -> tuple[str | None, list[str]]:
+def _parts(line: str, separator: str | None, width: int) -> tuple[str | None, Texts]:
     """Return a separator, and the fields of a line that it splits into ``width`` parts, or an empty list."""
     stated = re.sub(r"^[^:]*:|\([+-]\)", "", line).strip(" /")
     for mark in (separator, *SEPARATORS, "/"):

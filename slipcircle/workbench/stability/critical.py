@@ -7,12 +7,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, raise_all
 from slipcircle.base.conversions import Pictured
 from slipcircle.base.kinds import Floats, Names, Numbers, Pair, ValueDict, Values, cached_property
-from slipcircle.core import AS_ENTERED, Motion, Scene
+from slipcircle.core import AS_ENTERED, STORED, Motion, Parts, Scene
 from slipcircle.ground import Section, ends_above
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
@@ -248,22 +247,19 @@ class SlopeScene(Scene[Numbers]):
             found = at_rest_by(self, self.start, motion.end.rotation, friction, kept)
         return None if found is None or np.all(np.isnan(found)) else (found, self.start)
 
-    @cached_property
-    def numbers(self) -> Mapping[str, ArrayLike]:
-        """Numbers that may be arrays. The strength factor follows from the others unless it is explicit."""
-        numbers = super().numbers
-        if not self.starts_by_method:
-            return numbers
-        return {name: value for name, value in numbers.items() if name != "strength_factor"}
+    def parts(self) -> Parts:
+        """Return the parts of the scene. The strength factor follows from the others unless it is explicit."""
+        found = super().parts() | {"set_by_start": (self.set_by_start, STORED)}
+        if self.starts_by_method:
+            _, declaration = found["strength_factor"]
+            found["strength_factor"] = self.strength_factor, replace(declaration, kind="set")
+        return found
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
     """Return the given circle of a section of a slope with its factors of safety."""
-    ends = sorted([tuple(section.entry), tuple(section.exit)])
-    left, right = np.array(ends)[:, None]
-    centre = np.array([section.centre])
-    radius = np.array([section.radius])
-    found = circle_of(slope, centre, radius, left, right)
+    left, right = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
+    found = circle_of(slope, np.array([section.centre]), np.array([section.radius]), left, right)
     return replace(found, refused=int(None in found.factors_of_safety.values()))
 
 
@@ -276,8 +272,7 @@ def circle_of(slope: Slope, centre: Floats, radius: Floats, left: Floats, right:
     factors = circle_factors(slope.arrays(), *circle, rule=_PIECES)
     without_k_h = None
     if slope.k_h:
-        unshaken = replace(slope.arrays(), k_h=0.0)
-        without_k_h = _by_method(circle_factors(unshaken, *circle))
+        without_k_h = _by_method(circle_factors(replace(slope.arrays(), k_h=0.0), *circle))
     facing = int(factors["facing"][0])
     negative = float(factors["negative"][0])
     first = _point(left)

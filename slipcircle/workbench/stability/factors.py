@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated import slopes
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats
 from slipcircle.layers import crack_place
 from slipcircle.workbench.stability.bases import Arcs, angle_from_below
@@ -63,11 +64,11 @@ def circle_factors(
     """
     driven = driven_slices(slope, centre, radius, left, right, rule)
     slices = driven.slices
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         factors = {method: value(driven) for method, value in _VALUES.items()}
     ordinary = slices.integral(slices.ordinary_normal() < 0.0)
     bishop = slices.integral(bishop_normal(slices, factors["bishop"]) < 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         negative = np.maximum(ordinary, bishop) / slices.integral(1.0)
     return factors | {"facing": driven.facing, "negative": negative}
 
@@ -78,7 +79,7 @@ def factors_by(
     """Return factors of safety (or yield coefficients) by one method, and the direction in which each mass slides."""
     every_surface = method in ("paper", YIELD) or np.any(slope.k_h)
     driven = driven_slices(slope, centre, radius, left, right, rule, bool(every_surface))
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         return factor_by(method, driven), driven.facing
 
 
@@ -105,8 +106,7 @@ def driven_slices(
     slices = slices_above(slope, arcs, _TO_FACE if cracked else rule, every_surface)
     gravity = slices.driving_moment() + at_shores(slope, arcs)
     negligible = 1e-9 * slices.weight_along_arc()
-    is_driven = np.abs(gravity) > negligible
-    facing = np.where(is_driven, np.sign(gravity), 0.0)
+    facing = np.where(np.abs(gravity) > negligible, np.sign(gravity), 0.0)
     if cracked:
         arcs = _cracked(slope, arcs, facing)
         slices = slices_above(slope, arcs, rule, every_surface)
@@ -114,15 +114,13 @@ def driven_slices(
     slices = slices.facing(facing)
     if slope.ponds is not None:
         slices = submerged(slices, level_at_exit(slope.ponds, arcs, facing))
-    upper_end = np.where(facing > 0.0, arcs.first, arcs.last)
-    gravity = facing * gravity + _crack_water(slope, radius, upper_end)
+    gravity = facing * gravity + _crack_water(slope, radius, np.where(facing > 0.0, arcs.first, arcs.last))
     driving = gravity
     if np.any(slope.k_h):
         driving = gravity + slope.k_h * slices.shaking_moment()
     slides = arcs.valid & (facing != 0.0)
     gravity = np.where(slides, gravity, np.nan)
-    overcomes = slides & (driving > negligible)
-    driving = np.where(overcomes, driving, np.nan)
+    driving = np.where(slides & (driving > negligible), driving, np.nan)
     return Driven(slices, facing, gravity, driving)
 
 
@@ -140,8 +138,7 @@ def _arcs(slope: SlopeArrays, centre: Floats, radius: Floats, left: Floats, righ
 def _cracked(slope: SlopeArrays, arcs: Arcs, facing: Floats) -> Arcs:
     """Return arcs that begin at the bottom of a tension crack, where the ground is its depth above them."""
     depth = np.reshape(slope.crack, (-1, 1))
-    down = np.stack([np.zeros_like(depth), depth], axis=-1)
-    lowered_ground = slope.lines[0] - down
+    lowered_ground = slope.lines[0] - np.stack([np.zeros_like(depth), depth], axis=-1)
     sine = crack_place(arcs.from_centre(lowered_ground), np.sin(arcs.first), np.sin(arcs.last), facing)
     place = np.where(facing == 0.0, 0.0, np.arcsin(sine))
     first = np.where(facing > 0.0, place, arcs.first)
@@ -207,8 +204,7 @@ def _bishop(driven: Driven) -> Floats:
     friction = slices.friction
     cosine = slices.cosine
     lowest, highest = lever_range(slices)
-    effective = slices.vertical()
-    strength = slopes.bishop_strength(cosine, effective, 0.0, slices.cohesion(), friction)
+    strength = slopes.bishop_strength(cosine, slices.vertical(), 0.0, slices.cohesion(), friction)
     driving = driven.driving
     start = slices.integral(strength) / driving
     start = np.maximum(start, _LEAST_FACTOR)
@@ -216,8 +212,7 @@ def _bishop(driven: Driven) -> Floats:
     y = np.where(lowest < highest, y, np.nan)
     for _ in range(_NEWTON_STEPS):
         factor = 1.0 / y
-        of_arc = slices.of_arcs(factor)
-        lever = slopes.bishop_lever(slices.sine, cosine, friction, of_arc)
+        lever = slopes.bishop_lever(slices.sine, cosine, friction, slices.of_arcs(factor))
         shear = strength / lever
         excess = y * slices.integral(shear) - driving
         growth = slices.integral(shear * cosine / lever)  # d(y/m_alpha)/dy = cos/m_alpha^2
@@ -245,11 +240,9 @@ def lever_range(slices: Slices) -> ArrayPair:
     ends = slices.ends.reshape(2, *(1,) * (friction.ndim - 1), -1)
     sine = friction * np.sin(ends)
     room = np.cos(ends) - LEAST_LEVER
-    limits_above = np.maximum(room, 0.0) / sine
-    above = np.where(sine > 0.0, limits_above, greatest)
+    above = np.where(sine > 0.0, np.maximum(room, 0.0) / sine, greatest)
     above = above.min(axis=0)
-    limited_below = (sine < 0.0) & (room < 0.0)
-    below = np.where(limited_below, room / sine, 0.0)
+    below = np.where((sine < 0.0) & (room < 0.0), room / sine, 0.0)
     below = below.max(axis=0)
     if below.ndim > 1:
         return np.maximum(below.max(axis=-1), 0.0), above.min(axis=-1)

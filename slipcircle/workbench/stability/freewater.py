@@ -25,11 +25,9 @@ def at_shores(slope: SlopeArrays, arcs: Arcs) -> Any:
     sines = (np.stack([ponds.first, ponds.last]) - x) / arcs.radius
     after_first = sines > np.sin(arcs.first) + _ROUNDING
     before_last = sines < np.sin(arcs.last) - _ROUNDING
-    square = np.maximum(1.0 - sines**2, 0.0)
-    cosine = np.sqrt(square)
+    cosine = np.sqrt(np.maximum(1.0 - sines**2, 0.0))
     height = (ponds.level - y) / arcs.radius + cosine
-    moment = height**2 / 2 * (cosine - height / 3)
-    inside = np.where(after_first & before_last, moment, 0.0)
+    inside = np.where(after_first & before_last, height**2 / 2 * (cosine - height / 3), 0.0)
     at_first, at_last = inside.sum(axis=1)
     return slope.water_unit_weight / slope.soils.unit_weight[0] * (at_last - at_first)
 
@@ -58,8 +56,7 @@ def submerged(slices: Slices, level: Floats) -> Slices:
     water = slices.water * above_arc
     none = np.zeros_like(water)
     of_weight = np.stack([constant, gradient, np.ones_like(water)])
-    of_pressure = np.stack([height, none, np.ones_like(water)])
-    relieved = water * of_pressure
+    relieved = water * np.stack([height, none, np.ones_like(water)])
     buoyancy = -water * of_weight
     on_ground = relieved + buoyancy
     stresses = slices.stresses

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats, Values
+from slipcircle.base.kinds import ArrayTriple, Floats, Values
 from slipcircle.workbench.stability.factors import circle_factors
 from slipcircle.workbench.stability.family import COARSE, Search, valleys_of
 from slipcircle.workbench.stability.stability import METHODS, Slope
@@ -37,7 +37,7 @@ class SampleSearch:
         kept = _promising(search.evaluate(q, COARSE))
         self._q = q[kept]
         self._steps = steps[kept]
-        self._solved: list[tuple[Floats, Floats, Floats]] = []  # place, circle and steps of slopes
+        self._solved: list[ArrayTriple] = []  # place, circle and steps of slopes
 
     def factors(self, slope: Slope, place: Floats) -> dict[str, float]:
         """Return factors of safety by method on the critical circle of a slope, NaN without a critical circle.
@@ -45,7 +45,7 @@ class SampleSearch:
         Slopes are neighbours where the numbers in ``place`` are close; these should have about the same spread.
         """
 
-        def distance(solved: tuple[Floats, Floats, Floats]) -> float:
+        def distance(solved: ArrayTriple) -> float:
             return float(np.sum((solved[0] - place) ** 2))
 
         search = Search(slope, self._method, **self._limits)
@@ -70,7 +70,6 @@ def _promising(values: Floats) -> Any:
     """Return the numbers of the best values, and of some values not far above."""
     order = np.argsort(values, kind="stable")
     least = values[order[0]]
-    limit = least + _NEAR * max(abs(least), 0.1)
-    near = order[values[order] <= limit]
+    near = order[values[order] <= least + _NEAR * max(abs(least), 0.1)]
     others = near[_BEST:]
     return np.concatenate([near[:_BEST], others[:: max(len(others) // _OTHERS, 1)]])

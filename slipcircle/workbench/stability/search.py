@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base.checks import InputError, raise_all
-from slipcircle.base.kinds import Floats, Pair, Values
+from slipcircle.base.kinds import Floats, Pair, Tell, Texts, Values
+from slipcircle.base.text import measured
 from slipcircle.workbench.stability.condensed import least
 from slipcircle.workbench.stability.critical import Critical, circle_of
 from slipcircle.workbench.stability.factors import YIELD
@@ -25,7 +25,7 @@ def critical(
     entry: Pair | None = None,
     exit: Pair | None = None,
     depth: float = 0.0,
-    tell: Callable[[str], None] = lambda _: None,
+    tell: Tell = lambda _: None,
 ) -> Critical:
     """Return the circle with the least factor of safety, or with the least yield coefficient.
 
@@ -79,7 +79,7 @@ def critical(
     )
 
 
-def _reached_ends(search: Search, circle: Critical) -> list[str]:
+def _reached_ends(search: Search, circle: Critical) -> Texts:
     """Return a message for each end of the ground that the circle reaches."""
     reached = [
         x
@@ -89,7 +89,7 @@ def _reached_ends(search: Search, circle: Critical) -> list[str]:
     return [f"the circle reaches the end of the ground at x = {x:.6g}; the factor may be lower beyond" for x in reached]
 
 
-def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
+def _reached_limits(search: Search, q: Floats, circle: Critical) -> Texts:
     """Return a message for each limit of the search that the circle reaches."""
     near = 1e-4 * float(search.along[-1])
     sentences = []
@@ -99,11 +99,13 @@ def _reached_limits(search: Search, q: Floats, circle: Critical) -> list[str]:
             sentences.append(f"the {name} is at a limit of the search, x = {x:.6g}; the factor may be lower beyond")
     centre, radius, _, _ = search.circles(q)
     if search.depth and search.thickness(q, centre, radius)[0] < search.depth + near:
-        sentences.append(f"the mass is as thin as the search allows, {search.depth:.6g} m; thinner ones may be worse")
+        sentences.append(
+            f"the mass is as thin as the search allows, {measured(search.depth, 'm', 6)}; thinner ones may be worse"
+        )
     return sentences
 
 
-def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> list[str]:
+def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> Texts:
     if not isinstance(slope, Slope):
         return [f"{{slope}} = {slope!r}: must be a Slope; the command search reads a file"]
     ground = np.asarray(slope.ground)
@@ -127,7 +129,7 @@ def _mistakes(slope: Any, method: Any, limits: Values, depth: Any) -> list[str]:
     return mistakes
 
 
-def _limit_mistakes(name: str, pair: Any, ground: Floats) -> list[str]:
+def _limit_mistakes(name: str, pair: Any, ground: Floats) -> Texts:
     try:
         low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
     except (TypeError, ValueError):

@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.checks import InputError, complaint, freeze, raise_all
-from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, ValueDict, Values
+from slipcircle.base.kinds import ArrayDict, ArrayPair, Floats, Function, Parameters, Shape, Texts, ValueDict, Values
 from slipcircle.base.units import take_units
 from slipcircle.core import cohesion_mistakes, law_mistakes
 from slipcircle.ground import Ponds, Section, free_water, slope_errors, water_fault
 from slipcircle.layers import LayeredSection, Soil, cohesion_at_rest, friction_at_rest, growth_at_rest, layer_mistakes
-from slipcircle.workbench.stability.columns import SlopeArrays, SoilArrays, level_line
+from slipcircle.workbench.stability.columns import BOUNDS, SlopeArrays, SoilArrays, level_line
 from slipcircle.workbench.stability.factors import YIELD, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -126,13 +126,13 @@ class Slope:
         mistakes = self._field_mistakes()
         if not mistakes:
             freeze(self, ("cohesion", "friction"))
-            object.__setattr__(self, "ground", np.array(self.ground, dtype=np.float64))
+            object.__setattr__(self, "ground", np.array(self.ground, float))
             if self.level is not None:
-                object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
+                object.__setattr__(self, "level", np.array(self.level, float))
             mistakes = self._joint_mistakes()
         raise_all("Slope", mistakes)
 
-    def _field_mistakes(self) -> list[str]:
+    def _field_mistakes(self) -> Texts:
         """Return a message for each field that is missing, out of range, or excluded by another field."""
         fields = {name: value for name, value in vars(self).items() if name not in _LAYERED}
         mistakes = []
@@ -147,14 +147,14 @@ class Slope:
             of_laws = self._law_mistakes()
             mistakes += of_laws
             fields |= {"cohesion": 0.0, "friction": 0.0} if of_laws else self._strength
-        mistakes += slope_errors(fields)
+        mistakes += slope_errors(fields, BOUNDS)
         if self.level is not None and self.pore_ratio != 0.0:
             mistakes.append(
                 f"{{pore_ratio}} = {self.pore_ratio!r}: {{level}} gives the pore pressure, too; remove one of them"
             )
         return mistakes
 
-    def _law_mistakes(self) -> list[str]:
+    def _law_mistakes(self) -> Texts:
         """Return a message for each mistake in strengths that are laws; numbers are checked with the other fields."""
         given = {"friction": self.friction, "cohesion": self.cohesion}
         types = [name for name, value in given.items() if isinstance(value, type)]
@@ -170,7 +170,7 @@ class Slope:
         """Return cohesion and friction of one soil at the start."""
         return {"cohesion": cohesion_at_rest(self.cohesion), "friction": friction_at_rest(self.friction)}
 
-    def _joint_mistakes(self) -> list[str]:
+    def _joint_mistakes(self) -> Texts:
         """Return a message for each mistake of fields that are individually valid."""
         mistakes = complaint([water_fault(*self._water)], ())
         if not self.layers and not any((*self._strength.values(), self.cohesion_gradient)):

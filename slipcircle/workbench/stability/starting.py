@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import Floats
 from slipcircle.layers import LayeredSection
 from slipcircle.workbench.stability.columns import SlopeArrays
@@ -53,7 +54,7 @@ def _of_scene(scene: Any, result: Callable[[Driven], Floats], slipped: bool = Fa
         return None
     blocks = []
     for driven, lanes in driven_blocks(scene, slipped):
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with quiet():
             results = result(driven)
         blocks.append(np.broadcast_to(results, lanes))
     values = np.concatenate(blocks).reshape(scene.shape)
@@ -120,10 +121,9 @@ def at_rest_by(scene: Any, method: str, rotation: float, friction: float, kept: 
     cohesion = soils.cohesion * kept
     growth = soils.cohesion_gradient * kept
     soils = soils._replace(friction=rest, cohesion=cohesion, cohesion_gradient=growth)
-    ground = turned[None]
-    moved = replace(slope, ground=ground, soils=soils)
+    moved = replace(slope, ground=turned[None], soils=soils)
     driven = driven_slices(moved, centre, radius, left, right, _RULE)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with quiet():
         return float(factor_by(method, driven)[0])
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Values
+from slipcircle.base.kinds import Floats, Names, Pair, TextDict, Texts, Values
 from slipcircle.core import Motion, Scene, checked, solve
 from slipcircle.derivatives import free_parameters, neighbour_derivatives, with_parameters
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
@@ -211,7 +211,7 @@ def backanalyse(
 def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> BackAnalysis:
     """Return the back-analysis of a problem; ``intervals`` are its observations given as intervals."""
     observed = problem.observed
-    units = {f.key: f.unit for f in problem.fields}
+    units = {f.key: f.written for f in problem.fields}
     is_exact = len(problem.fields) == len(observed) == 1
     solutions, warnings = _exact(problem) if is_exact else _fitted(problem)
     method = AT_LIMIT if problem.limit else ROOT if is_exact else FITTED
@@ -221,7 +221,7 @@ def _analysed(problem: SearchProblem, intervals: Mapping[str, Interval]) -> Back
     return BackAnalysis(units, dict(observed), tuple(solutions), method, tuple(warnings), intervals)
 
 
-def _exact(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+def _exact(problem: SearchProblem) -> tuple[list[Solution], Texts]:
     """Return all solutions for one field and one observation, the fewest swings first, and warnings."""
     if problem.limit is None:
         values = solve_exact(problem)
@@ -270,7 +270,7 @@ def _wanted(problem: SearchProblem, target: float, outcomes: Sequence[float]) ->
     return f"{name} {limit} {unit}: {'every' if all(inside) else 'no'}"
 
 
-def _fitted(problem: SearchProblem) -> tuple[list[Solution], list[str]]:
+def _fitted(problem: SearchProblem) -> tuple[list[Solution], Texts]:
     """Return all solutions that fit about as well as the best one, the best first, and warnings."""
     names = ", ".join(f.key for f in problem.fields)
     count = len(problem.fields)
@@ -331,8 +331,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
         if problem.limit is None:
             _refuse_indistinct(problem, jacobian)
         inverse = np.linalg.pinv(jacobian)
-        relative = np.abs(inverse) @ _numerical_errors(problem, motion, outcomes)
-        error = max(float(np.max(relative)), EPS)
+        error = max(float(np.max(np.abs(inverse) @ _numerical_errors(problem, motion, outcomes))), EPS)
         covariance = _covariance(problem, inverse * sizes[:, None], chi_square)
     missed = dict(zip(problem.observed, residuals.tolist(), strict=True))
     return Solution(by_key, motion, missed, covariance, error, chi_square)

@@ -11,20 +11,20 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import ArrayDict, Floats, Shape, ValueDict
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import ArrayDict, Columns, Floats, Shape, ValueDict
 from slipcircle.core import ANSWERED, Scene, Status
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.quantities import OUTCOMES, factors
-from slipcircle.workbench.files.numbers import Number, Uncertain
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import Uncertain
 from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
 from slipcircle.workbench.studies.groundmotions import GroundMotions
 from slipcircle.workbench.studies.motions import factors_at_start, motions
 from slipcircle.workbench.studies.sampling import monte_carlo, sobol
 from slipcircle.workbench.studies.searched import SEARCHED, searched_factors
 
-Result = dict[str, NDArray[Any]]
 # Statuses of samples that slide without a known end: they move and exceed every threshold.
 NO_RESULT = tuple(s for s in Status if s not in ANSWERED and s < Status.INVALID)
 METHODS = ("monte-carlo", "sobol")
@@ -48,7 +48,7 @@ class Design:
 
     scene: Scene  # its values apply unless an input varies them
     accuracy: float
-    inputs: Mapping[str, Number]  # that vary, by name
+    inputs: Mapping[str, Key]  # that vary, by name
     drawn: Mapping[str, Uncertain]  # distributions of the drawn inputs, by name
     levels: tuple[Floats, ...]  # values of each input, in its key's unit: a grid, the last input fastest
     method: str  # one of `METHODS`, or "grid"
@@ -163,7 +163,7 @@ class Design:
         draw = sobol if self.method == "sobol" else monte_carlo
         return draw(self.seed, stream, start, length, dimensions)
 
-    def task(self, index: int) -> tuple[Callable[[int], Result], int]:
+    def task(self, index: int) -> tuple[Callable[[int], Columns], int]:
         """Return the function that computes a block and its argument, with the records of the block alone."""
         if self.records is None:
             return self.run_block, index
@@ -193,12 +193,12 @@ class Design:
 
     def _si(self, index: int) -> ArrayDict:
         """Return the values of the inputs in the scenes of a block by name, in SI units."""
-        with np.errstate(all="ignore"):
+        with quiet():
             return {
                 name: number.to_si(x) for (name, number), x in zip(self.inputs.items(), self.values(index), strict=True)
             }
 
-    def run_block(self, index: int) -> Result:
+    def run_block(self, index: int) -> Columns:
         """Compute a block and return its results by the names of `outputs`."""
         si = self._si(index)
         scene = self.scene
@@ -230,7 +230,7 @@ class Design:
         """Whether factors of safety are stored with the motions, as for grids and searches of every sample."""
         return self.search_each or self.method == "grid"
 
-    def at_start(self, index: int) -> Result:
+    def at_start(self, index: int) -> Columns:
         """Return the factors of safety of a block of samples by method, without integration."""
         return factors_at_start(self.scene, self._si(index), self.accuracy)
 

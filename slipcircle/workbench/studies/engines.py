@@ -27,10 +27,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import PathName, Shape, ValueDict, Values
+from slipcircle.base.kinds import Columns, PathName, Shape, ValueDict, Values
 from slipcircle.base.optional import optional
 from slipcircle.workbench.common.files import write
-from slipcircle.workbench.studies.design import Design, Result
+from slipcircle.workbench.studies.design import Design
 
 ENGINES = ("threads", "processes")
 _AHEAD = 512  # blocks under way at once: more than the workers of a cluster
@@ -113,7 +113,7 @@ class Store:
         self.damaged += not is_whole
         return is_whole
 
-    def save(self, index: int, result: Result) -> None:
+    def save(self, index: int, result: Columns) -> None:
         """Store a finished block."""
         for name, values in self.values.items():
             values[self.design.place(index)] = result[name]
@@ -192,9 +192,9 @@ def compute(
     design: Design, executor: Executor, store: Store, progress: Callable[[int, int], None] = lambda *_: None
 ) -> None:
     """Compute and store the blocks that are not stored yet; ``progress(scenes, stored scenes)`` is called for each."""
-    under_way: dict[Future[Result], int] = {}
+    under_way: dict[Future[Columns], int] = {}
 
-    def save(futures: Iterable[Future[Result]]) -> None:
+    def save(futures: Iterable[Future[Columns]]) -> None:
         for future in futures:
             index = under_way.pop(future)
             store.save(index, future.result())
@@ -238,5 +238,5 @@ def _deferred_interrupt() -> Iterator[Event]:
         signal.signal(signal.SIGINT, before)
 
 
-def _is_complete(future: Future[Result]) -> bool:
+def _is_complete(future: Future[Columns]) -> bool:
     return future.done() and not future.cancelled() and future.exception() is None

@@ -17,8 +17,9 @@ from slipcircle.core import Scene, checked, plan
 from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.common.identity import digest
+from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.files.loaded import stability_of
-from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, uncertain_numbers
+from slipcircle.workbench.files.numbers import Uncertain, by_name, listed, number_in, uncertain_numbers
 from slipcircle.workbench.files.variation import along_means
 from slipcircle.workbench.studies.design import REPLICATES, Design
 from slipcircle.workbench.studies.engines import Store, as_executor, compute, engine, stored
@@ -200,7 +201,7 @@ def grid(
     if not isinstance(levels, Mapping):
         raise ValueError(f"grid: levels = {levels!r}: must be a mapping from keys to lists of numbers")
     found = [] if levels else ["no values are given"]
-    inputs: dict[str, Number] = {}
+    inputs: dict[str, Key] = {}
     for path, values in levels.items():
         try:
             number = varied_number(scene, path, values)
@@ -213,14 +214,14 @@ def grid(
     if n > _MOST_GRID:
         found.append(f"{n} combinations: a grid is held in memory, at most {_MOST_GRID}; use samples instead")
     raise_all("grid", ([OF_ARRAYS] if scene.shape else []) + found)
-    axes = tuple(np.asarray(values, dtype=np.float64) for values in levels.values())
+    axes = tuple(np.asarray(values, float) for values in levels.values())
     accuracy = plan(scene, accuracy).accuracy
     independent = np.eye(len(inputs))
     design = Design(scene, accuracy, inputs, {}, axes, "grid", n, 0, independent, 0, _size(n, "grid"))
     return conduct(design, executor, 0.95, folder, progress)
 
 
-def varied_number(scene: Scene, path: str, values: Any) -> Number:
+def varied_number(scene: Scene, path: str, values: Any) -> Key:
     """Return the parameter of a scene for a key, after a check that it can take a list of values."""
     number = number_in(scene, path)
     if parameter_value(scene, number.name) is None:

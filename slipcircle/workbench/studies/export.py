@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Names, ValueDict
+from slipcircle.base.kinds import Columns, Names, ValueDict
 from slipcircle.base.optional import optional
 from slipcircle.core import Status
 from slipcircle.workbench.common.quantities import OUTCOMES, plain
@@ -158,7 +158,7 @@ def _under_records(study: Any) -> ValueDict:
 # --- results ---------------------------------------------------------------------------------------------------------
 
 
-def axes(study: Any) -> dict[str, NDArray[Any]]:
+def axes(study: Any) -> Columns:
     """Return the axes of the results by name: keys of a grid, or samples, preceded by the axes of records if any."""
     design = study.design
     if design.method == "grid":
@@ -180,7 +180,7 @@ def _along(study: Any) -> dict[str, tuple[Names, NDArray[Any]]]:
     return along | {key: (("sample",), values) for key, values in study.inputs.items()}
 
 
-def arrays(study: Any) -> dict[str, NDArray[Any]]:
+def arrays(study: Any) -> Columns:
     """Return axes, inputs (as ``sample_`` followed by the key) and results as arrays by name."""
     levels = axes(study)
     shape = [len(values) for values in levels.values()]
@@ -188,7 +188,7 @@ def arrays(study: Any) -> dict[str, NDArray[Any]]:
     return levels | named | {name: values.reshape(shape) for name, values in study.values.items()}
 
 
-def columns(study: Any) -> dict[str, NDArray[Any]]:
+def columns(study: Any) -> Columns:
     """Return all scenes as columns by name, one element for each scene; without records, outcomes are magnitudes."""
     levels = axes(study)
     shape = [len(values) for values in levels.values()]
@@ -206,7 +206,7 @@ def frame(study: Any) -> Any:
     found = optional("pandas", "to_pandas").DataFrame(columns(study))
     if study.design.method != "grid":
         found = found.set_index([*axes(study)])
-    found.attrs["units"] = {**RESULTS, **{number.key: number.unit for number in study.design.inputs.values()}}
+    found.attrs["units"] = {**RESULTS, **{number.key: number.written for number in study.design.inputs.values()}}
     return found
 
 

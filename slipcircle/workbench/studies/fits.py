@@ -83,6 +83,5 @@ def _minimum(problem: SearchProblem, start: Floats) -> Any:
 def _is_settled(result: Any) -> bool:
     """Return whether residuals vanish or are normal to the derivatives by all fields inside their ranges."""
     left = np.linalg.norm(result.fun)
-    lengths = np.linalg.norm(result.jac, axis=0) * left
-    is_flat = np.abs(result.grad) <= _FLAT * lengths
+    is_flat = np.abs(result.grad) <= _FLAT * (np.linalg.norm(result.jac, axis=0) * left)
     return bool(np.all(is_flat | (result.active_mask != 0)) or left < _MET)

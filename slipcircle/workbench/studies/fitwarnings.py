@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from slipcircle.base.kinds import Texts
 from slipcircle.base.optional import optional
 from slipcircle.workbench.studies.problem import SearchProblem
 
@@ -9,7 +10,7 @@ _UNLIKELY = 1e-3  # probability of so large a misfit, below which a warning is g
 _AT_END = 1e-6  # of a range
 
 
-def range_warnings(problem: SearchProblem, solution: Any) -> list[str]:
+def range_warnings(problem: SearchProblem, solution: Any) -> Texts:
     """Return a warning for each value at an end of its searched range."""
     rows = zip(solution.values.items(), problem.ranges, strict=True)
     return [
@@ -20,7 +21,7 @@ def range_warnings(problem: SearchProblem, solution: Any) -> list[str]:
     ]
 
 
-def fit_warnings(problem: SearchProblem, first: Any) -> list[str]:
+def fit_warnings(problem: SearchProblem, first: Any) -> Texts:
     """Return warnings about a fit: values at range ends or hardly determined, and a misfit beyond the errors."""
     warnings = range_warnings(problem, first)
     for (name, value), (low, *_, high) in zip(first.values.items(), problem.ranges, strict=True):
@@ -32,7 +33,7 @@ def fit_warnings(problem: SearchProblem, first: Any) -> list[str]:
     return warnings + _misfit_warnings(problem, first.chi_square)
 
 
-def _misfit_warnings(problem: SearchProblem, chi_square: float) -> list[str]:
+def _misfit_warnings(problem: SearchProblem, chi_square: float) -> Texts:
     """Return a warning if known standard errors do not explain the misfit."""
     free = problem.degrees_of_freedom
     chance = (

@@ -7,9 +7,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from slipcircle.base.kinds import Floats, ValueDict
+from slipcircle.base.kinds import ArrayTriple, Floats, Integers, ValueDict
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 from slipcircle.workbench.studies.statistics import NOT_GIVEN, Estimate
@@ -56,7 +56,7 @@ class FragilityCurve(NamedTuple):
 
     def probability(self, pga: ArrayLike) -> Floats:
         """Return probabilities of exceedance and their intervals at peak accelerations over gravity, (3, ...)."""
-        log_pga = np.log(np.asarray(pga, dtype=np.float64))
+        log_pga = np.log(np.asarray(pga, float))
         intercept, slope = self.coefficients
         (of_intercept, joint), (_, of_slope) = self.covariance
         middle = intercept + slope * log_pga
@@ -137,7 +137,7 @@ def _curve(threshold: float, coefficients: Floats, covariance: Floats, quantile:
     return FragilityCurve(threshold, "", median, dispersion, coefficients, covariance, quantile)
 
 
-def _not_identified(share: Floats, log_pga: Floats, record: NDArray[np.int64]) -> str:
+def _not_identified(share: Floats, log_pga: Floats, record: Integers) -> str:
     """Return the reason why the motions do not identify a curve, also without each of the records; else empty.
 
     If a curve depends on one record alone, its dispersion would be small and the interval too narrow.
@@ -194,14 +194,14 @@ def _most_likely(terms: Floats, share: Floats) -> Floats:
     return minimize(negative, np.array([0.0, 1.0]), jac=True, method="BFGS", options={"gtol": 1e-9}).x
 
 
-def _jackknife(terms: Floats, share: Floats, record: NDArray[np.int64]) -> Floats:
+def _jackknife(terms: Floats, share: Floats, record: Integers) -> Floats:
     """Return the covariance of the coefficients from fits that leave out one record each."""
     without = np.array([_most_likely(terms[record != one], share[record != one]) for one in np.unique(record)])
     count = len(without)
     return (count - 1) ** 2 / count * np.cov(without.T)
 
 
-def _likelihood(argument: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
+def _likelihood(argument: Floats, share: Floats) -> ArrayTriple:
     """Return log-likelihoods of shares at arguments of Phi, first derivatives and negative expected second ones."""
     log_above = special().log_ndtr(argument)
     log_below = special().log_ndtr(-argument)

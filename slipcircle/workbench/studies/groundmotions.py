@@ -13,7 +13,7 @@ from slipcircle.base.checks import raise_all
 from slipcircle.base.kinds import ArrayDict, Floats, Names, Shape, Values
 from slipcircle.core import Scene
 from slipcircle.tables import STRONGEST, LaneSeries, Pulse, Series
-from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.files.keys import Key
 from slipcircle.workbench.records.suite import Entry, Suite
 from slipcircle.workbench.studies.statistics import THRESHOLDS
 
@@ -65,7 +65,7 @@ class GroundMotions:
 
 
 def ground_motions(
-    scene: Scene, inputs: Mapping[str, Number], records: Any, settings: Values
+    scene: Scene, inputs: Mapping[str, Key], records: Any, settings: Values
 ) -> tuple[Scene, GroundMotions]:
     """Return the scene without its shaking, and the ground motions that replace it, from an ensemble's settings.
 
@@ -74,8 +74,7 @@ def ground_motions(
     ValueError
         If records are invalid or do not fit the scene and the scales; the message lists them.
     """
-    gravity = float(np.ravel(scene.arc.gravity)[0])
-    suite = Suite.of(records, strict=settings["strict"], gravity=gravity)
+    suite = Suite.of(records, strict=settings["strict"], gravity=float(np.ravel(scene.arc.gravity)[0]))
     shaking = scene.checked_effects.get("shaking", {})
     still = {effect: given for effect, given in scene.checked_effects.items() if effect != "shaking"}
     two_way = {key: given for key, given in shaking.items() if key == "two_way"}
@@ -85,13 +84,13 @@ def ground_motions(
     thresholds = settings["thresholds"]
     scales = pga if pga is not None else 1.0 if settings["scales"] is None else settings["scales"]
     thresholds = THRESHOLDS if thresholds is None else thresholds
-    scales, thresholds = (np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (scales, thresholds))
+    scales, thresholds = (np.atleast_1d(np.asarray(x, float)) for x in (scales, thresholds))
     motions = GroundMotions(suite, polarities, scales, pga is not None, two_way, replaces, thresholds)
     raise_all("ensemble", [*_input_mistakes(inputs), *_record_mistakes(motions)])
     return replace(scene, effects=still, uncertain={}), motions
 
 
-def _input_mistakes(inputs: Mapping[str, Number]) -> Iterator[str]:
+def _input_mistakes(inputs: Mapping[str, Key]) -> Iterator[str]:
     """Yield a message for each parameter that cannot be uncertain under records."""
     for name, number in inputs.items():
         if name.startswith("shaking."):

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import quiet
 from slipcircle.base.kinds import ValueDict, Values
 from slipcircle.core import Motion, Scene, plan, problem_of, solve
 from slipcircle.derivatives import with_parameter_arrays
@@ -13,14 +14,14 @@ from slipcircle.workbench.common.quantities import factors
 
 def motions(scene: Scene, values: Values, accuracy: float | None = None) -> Motion:
     """Solve a scene with arrays of values by name, in SI units; invalid scenes have the status `Status.INVALID`."""
-    with np.errstate(all="ignore"):  # invalid scenes are reported by their status
+    with quiet():  # invalid scenes are reported by their status
         lanes, invalid = _lanes(scene, values)
         return solve(lanes, accuracy, invalid=invalid)
 
 
 def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict:
     """Return factors of safety by method for arrays of values by name, in SI units, without integration."""
-    with np.errstate(all="ignore"):
+    with quiet():
         lanes, invalid = _lanes(scene, values)
         statics = Forces(problem_of(plan(lanes, accuracy), invalid)).statics
         return factors(lanes, statics["factor_of_safety"])
@@ -28,5 +29,5 @@ def factors_at_start(scene: Scene, values: Values, accuracy: float) -> ValueDict
 
 def _lanes(scene: Scene, values: Values) -> tuple[Scene, Any]:
     """Return the scene with arrays of values, and a mask of its invalid lanes."""
-    arrays = {name: np.asarray(value, dtype=np.float64) for name, value in values.items()}
+    arrays = {name: np.asarray(value, float) for name, value in values.items()}
     return with_parameter_arrays(scene, arrays)

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import raise_all, real_number, shown
-from slipcircle.base.kinds import ArrayPair, Floats, Pair
+from slipcircle.base.checks import plain, raise_all, real_number, shown
+from slipcircle.base.kinds import ArrayPair, Floats, Pair, Texts
 from slipcircle.base.progress import counted
-from slipcircle.core import ANSWERED, Scene, Status, depends_on, law_names
-from slipcircle.derivatives import DIP, parameter_value
+from slipcircle.core import ANSWERED, DIP, Scene, Status, depends_on, law_names
+from slipcircle.derivatives import parameter_value
 from slipcircle.workbench.common.quantities import OBSERVABLE, Interval, Observed, observable
-from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
 Kinds = NDArray[Any]  # kind of each motion: its status and number of turnings
@@ -40,7 +41,7 @@ class SearchProblem:
     def __init__(
         self,
         scene: Scene,
-        fields: Sequence[Number],
+        fields: Sequence[Key],
         ranges: Sequence[Floats],
         observed: Observations,
         limit: Interval | None = None,
@@ -56,8 +57,7 @@ class SearchProblem:
         )  # standard errors for all observations, or for none
         exit = float(np.ravel(scene.arc.exit)[0])  # x of the toe before the motion
         self.origins = np.array([exit if name == "toe_x" else 0.0 for name in observed])
-        values = np.array([value for value, _ in pairs])
-        self.targets = values - self.origins
+        self.targets = np.array([value for value, _ in pairs]) - self.origins
         sigmas = [sigma for _, sigma in pairs]
         self.scales = np.array([sigma or abs(value) or 1.0 for value, sigma in zip(self.targets, sigmas, strict=True)])
 
@@ -119,8 +119,7 @@ class SearchProblem:
         """Return residuals and their derivatives with respect to the shares, (observations, fields), at one point."""
         here = shares[:, None]
         steps = _STEP * np.eye(len(shares))
-        moved_up = np.minimum(here + steps, 1.0)
-        places = np.hstack([here, moved_up, np.maximum(here - steps, 0.0)])
+        places = np.hstack([here, np.minimum(here + steps, 1.0), np.maximum(here - steps, 0.0)])
         residuals = self.residuals(places)
         at_here = residuals[:, 0]
         is_known = ~np.isnan(residuals).any(axis=0)
@@ -224,7 +223,7 @@ def _limit_of(intervals: Mapping[str, Interval]) -> Interval | None:
     return limits[0] if limits else None
 
 
-def _ranges(scene: Scene, fields: Sequence[Number], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
+def _ranges(scene: Scene, fields: Sequence[Key], ends: Mapping[str, Pair], is_alone: bool) -> list[Floats]:
     """Return the values of each field to search, between its bounds if given."""
     ranges = []
     for number in fields:
@@ -247,7 +246,7 @@ def _default_field(scene: Scene) -> str:
     )
 
 
-def _field_mistakes(scene: Scene, fields: Sequence[Number], observed: Observations) -> list[str]:
+def _field_mistakes(scene: Scene, fields: Sequence[Key], observed: Observations) -> Texts:
     """Return a message for each mistake in the choice of fields."""
     mistakes = []
     names = [f.name for f in fields]
@@ -280,10 +279,10 @@ def _between(name: str, low: float, high: float) -> Floats:
     return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
 
 
-def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
+def _range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return the values of a field to search without bounds; a wider range if other fields vary as well."""
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
-    is_friction = is_coefficient and (field.tangent or not field.unit)
+    is_friction = is_coefficient and (field.tangent or not field.written)
     if is_friction:
         return np.unique(field.from_si(_friction_range(scene, field, is_alone)))
     values = _usual_range(scene, field.name)
@@ -296,9 +295,8 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     """Return usual values of a parameter in SI units, from scales of the arc or about the scene's value, or None."""
     arc = scene.arc
     scales = (arc.static_normal_stress, arc.radius, arc.gravity)
-    stress, radius, gravity = (float(np.asarray(scale)) for scale in scales)
-    next_to_one = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
-    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], next_to_one])
+    stress, radius, gravity = map(plain, scales)
+    to_one = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     by_scale = {
         "initial_velocity": 2 * math.sqrt(gravity * radius) * np.linspace(-1.0, 1.0, 241),
         "dip": np.pi / 2 * np.concatenate([-to_one[:0:-1], to_one]),
@@ -321,7 +319,7 @@ def _usual_range(scene: Scene, name: str) -> Floats | None:
     return (value or 1.0) * np.geomspace(1e-3, 1e3, 121)
 
 
-def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
+def _friction_range(scene: Scene, field: Key, is_alone: bool) -> Floats:
     """Return friction values from many swings of the mass up to the limit of motion from rest."""
     at_once = replace(scene, end_time=1e-9 * float(scene.arc.time_scale), uncertain={})
     limit = float(motions(at_once, {field.name: np.zeros(1)}).limit_friction[0])
@@ -337,7 +335,7 @@ def _friction_range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     creeps = "speed" in depends_on(
         law_names(scene.friction)
     )  # with more friction the mass creeps, which takes long to solve
-    has_speed = float(np.asarray(scene.initial_velocity)) != 0.0
+    has_speed = plain(scene.initial_velocity) != 0.0
     if is_alone and not creeps and (has_speed or not is_constant):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if "shaking" in scene.called or not is_alone:  # shaking moves a mass that would stay at rest

@@ -59,8 +59,7 @@ def propagated(design: Design) -> dict[str, Linear]:
         raise ValueError(f"{', '.join(unknown)}: the motion at the means is not differentiable with respect to it")
     changes = slopes * np.array(stds)
     variances = np.einsum("oi,ij,oj->o", changes, design.correlation, changes)
-    means_of = np.abs(_outcomes(motion)).tolist()
-    linear = map(Linear, means_of, np.sqrt(np.maximum(variances, 0.0)).tolist())
+    linear = map(Linear, np.abs(_outcomes(motion)).tolist(), np.sqrt(np.maximum(variances, 0.0)).tolist())
     return dict(zip(OUTCOMES, linear, strict=True))
 
 

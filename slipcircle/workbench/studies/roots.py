@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, quiet
 from slipcircle.base.kinds import Flags, Floats, Integers
 from slipcircle.workbench.studies.problem import Kinds, SearchProblem
 
@@ -106,7 +106,7 @@ def bracket_candidates(x: Floats, misfit: Floats, kind: Kinds, target: float) ->
     here = right[:, :-1]
     before = left[:, :-1]
     after = right[:, 1:]
-    with np.errstate(invalid="ignore"):
+    with quiet():
         product = misfit[:, :-1] * misfit[:, 1:]  # NaN where one is
         magnitude = np.maximum(np.abs(x[:, :-1]), np.abs(x[:, 1:]))
         reachable = _STEEP * np.minimum(np.diff(x) / np.maximum(magnitude, 1e-300), 1.0) * target

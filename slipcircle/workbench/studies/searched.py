@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayDict, Flags, Floats
+from slipcircle.base.kinds import ArrayDict, Flags, Floats, Texts
 from slipcircle.core import Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.workbench.files.loaded import stability_of
@@ -38,7 +38,7 @@ def searched_factors(scene: Scene, si: Mapping[str, Floats], valid: Flags) -> Ar
     return {f"{SEARCHED}{method}": values for method, values in factors.items()}
 
 
-def search_mistakes(scene: Any) -> list[str]:
+def search_mistakes(scene: Any) -> Texts:
     """Return a message, in a list, if the scene does not search for its critical circle; otherwise an empty list."""
     stability = stability_of(scene)
     if stability is not None and stability.method:

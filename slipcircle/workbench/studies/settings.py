@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.checks import array_of, shown
-from slipcircle.base.kinds import Function, Values
+from slipcircle.base.kinds import Function, Texts, Values
 from slipcircle.core import Scene, checked
 from slipcircle.workbench.files.numbers import Uncertain, uncertain_numbers
 from slipcircle.workbench.studies.design import METHODS
@@ -70,7 +70,7 @@ SETTINGS: Mapping[str, Setting] = {
 }
 
 
-def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
+def setting_mistakes(scene: Scene, given: Values, records: Any) -> Texts:
     """Return messages for invalid values of `SETTINGS`, and for settings that exclude each other."""
     found = [OF_ARRAYS] if checked(scene, "ensemble").shape else []
     if not scene.uncertain and records is None:
@@ -92,7 +92,7 @@ def setting_mistakes(scene: Scene, given: Values, records: Any) -> list[str]:
     return found or _truncated(uncertain_numbers(scene))
 
 
-def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
+def _truncated(drawn: Mapping[str, Uncertain]) -> Texts:
     """Return a message for each distribution with too much probability outside the bounds of its parameter."""
     found = []
     for uncertain in drawn.values():

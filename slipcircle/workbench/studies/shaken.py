@@ -6,9 +6,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.kinds import Columns, Floats, Texts
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Scene, solve
 from slipcircle.tables import Pulse
@@ -26,7 +25,7 @@ class Shaken:
     """Part of a study that concerns its records."""
 
     design: Design
-    values: dict[str, NDArray[Any]]
+    values: Columns
 
     @property
     def scene(self) -> Scene:
@@ -181,7 +180,7 @@ class Shaken:
         value = shown(float(self.scales[scale]))
         return f"a peak of {value} g" if self.records.to_pga else f"scale {value}"
 
-    def _record_warnings(self) -> list[str]:
+    def _record_warnings(self) -> Texts:
         """Return warnings about the record files and about motion without shaking."""
         found = [f"the records replace the scene's own {name} shaking" for name in self.records.replaces]
         found += self.suite.warnings

@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Floats
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import ArrayTriple, Floats
 from slipcircle.base.text import shown
 from slipcircle.workbench.common.distributions import special
 
@@ -56,7 +57,7 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
     The interval is never too short (Clopper and Pearson 1934).
     """
-    hits = np.asarray(hits, dtype=np.float64)
+    hits = np.asarray(hits, float)
     tail = (1.0 - confidence) / 2
     misses = n - hits
     low = special().betaincinv(hits, misses + 1, tail)
@@ -88,7 +89,7 @@ def share_width(shares: Floats, size: float, confidence: float) -> Any:
     return np.where((size >= _LEAST_SIZE) & ~is_in_tail & varies, student(shares, confidence), np.nan)
 
 
-def probability(hits: Any, valid: Any, confidence: float) -> tuple[Floats, Floats, Floats]:
+def probability(hits: Any, valid: Any, confidence: float) -> ArrayTriple:
     """Return probabilities and the ends of intervals; ``hits`` (replicates, ...), ``valid`` samples (replicates,)."""
     samples = int(valid.sum())
     total = hits.sum(axis=0)
@@ -213,11 +214,10 @@ def indices(sums: Floats, confidence: float) -> Indices:
     """
     batches = len(sums)
     together = np.sum(sums, axis=0)
-    with np.errstate(all="ignore"):
+    with quiet():
         whole = _indices(together)
         # The jackknife estimate behaves like a mean of pseudo-values, one for each batch (Tukey 1958).
-        pseudo_values = batches * whole - (batches - 1) * _indices(together - sums)
-        half = student(pseudo_values, confidence)
+        half = student(batches * whole - (batches - 1) * _indices(together - sums), confidence)
     intervals = np.stack([whole, whole - half, whole + half], axis=-1)
     return Indices(*([Estimate(*interval) for interval in of_inputs] for of_inputs in intervals.tolist()))
 
@@ -240,12 +240,12 @@ def sums(y: Floats) -> Floats:
     (yAB - yA)**2, yB (yAB - yA) and yAB - yA.
     """
     a, b, *each_mixed = y
-    with np.errstate(invalid="ignore"):
+    with quiet():
         totals = [len(a), np.sum(a + b), np.sum(a * a + b * b)]
         for mixed in each_mixed:
             step = mixed - a
             totals += [np.sum(step * step), np.sum(b * step), np.sum(step)]
-    return np.array(totals, dtype=np.float64)
+    return np.array(totals, float)
 
 
 # --- displacements under records -------------------------------------------------------------------------------------
@@ -300,7 +300,7 @@ def _valid(displacement: Floats, scale: int) -> Floats:
 def exceedance_shares(displacement: Floats, threshold: float) -> Floats:
     """Return the share of motions that exceed a threshold, m, (record, scale); NaN without valid motions."""
     exceeds = displacement > threshold
-    with np.errstate(invalid="ignore"):
+    with quiet():
         return exceeds.sum(axis=(1, 3)) / (~np.isnan(displacement)).sum(axis=(1, 3))
 
 

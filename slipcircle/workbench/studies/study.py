@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.conversions import Pictured
-from slipcircle.base.kinds import ArrayDict, Flags, Floats, ValueDict
+from slipcircle.base.kinds import ArrayDict, Columns, Flags, Floats, Integers, Texts, ValueDict
 from slipcircle.core import Motion, Status
 from slipcircle.messages import OUTSIDE
 from slipcircle.workbench.common.markup import Raw, table, tag
@@ -81,7 +81,7 @@ class Study(Shaken, Pictured):
         return self.design.samples()
 
     @cached_property
-    def samples(self) -> dict[str, NDArray[Any]]:
+    def samples(self) -> Columns:
         """Inputs and, without records, results by name; outcomes are magnitudes, NaN if infinite."""
         found = {**self.inputs}
         for name, values in self.values.items() if self.design.records is None else ():
@@ -141,7 +141,7 @@ class Study(Shaken, Pictured):
     def _repr_html_(self) -> str:
         return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table(self._summary()))
 
-    def _summary(self) -> list[list[str]]:
+    def _summary(self) -> list[Texts]:
         rows = [[s.words, str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
         for name, quantity in OUTCOMES.items() if self.design.records is None else ():
             low, median, high = (value_text(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
@@ -169,11 +169,11 @@ class Study(Shaken, Pictured):
         """
         return export.record(self)
 
-    def columns(self) -> dict[str, NDArray[Any]]:
+    def columns(self) -> Columns:
         """Return all scenes as columns by name: axes, inputs, results in SI units, status and reason."""
         return export.columns(self)
 
-    def arrays(self) -> dict[str, NDArray[Any]]:
+    def arrays(self) -> Columns:
         """Return axes, inputs and results as arrays by name."""
         return export.arrays(self)
 
@@ -201,7 +201,7 @@ class Study(Shaken, Pictured):
         lengths = [design.piece(block)[2] for block in range(design.sample_blocks)]
         return np.repeat((np.arange(design.sample_blocks) % design.replicates).astype(np.int8), lengths)
 
-    def _by_replicate(self, selected: Flags) -> NDArray[np.int64]:
+    def _by_replicate(self, selected: Flags) -> Integers:
         """Return the number of selected samples in each replicate."""
         return np.bincount(self._replicate[selected], minlength=self.design.replicates)
 
@@ -214,7 +214,7 @@ class Study(Shaken, Pictured):
         return self._ordered[name]
 
     @cached_property
-    def counts(self) -> NDArray[np.int64]:
+    def counts(self) -> Integers:
         """Number of samples by `Status`."""
         return np.bincount(self.values["status"].ravel(), minlength=len(Status))
 
@@ -224,7 +224,7 @@ class Study(Shaken, Pictured):
         return int(self._valid.sum())
 
     @cached_property
-    def _valid(self) -> NDArray[np.int64]:
+    def _valid(self) -> Integers:
         """Number of valid samples in each replicate."""
         return self._by_replicate(self.values["status"] < Status.INVALID)
 
@@ -345,7 +345,7 @@ class Study(Shaken, Pictured):
     # -- warnings -----------------------------------------------------------------------------------------------------
 
     @property
-    def warnings(self) -> list[str]:
+    def warnings(self) -> Texts:
         """Warnings about the results."""
         is_shaken = self.design.records is not None
         is_grid = self.design.method == "grid"
@@ -368,7 +368,7 @@ class Study(Shaken, Pictured):
             found.append(f"{self.outside_range} of {total} {scenes} move {OUTSIDE}")
         return found + ([] if is_shaken else self._statistics_warnings())
 
-    def _statistics_warnings(self) -> list[str]:
+    def _statistics_warnings(self) -> Texts:
         """Return warnings about the statistics of samples."""
         found = []
         if self.without_result and self.design.method != "grid":
@@ -380,7 +380,7 @@ class Study(Shaken, Pictured):
                 found.append(difference)
         return found
 
-    def _circle_warnings(self) -> list[str]:
+    def _circle_warnings(self) -> Texts:
         stability = stability_of(self.scene)
         if stability is None or not stability.method:
             return []

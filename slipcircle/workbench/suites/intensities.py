@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import ArrayPair, Floats
+from slipcircle.base.kinds import ArrayPair, ArrayTriple, Floats
+from slipcircle.base.text import measured
 from slipcircle.tables import Series
 
 _DRIFT = 0.05  # of the peak velocity
@@ -67,14 +68,13 @@ def drift_warning(record: Series, gravity: float = 9.81) -> str:
     end, peak = float(velocity[-1]), float(np.max(velocity))
     if not end > _DRIFT * peak:
         return ""
-    drift = f"drifts: its velocity at the end is {end:.3g} m/s, {100 * end / peak:.3g} % of its peak"
+    drift = f"drifts: its velocity at the end is {measured(end, 'm/s', 3)}, {100 * end / peak:.3g} % of its peak"
     return f"{drift}; correct its base line, or take the corrected record"
 
 
 def _velocity(time: Floats, values: Floats) -> Floats:
     """Return the integral of the acceleration from the start to each time but the first."""
-    means = (values[:-1] + values[1:]) / 2.0
-    return np.cumsum(np.diff(time) * means)
+    return np.cumsum(np.diff(time) * ((values[:-1] + values[1:]) / 2.0))
 
 
 def _with_zeros(record: Series) -> ArrayPair:
@@ -93,8 +93,7 @@ def _mean_period(record: Series) -> float:
     """Return the mean period in s from evenly spaced samples, padded with zeros to the spectrum's resolution."""
     count = record.time.size
     times, step = np.linspace(record.time[0], record.time[-1], count, retstep=True)
-    needed = math.ceil(1.0 / (_RESOLUTION * step))
-    length = max(count, min(needed, _LONGEST))
+    length = max(count, min(math.ceil(1.0 / (_RESOLUTION * step)), _LONGEST))
     amplitudes = np.abs(np.fft.rfft(record(times), length))
     frequencies = np.fft.rfftfreq(length, step)
     lowest, highest = _BAND
@@ -102,8 +101,7 @@ def _mean_period(record: Series) -> float:
     weights = amplitudes[inside] ** 2
     if not np.any(weights):
         return math.nan
-    periods = 1.0 / frequencies[inside]
-    return float(np.average(periods, weights=weights))
+    return float(np.average(1.0 / frequencies[inside], weights=weights))
 
 
 def spectral_acceleration(record: Series, period: float) -> float:
@@ -122,14 +120,12 @@ def spectral_acceleration(record: Series, period: float) -> float:
     first = float(record.time[0])
     last = float(record.time[-1])
     intervals = record.time.size - 1
-    mean_step = (last - first) / intervals
-    refinement = math.ceil(mean_step * _STEPS_OF_PERIOD / period)
+    refinement = math.ceil((last - first) / intervals * _STEPS_OF_PERIOD / period)
     times, step = np.linspace(first, last, intervals * refinement + 1, retstep=True)
     at_rest = np.zeros(math.ceil(1.5 * period / step))  # the oscillation may be greatest after the end
     acceleration = np.concatenate([record(times), at_rest])
     frequency = 2.0 * math.pi / period
-    displacement = _oscillation(acceleration, float(step), frequency)
-    return float(frequency**2 * np.max(np.abs(displacement)))
+    return float(frequency**2 * np.max(np.abs(_oscillation(acceleration, float(step), frequency))))
 
 
 def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
@@ -142,7 +138,7 @@ def _oscillation(acceleration: Floats, step: float, frequency: float) -> Floats:
 
 
 @lru_cache(maxsize=1024)
-def _recurrence(step: float, frequency: float) -> tuple[Floats, Floats, Floats]:
+def _recurrence(step: float, frequency: float) -> ArrayTriple:
     """Return the weights of the last three accelerations and displacements, and the initial state of the filter."""
     from scipy.signal import cont2discrete, ss2tf
 

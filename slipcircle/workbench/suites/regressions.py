@@ -24,7 +24,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.base.kinds import Flags, Floats, Pair
+from slipcircle.base.checks import quiet
+from slipcircle.base.kinds import Flags, Floats, NumberMap, Pair
 
 _SYMBOLS = {"ratio": "r", "k_y": "k_y", "magnitude": "M", "period": "T_s", "response": "S_a(1.5 T_s)"}
 RIGID = 0.05  # s, fundamental period below which Bray and Travasarou (2007) treat a mass as rigid
@@ -98,11 +99,11 @@ class Regression:
 
     name: str
     source: str
-    median: Mapping[str, float]
-    deviation: Mapping[str, float]
+    median: NumberMap
+    deviation: NumberMap
     limits: Mapping[str, Pair] = field(default_factory=dict)
     least_cm: float = 0.0
-    motion: Mapping[str, float] = field(default_factory=dict)
+    motion: NumberMap = field(default_factory=dict)
 
     def ln_cm(self, shaking: Shaking) -> Floats:
         """Return ln D for each record, D in cm; NaN or negative infinity where the block does not move."""
@@ -130,8 +131,7 @@ class Regression:
         inside = np.isfinite(self.ln_cm(shaking)) & (shaking.ratio < 1.0)
         for measure, (least, greatest) in self.limits.items():
             value = getattr(shaking, measure)
-            outside = (value < least) | (value > greatest)
-            inside &= ~np.asarray(outside)
+            inside &= ~np.asarray((value < least) | (value > greatest))
         return inside
 
 
@@ -163,8 +163,8 @@ _FEATURES: dict[str, Callable[[Shaking], Any]] = {
 }
 
 
-def _sum(coefficients: Mapping[str, float], shaking: Shaking) -> Floats:
-    with np.errstate(invalid="ignore", divide="ignore"):
+def _sum(coefficients: NumberMap, shaking: Shaking) -> Floats:
+    with quiet():
         return np.asarray(sum(factor * _FEATURES[name](shaking) for name, factor in coefficients.items()))
 
 

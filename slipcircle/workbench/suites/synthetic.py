@@ -81,8 +81,7 @@ def _noise(rng: np.random.Generator, duration: float) -> Series:
     scaled = time / scale
     density = np.exp(special().xlogy(_SHAPE - 1.0, scaled) - scaled - special().gammaln(_SHAPE))
     noise = np.fft.rfft(rng.normal(size=count))
-    frequencies = np.fft.rfftfreq(count, _STEP).astype(np.float64)
-    filtered = np.fft.irfft(noise * _filter(frequencies), count)
+    filtered = np.fft.irfft(noise * _filter(np.fft.rfftfreq(count, _STEP).astype(float)), count)
     return Series(time, np.sqrt(density) * filtered, held=False)
 
 
@@ -91,8 +90,7 @@ def _filter(frequencies: Floats) -> Floats:
     ratio = frequencies / _GROUND
     damped = (2.0 * _DAMPING * ratio) ** 2
     amplitude = np.sqrt((1.0 + damped) / ((1.0 - ratio**2) ** 2 + damped))
-    slow = frequencies**2 / (frequencies**2 + _SLOWEST**2)
-    return amplitude * slow
+    return amplitude * (frequencies**2 / (frequencies**2 + _SLOWEST**2))
 
 
 def write_records(records: Mapping[str, Series], folder: PathName) -> None:

@@ -29,7 +29,7 @@ function solverOf(model, x) {
   const integers = (values, at) => { new Int32Array(x.memory.buffer, at, values.length).set(values); return at; };
   const codes = model.programs.map((p) => integers(p.code, x.room(4 * p.code.length)));
   const base = Float64Array.from(model.base, Number);
-  const fits = model.fits.map(([of, degrees, rows, c]) => ({ of, degrees, rows, c: Float64Array.from(c, Number) }));
+  const fits = model.fits.map(([of, degrees, rows, ...numbers]) => [of, degrees, rows, ...numbers.map((x) => Float64Array.from(x, Number))]);
   const jumps = model.tables.map((t) => Float64Array.from(t.jumps, Number));
   const first = model.names.length; // rows of the tables follow, then rows of other numbers
   const beyond = model.tables.reduce((at, t) => at + t.pieces * (1 + t.terms), first);
@@ -37,7 +37,7 @@ function solverOf(model, x) {
   // Return all inputs: sums of Chebyshev polynomials in the places of the sliders.
   function inputs(places) {
     const rows = base.slice();
-    for (const { of, degrees, rows: some, c } of fits) {
+    for (const [of, degrees, some, weights, c] of fits) {
       let products = [1];
       of.forEach((k, i) => {
         const powers = [1, places[k]];
@@ -45,13 +45,12 @@ function solverOf(model, x) {
         powers.length = degrees[i] + 1;
         products = products.flatMap((product) => powers.map((power) => product * power));
       });
-      const width = products.length;
-      some.forEach((row, j) => {
-        let sum = 0;
-        for (let n = 0; n < width; n += 1) sum += products[n] * c[j * width + n];
-        rows[row] = sum;
-      });
+      const width = products.length, count = c.length / width;
+      const parts = Array.from({ length: count }, (_, i) => products.reduce((sum, x, n) => sum + x * c[i * width + n], 0));
+      some.forEach((row, j) => { rows[row] = parts.reduce((sum, part, i) => sum + part * weights[j * count + i], 0); });
     }
+    const [whole, part] = model.divisor;
+    for (const row of model.divided) rows[row] /= rows[whole] - rows[part];
     if (model.start) begin(rows, model.start);
     return rows;
   }
@@ -218,9 +217,9 @@ function solverOf(model, x) {
     };
   }
 
-  // Return total and effective mean normal stress in kPa.
+  // Return total and effective mean normal stress.
   function stresses({ pressing, normal }, unit) {
-    const of = (force) => Array.from(force, (value) => unit * value / 1000);
+    const of = (force) => Array.from(force, (value) => unit * value);
     return model.stresses ? { total: of(pressing), effective: of(normal) } : {};
   }
 

@@ -11,7 +11,7 @@ const CHARTS = {
   v: { title: 'velocity (m/s)', across: 't' },
   s: { title: 'displacement (m)', across: 't' },
   plane: { title: 'velocity (m/s) over displacement (m)', across: 's' },
-  stress: { title: 'mean normal stress (kPa)', across: 't' },
+  stress: { title: 'mean normal stress (Pa)', across: 't' },
   energy: { title: 'energy, of the work', across: 't' },
   run_out: { title: 'run-out (m)', across: 'number' },
   peak_velocity: { title: 'peak velocity (m/s)', across: 'number' },
@@ -59,6 +59,15 @@ function start(figure, addressed) {
     curve();
   });
 
+  // Name of the unit of output for an SI unit, and a title with these names.
+  function named(unit) {
+    return (data.units[unit] || [unit])[0];
+  }
+
+  function titled(words) {
+    return words.replace(/\((.+?)\)/g, (_, unit) => `(${named(unit)})`);
+  }
+
   // --- the motion ---
 
   // Place of a slider in its range, from -1 to 1; a coefficient of friction is shown as an angle.
@@ -87,7 +96,7 @@ function start(figure, addressed) {
     const { end } = found;
     if (!end.answered) return stopped(end.reason || end.words);
     const still = { t: [0], s: [0], v: [0], duration: 0 };
-    const text = (value, unit) => `${Number(value.toPrecision(4))} ${unit}`;
+    const text = (value, unit) => `${Number(value.toPrecision(4))} ${named(unit)}`;
     const swingsBack = found.moves && Math.abs(found.run_out - found.end_displacement) > 1e-6 * Math.abs(found.run_out);
     const facts = found.moves
       ? [['run-out along the arc', text(found.run_out, 'm') + verdict('run_out', found.run_out)],
@@ -119,7 +128,7 @@ function start(figure, addressed) {
     const [before, after] = rotation.slice(cut - 1, cut + 1), bound = after > 0 ? downslope : upslope;
     const between = (column) => column[cut - 1] + (column[cut] - column[cut - 1]) * (bound - before) / (after - before);
     const [time, way] = [t, s].map((column) => Number(between(column).toPrecision(3)));
-    return { cut, words: `after ${time} s, ${way} m` };
+    return { cut, words: `after ${time} s, ${way} ${named('m')}` };
   }
 
   function verdict(name, value) {
@@ -287,7 +296,7 @@ function start(figure, addressed) {
     const x = (value) => box.left + (box.right - box.left) * (value - sideways[0]) / (sideways[1] - sideways[0] || 1);
     const y = (value) => box.bottom - (box.bottom - box.top) * (value - low) / (high - low);
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
-    const parts = [drawn('text', { class: 'title', x: 0, y: 13 }, chart.title)];
+    const parts = [drawn('text', { class: 'title', x: 0, y: 13 }, titled(chart.title))];
     if (seen.length) parts.push(drawn('rect', { class: 'seen', x: box.left, width: box.right - box.left, y: y(seen[1]), height: y(seen[0]) - y(seen[1]) }));
     for (const value of rounds(low, high, 3)) {
       parts.push(drawn('path', { class: 'grid', d: `M${box.left} ${y(value)}H${box.right}` }));
@@ -297,7 +306,7 @@ function start(figure, addressed) {
       parts.push(drawn('path', { class: 'grid', d: `M${x(value)} ${box.bottom}v4` }));
       parts.push(drawn('text', { x: x(value), y: box.bottom + 17, 'text-anchor': 'middle' }, plain(value)));
     }
-    const words = number ? `${dragged.label}${dragged.unit ? ` (${dragged.unit})` : ''}` : over === 's' ? 'displacement (m)' : 'time (s)';
+    const words = number ? `${dragged.label}${dragged.unit ? ` (${dragged.unit})` : ''}` : over === 's' ? titled('displacement (m)') : 'time (s)';
     parts.push(drawn('text', { x: box.right, y: height - 3, 'text-anchor': 'end' }, words));
     const kinds = of === 'energy' ? ['work', 'dissipation', 'kinetic'] : of === 'stress' ? ['', 'dissipation'] : ['', 'other'];
     const lines = pairs.flatMap(([a, b], k) => {
@@ -337,7 +346,7 @@ function start(figure, addressed) {
     if (visible) { chart.dot.setAttribute('cx', x(a)); chart.dot.setAttribute('cy', y(b)); }
     const hovers = hovered !== null && ['v', 's'].includes(of);
     chart.hover.setAttribute('d', hovers ? `M${x(hovered)} ${box.top}V${box.bottom}` : '');
-    const value = () => `${text(at(motion, hovered)[of], chart.high - chart.low)} ${of === 'v' ? 'm/s' : 'm'} at ${text(hovered, longest())} s`;
+    const value = () => `${text(at(motion, hovered)[of], chart.high - chart.low)} ${named(of === 'v' ? 'm/s' : 'm')} at ${text(hovered, longest())} s`;
     const keys = { energy: [['', 'work'], ['dissipation', '- - dissipation'], ['kinetic', 'kinetic']], stress: [['', 'total'], ['dissipation', '- - effective']] };
     chart.words.replaceChildren(...(keys[of] || []).map(([kind, name]) => drawn('tspan', { class: kind, dx: 8 }, name)));
     if (hovers) chart.words.textContent = value();
@@ -452,7 +461,8 @@ function start(figure, addressed) {
   }
 
   function series() {
-    const heads = ['time_s', 'displacement_m', 'velocity_m_s'], rows = motion.t.map((t, k) => [t, motion.s[k], motion.v[k]].join(','));
+    const heads = ['time_s', 'displacement_m', 'velocity_m_s'], [metre, speed] = ['m', 'm/s'].map((unit) => data.units[unit][1]);
+    const rows = motion.t.map((t, k) => [t, motion.s[k] / metre, motion.v[k] / speed].join(','));
     save('slide.csv', 'text/csv', `${heads.join(',')}\n${rows.join('\n')}\n`);
   }
 

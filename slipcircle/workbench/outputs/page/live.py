@@ -14,22 +14,16 @@ from string import Template
 import numpy as np
 
 from slipcircle.base.kinds import ValueDict, Values
-from slipcircle.base.text import shown
+from slipcircle.base.text import drawn_unit, printed, shown
 from slipcircle.core import ANSWERED, Arc, Motion, Scene
 from slipcircle.derivatives import with_parameters
 from slipcircle.messages import standing
 from slipcircle.workbench.common.markup import Raw, document, escaped, tag, terms
-from slipcircle.workbench.common.quantities import Interval
+from slipcircle.workbench.common.quantities import OBSERVABLE
 from slipcircle.workbench.common.summary import end_words, summary
 from slipcircle.workbench.files.loaded import warnings_of
-from slipcircle.workbench.outputs.page.model import (
-    MOST_COEFFICIENTS,
-    Slider,
-    default_sliders,
-    interpolates,
-    model,
-    unsolvable,
-)
+from slipcircle.workbench.outputs.page.inputs import Slider
+from slipcircle.workbench.outputs.page.model import MOST_COEFFICIENTS, default_sliders, interpolates, model, unsolvable
 from slipcircle.workbench.outputs.page.section import Section as Drawn
 from slipcircle.workbench.outputs.page.section import axes, frame_around, section
 from slipcircle.workbench.outputs.pictures.plotstyle import AREAS, LINES, SCENERY, SOILS, ending, outcome, pace
@@ -118,6 +112,8 @@ def fragment(motion: Motion, name: str, sliders: Sequence[Slider] | None = None)
         "state": escaped(first["end"]),
         "facts": terms(first["facts"]),
         "warnings": "".join(tag("li", warning) for warning in first["warnings"]),
+        "length": printed("m")[1],
+        "velocity": printed("m/s")[1],
         "caption": escaped(" ".join(_caption(motion, magnification, why_not))),
         "data": _as_script_data(data),
     }
@@ -128,11 +124,14 @@ def _data(motion: Motion, drawn: Drawn, sliders: Sequence[Slider] | None, why_no
     """Return the data of the script: the solved motion, the observations, and the inputs of the engine."""
     scene = motion.plan.scene
     duration = _duration(motion)
+    length, _ = printed("m")
+    observed = {name: np.multiply(printed(OBSERVABLE[name].unit)[0], seen) for name, seen in scene.observed.items()}
     data: ValueDict = {
-        "shape": {"centre": drawn.centre, "turn": drawn.turn},
+        "units": {unit: drawn_unit(unit)[::-1] for unit in ("m", "m/s", "Pa")},
+        "shape": {"centre": drawn.centre, "turn": drawn.turn / length},
         "stored": _stored(motion),
         "pace": pace(duration, min(max(duration, _SHORTEST), _LONGEST)),
-        "observed": {n: list(x) if isinstance(x, Interval) else x for n, x in scene.observed.items()},
+        "observed": {name: seen.tolist() for name, seen in observed.items()},
         "sliders": [],
         "model": None,
         "range": [float(rotation) for rotation in scene.arc.rotation_range],
@@ -192,7 +191,7 @@ def _stored(motion: Motion) -> ValueDict:
     columns = {"t": times, "s": np.zeros(times.size), "v": np.zeros(times.size)}
     if _is_motion(motion):
         states = motion.at(times)
-        columns |= {"s": states.displacement, "v": states.velocity}
+        columns |= {"s": printed("m")[0] * states.displacement, "v": printed("m/s")[0] * states.velocity}
     rounded = {name: [float(f"{x:.{_DIGITS}g}") for x in column.tolist()] for name, column in columns.items()}
     left = _is_motion(motion) and motion.range_end
     return rounded | {"duration": _duration(motion), "left": left and float(left.time)}

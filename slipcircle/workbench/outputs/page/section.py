@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats, Pair
+from slipcircle.base.text import printed
 from slipcircle.core import Arc, Motion
 from slipcircle.workbench.common.markup import Raw, escaped
 from slipcircle.workbench.outputs.pictures.plotstyle import SOILS
@@ -240,7 +241,7 @@ def _height(line: Line, is_left: bool, view: View) -> float:
 
 
 def axes(frame: Frame, names_left: bool) -> Raw:
-    """Return ticks in metres along the bottom and both sides as SVG, with numbers on the side opposite the names."""
+    """Return ticks along the bottom and both sides as SVG, with numbers on the side opposite the names."""
     along_bottom = "".join(_bottom_axis(frame))
     along_sides = "".join(_side_axes(frame, names_left))
     return Raw(along_bottom + along_sides)
@@ -250,10 +251,11 @@ def _bottom_axis(frame: Frame) -> Iterator[str]:
     """Yield ticks and numbers along the bottom."""
     view = frame.view
     above = frame.height - _INSET
-    for x in _round_numbers(view.left, view.right, _TICKS[0]):
-        across = (x - view.left) * frame.scale
+    factor, unit = printed("m")
+    for x in _round_numbers(factor * view.left, factor * view.right, _TICKS[0]):
+        across = (x / factor - view.left) * frame.scale
         yield _path("tick", f"M{across:.1f} {frame.height:.1f}v-9")
-        yield f'<text class="unit" x="{across:.1f}" y="{above:.1f}">{x:g} m</text>'
+        yield f'<text class="unit" x="{across:.1f}" y="{above:.1f}">{x:g} {unit}</text>'
 
 
 def _side_axes(frame: Frame, names_left: bool) -> Iterator[str]:
@@ -261,10 +263,11 @@ def _side_axes(frame: Frame, names_left: bool) -> Iterator[str]:
     view = frame.view
     side = "side" if names_left else "side left"
     edge = WIDTH - _INSET if names_left else _INSET
-    for y in _round_numbers(view.bottom, view.top, _TICKS[1]):
-        down = frame.depth(y)
+    factor, unit = printed("m")
+    for y in _round_numbers(factor * view.bottom, factor * view.top, _TICKS[1]):
+        down = frame.depth(y / factor)
         yield _path("tick", f"M{WIDTH:g} {down:.1f}h-9M0 {down:.1f}h9")
-        yield f'<text class="unit {side}" x="{edge:g}" y="{down:.1f}">{y:g} m</text>'
+        yield f'<text class="unit {side}" x="{edge:g}" y="{down:.1f}">{y:g} {unit}</text>'
 
 
 def _round_numbers(low: float, high: float, most: int) -> list[float]:

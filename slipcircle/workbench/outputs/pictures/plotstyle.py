@@ -12,7 +12,7 @@ from slipcircle.base.text import measured, printed, shown
 from slipcircle.core import Motion, Status
 from slipcircle.messages import standing, swings_back
 from slipcircle.workbench.common.trace import drawn
-from slipcircle.workbench.files.numbers import Number
+from slipcircle.workbench.files.keys import Key
 
 FIRST = "first standstill"  # end of a motion that is computed to its first standstill
 WIDTH = 8.6  # inches of a picture of several panels, about the width of a page, where texts have at least 8 points
@@ -166,7 +166,7 @@ def note(ax: Any, words: Iterable[str]) -> None:
     label(ax, "\n".join(words), places, "0.25", inside=True)
 
 
-def quantity_words(quantity: Number) -> str:
+def quantity_words(quantity: Key) -> str:
     """Return the name of a number of a scene in words: ``friction.angle_deg`` is the friction angle."""
     *groups, last = quantity.name.replace("_", " ").split(".")
     if groups and groups[-1].isdigit():  # a point of a line, or a layer
@@ -188,13 +188,13 @@ def quantity_words(quantity: Number) -> str:
     return " ".join([*named, last])
 
 
-def unit_of(quantity: Number) -> str:
+def unit_of(quantity: Key) -> str:
     """Return the unit of a number's key as a picture shows it."""
-    unit = quantity.unit or ("$g$" if quantity.key.endswith("_g") else "")
+    unit = quantity.written or ("$g$" if quantity.key.endswith("_g") else "")
     return unit.replace("m3", "m³").replace("^2", "²")
 
 
-def axis_words(quantity: Number) -> str:
+def axis_words(quantity: Key) -> str:
     """Return the name of an axis for a number of a scene: its words and its unit."""
     return f"{quantity_words(quantity)} ({unit_of(quantity) or '–'})"
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slipcircle.base.kinds import Floats
-from slipcircle.base.text import printed, shown
+from slipcircle.base.text import drawn_unit, shown
 from slipcircle.core import Arc
 from slipcircle.ground import free_water
 from slipcircle.workbench.outputs.pictures.shapes import Mass, View
@@ -248,9 +248,7 @@ def _surcharges(ground: Floats, loads: Sequence[tuple[float, float, Any, Any]], 
         tails = np.stack([x, top], axis=-1)
         arrows = [_arrow(*arrow) for arrow in zip(x, y, height, strict=True)]
         line = np.concatenate([tails, *arrows])
-        factor, unit = printed("Pa")
-        if unit == "Pa":
-            factor, unit = 1e-3, "kPa"
+        factor, unit = drawn_unit("Pa")
         values = dict.fromkeys(shown(factor * value, 4) for value in (at_left, at_right))
         name = f"{' to '.join(values)} {unit}"
         yield Line("surcharge", line, name, tails)

@@ -12,7 +12,8 @@ import numpy as np
 from slipcircle.base.kinds import Pair
 from slipcircle.base.text import printed
 from slipcircle.workbench.common.quantities import OBSERVABLE, OUTCOMES, Interval, observable
-from slipcircle.workbench.files.numbers import Number, number_in
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import number_in
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     LINES,
@@ -201,7 +202,7 @@ def response(study: "Study", output: str = "run_out", ax: Any = None) -> Any:
     return ax
 
 
-def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any) -> None:
+def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Key], values: Any) -> None:
     """Draw values over the first number of a grid, as a labelled curve for each value of the second."""
     across = levels[0]
     for k, (column, style) in enumerate(zip(values.T, SERIES, strict=False)):
@@ -215,7 +216,7 @@ def _curves(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: A
         label(ax, words.rstrip(), points_of(across, column, 100), colour)
 
 
-def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Number], values: Any, output: str) -> Any:
+def _map(ax: Any, levels: Sequence[Any], numbers: Sequence[Key], values: Any, output: str) -> Any:
     """Draw a map of an output over both numbers of a grid, darkest at its maximum, blank where results are missing."""
     from matplotlib.ticker import MaxNLocator
 
@@ -305,7 +306,7 @@ def _draw_observed(
     label(ax, words, points_of(places, seen))
 
 
-def _around(field: Number, solved: Sequence[float], error: float) -> Any:
+def _around(field: Key, solved: Sequence[float], error: float) -> Any:
     """Return values of a number around its solutions, within its open bounds."""
     largest = max(map(abs, solved))
     margin = max(4 * error, 0.3 * largest, np.ptp(solved))

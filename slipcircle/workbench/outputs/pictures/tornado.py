@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, by_name, lengths, uncertain_numbers
+from slipcircle.workbench.files.keys import Key
+from slipcircle.workbench.files.numbers import by_name, lengths, uncertain_numbers
 from slipcircle.workbench.outputs.pictures.plotstyle import (
     AREAS,
     amount,
@@ -68,7 +69,7 @@ def tornado(
     return ax
 
 
-def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Number, float]]) -> list[Bar]:
+def _changes(table: "Sensitivity", output: str, steps: Mapping[str, tuple[Key, float]]) -> list[Bar]:
     """Return the changes of an output with each step, the largest first, with the steps in words."""
     bars = []
     for name, (key, step) in steps.items():
@@ -105,7 +106,7 @@ def _two_sided_bars(ax: Any, bars: Sequence[Bar]) -> None:
     ax.axvline(0.0, color="0.25", lw=0.8)
 
 
-def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
+def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Key, float]], str]:
     """Return the step of each number in the unit of its key, and the rule for the steps in words."""
     by_names = by_name(table.scene)
     keys = {name: by_names[name] for name in table.parameters}
@@ -125,7 +126,7 @@ def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[d
     return relative, f", by {100 * _SHARE:g} % of each"
 
 
-def _relative_step(table: "Sensitivity", name: str, key: Number) -> float:
+def _relative_step(table: "Sensitivity", name: str, key: Key) -> float:
     """Return the step of a number as a share of its size, in the unit of its key.
 
     The size of places on a section is its depth, and the size of ends of an arc is half its angle.

@@ -21,7 +21,7 @@ def results() -> list[Result]:
 
 
 @pytest.mark.parametrize("function", [*kernels.__all__, "drive"])
-def test_cases(function: str) -> None:
+def test_each_case_is_within_its_bound(function: str) -> None:
     """Within the function's own bound, by quadrature of its definition; no warning."""
     arguments = [case.arguments for case in cases() if case.function == function]
     assert arguments
@@ -75,7 +75,7 @@ def test_the_exact_run_out_is_twice_the_dip_minus_delta() -> None:
         assert abs(arb(mpmath.nstr(value, 80)) / expected - 1) < 1e-25
 
 
-def test_table(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_every_case(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["hard"]) == 0
     text = capsys.readouterr().out
     assert max(map(len, text.splitlines())) <= 100

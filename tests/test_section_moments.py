@@ -13,6 +13,7 @@ from slipcircle.core.scene.arc import Arc
 from slipcircle.ground.circles import MEASURES
 from slipcircle.ground.ground import circle_through, circle_touching, simple_slope
 from slipcircle.ground.section import Section
+from tests.support.along_the_arc import under_chord
 from tests.support.grounds import Ground, bumpy, moments
 from tests.support.strips import integrals
 
@@ -78,9 +79,7 @@ def test_moments_of_thin_masses(depth: float, bend: float) -> None:
 def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
     middle = 1.5 * math.pi - dip
     arc = Arc(50.0, middle - alpha, middle + alpha, 2e4)
-    ends = 50.0 * np.array([[math.cos(t), math.sin(t)] for t in (middle - alpha, middle + alpha)])
-    beyond = (ends[1] - ends[0]) / 4
-    found = Section([ends[0] - beyond, ends[1] + beyond], (0.0, 0.0), 50.0, 2e4)
+    found = under_chord(arc)
     loss = 1e-13 + 1e-14 / alpha**2  # the ends are rounded, and the depth is of order alpha^2
     amplitudes, cosine, sine = np.array(arc.amplitudes_per_inertia), math.cos(dip), math.sin(abs(dip))
     w = found.moment_coefficients

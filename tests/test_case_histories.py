@@ -15,12 +15,12 @@ OUTSIDE = [case for case in CASES if "outside" in case]
     [(2.0, "inside"), (3.0, "inside"), (1.0, "within a factor of 2"), (6.0, "within a factor of 2"), (0.9, "outside"),
      (6.1, "outside")],
 )  # fmt: skip
-def test_the_rule(value: float, words: str) -> None:
+def test_verdicts_follow_the_rule_of_the_page(value: float, words: str) -> None:
     assert verdict(value, 2.0, 3.0) == words
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
-def test_verdicts(case: dict[str, Any]) -> None:
+def test_verdicts_agree_with_observations(case: dict[str, Any]) -> None:
     """Bishop's method and motions are inside what is known of them; the paper's method is safe, by 13 % at most."""
     for quantity, _, _, ratio, decided in judged(case, computed(case)[0]):
         if case in OUTSIDE:

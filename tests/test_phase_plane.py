@@ -1,0 +1,159 @@
+"""Closed forms of phases of motion: proofs, plain integration with many digits, and the integrator in time."""
+
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from derive.algebra import phase_plane
+from derive.check.proof import ProofError
+from derive.flow import closed
+from derive.flow.integrator import swing
+from generated import layout as ix
+from slipcircle import Arc, Scene
+from tests.support import lanes
+
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+COUNT = 40
+DECIDED = [ix.STATUS, ix.PHASES, ix.TURNS, ix.DIRECTION, ix.LAST_WAY, ix.LIFTED, ix.PASSED]
+MEASURED = [ix.REST_SINCE, ix.PEAK_TIME, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.REACH_ROTATION, ix.REACH_TIME]
+_RNG = np.random.default_rng(64)
+EFFECTS: dict[str, dict[str, Any]] = {
+    "plain": {},
+    "drag": {"drag": {"xi": 300.0}},
+    "water": {"pore_pressure": {"ratio": _RNG.uniform(0.0, 0.6, COUNT)}},
+    "lift": {"pore_pressure": {"pressure": _RNG.uniform(0.0, 3e6, COUNT)}},
+    "cohesion": {"cohesion": {"cohesion": _RNG.uniform(0.0, 4e5, COUNT)}},
+}
+
+
+def in_time(problem: lanes.Problem) -> lanes.Problem:
+    """The same lanes without closed form: the other method."""
+    roles = {role: place for role, place in problem.program.roles.items() if "cell_net_" not in role}
+    return replace(problem, program=replace(problem.program, roles=roles))
+
+
+def random_scene(effects: dict[str, Any], end: float | None) -> Scene[Any]:
+    middle, half = 1.5 * np.pi + _RNG.uniform(-1.2, 1.2, COUNT), _RNG.uniform(0.05, 1.5, COUNT)
+    arc: Any = Arc(_RNG.uniform(100.0, 2000.0, COUNT), middle - half, middle + half, 20e3)
+    pushed = np.where(_RNG.random(COUNT) < 0.3, _RNG.normal(size=COUNT) * 5.0, 0.0)
+    return Scene(arc, _RNG.uniform(0.0, 0.6, COUNT), TURNING | effects, pushed, end)
+
+
+def agree(one: Any, other: Any, within: float) -> bool:
+    measured = np.allclose(one[MEASURED], other[MEASURED], rtol=within, atol=0.0, equal_nan=True)
+    return measured and bool(np.array_equal(one[DECIDED], other[DECIDED]))
+
+
+@pytest.mark.parametrize("name", EFFECTS)
+def test_phases_in_closed_form_are_those_integrated_in_time(name: str) -> None:
+    """Reversals, lift-off, an upright chord, end times and initial velocities included."""
+    for end, which, backend in ((None, slice(COUNT), lanes.BACKENDS[0]), (30.0, slice(8), "NumPy")):
+        problem = lanes.posed(random_scene(EFFECTS[name], end), 1e-15)
+        expected = lanes.integrate(in_time(problem), which)
+        found = lanes.integrate(problem, which, backend)
+        assert agree(found, expected, 1e-12)
+        assert end or found[ix.STEPS].sum() < expected[ix.STEPS].sum()
+
+
+# --- E and the duration, with many digits ----------------------------------------------------------------------------
+
+
+def by_quadrature(numbers: Any, at: Any, softens: Any = (1, 0, 0, 0, 0)) -> Any:
+    """E by the integrating factor of the linear equation, of exponential softening if there are numbers for it."""
+    drive, sine, vers, q = map(mpmath.mpf, numbers)
+    slope, brake, load, load_sine, load_vers = map(mpmath.mpf, softens)
+
+    def weighted(x: Any) -> Any:
+        fall, s, v = mpmath.exp(-slope * x), mpmath.sin(x), 1 - mpmath.cos(x)
+        net = drive + sine * s + vers * v + fall * (load + load_sine * s + load_vers * v)
+        return 2 * net * mpmath.exp(q * (x - at) + brake / slope * (mpmath.exp(-slope * at) - fall))
+
+    return mpmath.quad(weighted, [0, at])
+
+
+CONSTANT = (0.02, -0.9, -0.02, 0.3)
+
+
+@pytest.mark.parametrize("q", [0.0, 1e-12, 0.3, 2.0])
+def test_e_under_constant_friction_solves_the_equation(q: float) -> None:
+    numbers = (*CONSTANT[:3], q)
+    with mpmath.workdps(30):
+        for at in (1e-6, 0.04, 1.5):
+            exact = by_quadrature(numbers, mpmath.mpf(at))
+            assert abs(phase_plane.energy_at(mpmath.mpf(at), numbers) / exact - 1) < 1e-20
+            e, b = [0.0] * 5, [0.0] * 4
+            swing.factors(e, *numbers)
+            swing.functions(b, at, q)
+            assert swing.energy(e, b) == pytest.approx(float(exact), rel=1e-14)
+
+
+@pytest.mark.parametrize("distance", [0.0, 1e-10, -1e-6, 0.3])
+@pytest.mark.parametrize("order", [1, 2])
+def test_e_under_exponential_softening_passes_resonances(order: int, distance: float) -> None:
+    """Where q is a multiple of the decay, 2 k = n R/length, the plain series divides by zero."""
+    q = 0.6
+    softens = (q / order * (1 + mpmath.mpf(distance)), 0.4, 0.05, 0.3, -0.1)
+    with mpmath.workdps(25):
+        found = phase_plane.energy_at(mpmath.mpf(0.7), (*CONSTANT[:3], q), softens)
+        assert abs(found / by_quadrature((*CONSTANT[:3], q), mpmath.mpf(0.7), softens) - 1) < 1e-16
+
+
+@pytest.mark.parametrize("share", [0.5, 1e-9])
+def test_a_phase_near_the_limit_keeps_its_digits(share: float) -> None:
+    """From a small drive: its rotation and its duration by quadrature of the definition, with thirty digits."""
+    numbers = (0.05 * share, -0.9, -0.05 * share, 0.3)
+    e, back = [0.0] * 5, [0.0] * 5
+    swing.factors(e, *numbers)
+    end = swing.end_of_swing(e, numbers[1], True)
+    b = [0.0] * 4
+    swing.functions(b, end, numbers[3])
+    swing.mirror(back, *numbers, b)
+    duration, change = swing.duration_of_swing(e, back, end, True)
+    peak = swing.peak_of_swing(e, end, True)
+    with mpmath.workdps(60):
+        given = [mpmath.mpf(x) for x in numbers]
+        exact = mpmath.findroot(lambda x: phase_plane.energy_at(x, given) / x, end)
+        top = mpmath.findroot(lambda x: mpmath.diff(partial(phase_plane.energy_at, numbers=given), x), peak)
+
+        def spent(u: Any) -> Any:
+            x = exact * mpmath.sin(u) ** 2
+            return exact * mpmath.sin(2 * u) / mpmath.sqrt(abs(phase_plane.energy_at(x, given)))
+
+        whole = mpmath.quad(spent, [0, mpmath.pi / 4, mpmath.pi / 2])
+        part = mpmath.quad(spent, [0, mpmath.asin(mpmath.sqrt(top / exact))])
+    assert change < swing.CONVERGED
+    found = (end, duration, peak, swing.time_of_peak(e, peak))
+    assert found == pytest.approx([float(x) for x in (exact, whole, top, part)], rel=2e-14)
+
+
+def test_functions_without_cancellation() -> None:
+    for x in (1e-9, 0.1, 1.0, 3.14):
+        with mpmath.workdps(40):
+            exact = (x - mpmath.sin(x), 1 - mpmath.cos(x))
+            y = mpmath.mpf(min(x, 2.0))
+            fading = float((y - 1 + mpmath.exp(-y)) / y**2)
+        assert swing.turned(x) == pytest.approx([float(v) for v in exact], rel=4e-15)
+        assert swing.faded(float(y)) == pytest.approx(fading, rel=1e-15)
+
+
+# --- faults ----------------------------------------------------------------------------------------------------------
+
+
+def test_a_fault_of_the_closed_form_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = swing.factors
+
+    def wrong(e: Any, drive: Any, sine: Any, vers: Any, q: Any) -> None:
+        right(e, drive, sine, vers, q)
+        e[1] = -e[1]
+
+    assert closed.prove()
+    monkeypatch.setattr(swing, "factors", wrong)
+    with pytest.raises(ProofError, match="derivative 0 of E"):
+        closed.prove()
+    monkeypatch.setattr(phase_plane, "NET", phase_plane.NET + phase_plane.x)
+    with pytest.raises(ProofError, match="term 0 under softening"):
+        phase_plane.prove()
