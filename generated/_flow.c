@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "853787e3d9f5a19000e920f207048b9f7be361d4b97d7748125591c35f6a44d5"
+#define DIGEST "cf76e6986debbac07769bdd8cb5cd4a184d7a5d490b3f22578e14693cbcb6994"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -1805,15 +1805,15 @@ INLINE V radius_of_convergence(Batch *b, V *p, int top, V order)
     return power_of_two(lowest);
 }
 
-/* Record the current speed, at a time not before the lane's own, if it is the greatest. If peaks differ by
- * rounding, the earliest is recorded, so that every processor reports the same peak. A speed that has risen from a
- * record at the lane's time is compared exactly. */
-static void update_peak(Batch *b, unsigned lane, double rate, double now)
+/* Record the current speed if it is the greatest. If peaks differ by rounding, the earliest is recorded, so that
+ * every processor reports the same peak. A speed that has risen from a record at the lane's time is compared
+ * exactly. */
+static void update_peak(Batch *b, unsigned lane, double rate)
 {
     V *const c = b->c;
     int rises = c[PEAK_TIME][lane] == c[TIME][lane];
     if (c[OMEGA][lane] > ((rises ? 1.0 : (1.0 + TIE)) * fabs(c[PEAK_OMEGA][lane]))) {
-        c[PEAK_TIME][lane] = now;
+        c[PEAK_TIME][lane] = c[TIME][lane];
         c[PEAK_ROTATION][lane] = c[ROTATION][lane] + (c[DIRECTION][lane] * c[X][lane]);
         c[PEAK_OMEGA][lane] = c[DIRECTION][lane] * c[OMEGA][lane];
         c[PEAK_RATE][lane] = c[DIRECTION][lane] * rate;
@@ -1905,7 +1905,7 @@ static void start_moving(Batch *b, unsigned lane, double rate)
     if (c[LIFTED][lane] > 0.0) {
         note_lift_off(b, lane);
     }
-    update_peak(b, lane, rate, c[TIME][lane]);
+    update_peak(b, lane, rate);
     c[PENDING][lane] = READY;
 }
 
@@ -2180,61 +2180,6 @@ static void rest_through(Batch *b, unsigned lane, int t)
     }
 }
 
-/* Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
- * ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began. */
-INLINE int glides_on(Batch *b, unsigned lane, double omega, double length, double net, double by_drive, double by_load)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    double after = c[job->role->drive][lane] + by_drive;
-    double lowest = (net < after) ? net : after;
-    double slowest = omega + (length * ((lowest < 0.0) ? lowest : 0.0));
-    int peaks = (net >= 0.0) && (after < 0.0) && ((omega + (length * net)) >= fabs(c[PEAK_OMEGA][lane]));
-    int moves = (slowest > ((1.0 - SURE) * omega)) && ((c[job->role->normal0][lane] + by_load) > ((1.0 - SURE) * fabs(c[job->role->normal0][lane])));
-    return moves && !peaks;
-}
-
-/* Pass the pieces in which the net moment is linear in time and no event occurs. The rates of net moment and
- * normal force are taken from the preceding step. */
-static void glide(Batch *b, unsigned lane, int t)
-{
-    const Job *const job = b->job;
-    V *const c = b->c;
-    double rise = (b->r + job->table[t].reg)[1][lane];
-    if ((c[PENDING][lane] == READY) && (rise != 0.0) && ((b->r + job->role->net)[2][lane] == 0.0) && (c[LIFTED][lane] == 0.0)) {
-        double slope = (b->r + job->role->net)[1][lane] / rise;
-        double grip = 0.0 * slope;
-        if (job->role->normal >= 0) {
-            grip = (b->r + job->role->normal)[1][lane] / rise;
-        }
-        int64_t piece = (int64_t)c[job->table[t].cell + PIECE][lane];
-        double x = c[X][lane];
-        double omega = c[OMEGA][lane];
-        double now = c[TIME][lane];
-        double net = c[job->role->drive][lane] + (slope * c[job->table[t].cell + INC][lane]);
-        double until = c[job->table[t].cell + UPPER][lane];
-        double inc = c[job->table[t].cell + LOWER][lane];
-        while (passes_quietly(b, lane, t, piece) && glides_on(b, lane, omega, until - now, net, slope * inc, grip * inc)) {
-            double length = until - now;
-            double after = c[job->role->drive][lane] + (slope * inc);
-            x = x + (length * (omega + ((length * ((2.0 * net) + after)) / 6.0)));
-            omega = omega + ((length * (net + after)) / 2.0);
-            now = until;
-            net = after;
-            piece = piece + 1;
-            until = break_of(b, lane, t, piece + 1) / c[job->table[t].cell + SCALE][lane];
-            inc = value_at_break(b, lane, t, piece + 1) - c[job->table[t].cell + VALUE][lane];
-        }
-        if (piece > (int64_t)c[job->table[t].cell + PIECE][lane]) {
-            c[X][lane] = x;
-            c[OMEGA][lane] = omega;
-            update_peak(b, lane, net, now);
-            stand_before(b, lane, t, piece, now);
-            pass_break(b, lane, t);
-        }
-    }
-}
-
 /* Return the path after a time at a speed with a rate ``net`` that changes linearly. */
 INLINE V path(V time, V omega, V net, V change)
 {
@@ -2481,18 +2426,12 @@ static void end_motion(Batch *b, unsigned lane, double rate, double status)
 /* End the lane at its end time, or pass breaks of functions of time. */
 static void on_limit(Batch *b, unsigned lane, double rate)
 {
-    const Job *const job = b->job;
     V *const c = b->c;
     if (c[TIME][lane] >= c[END_TIME][lane]) {
         end_motion(b, lane, rate, ENDED);
         return;
     }
     pass_breaks(b, lane);
-    for (int t = 0; t < job->tables; t++) {
-        if ((job->autonomous == 2) && (job->timed == 1) && !(job->samples > 0) && (job->data[t].terms == 2)) {
-            glide(b, lane, t);
-        }
-    }
 }
 
 /* Apply the consequences of a step: an event, a break of a function of time, the end time, or another step. */

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b8cd794fc7bc0ad24f4540ea5de63ce39f25ebbbddc2068ce976744ff58bb7f7
+# sha256 of the text below: 3caa97c456fb6eee240413baea765bb50a995c91b55375d5de436055da3907eb
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -799,19 +799,19 @@ def radius_of_convergence(s: Lanes, p: Floats, top: int, order: Floats) -> Float
     return power_of_two(lowest)
 
 
-def update_peak(lane: Lanes, i: Index, rate: Floats, now: Floats) -> None:
-    """Record the current speed, at a time not before the lane's own, if it is the greatest."""
+def update_peak(lane: Lanes, i: Index, rate: Floats) -> None:
+    """Record the current speed if it is the greatest."""
     c = lane.cells
     rises = c[ix.PEAK_TIME, i] == c[ix.TIME, i]
     holds_1 = c[ix.OMEGA, i] > np.where(rises, 1.0, 1.0 + TIE) * np.abs(c[ix.PEAK_OMEGA, i])
-    i_1, rate_1, now_1, rises_1 = (i, rate, now, rises)
-    i, rate, now, rises = among(holds_1, i_1, rate_1, now_1, rises_1)
+    i_1, rate_1, rises_1 = (i, rate, rises)
+    i, rate, rises = among(holds_1, i_1, rate_1, rises_1)
     if i.size:
-        c[ix.PEAK_TIME, i] = now
+        c[ix.PEAK_TIME, i] = c[ix.TIME, i]
         c[ix.PEAK_ROTATION, i] = c[ix.ROTATION, i] + c[ix.DIRECTION, i] * c[ix.X, i]
         c[ix.PEAK_OMEGA, i] = c[ix.DIRECTION, i] * c[ix.OMEGA, i]
         c[ix.PEAK_RATE, i] = c[ix.DIRECTION, i] * rate
-    i, rate, now, rises = (i_1, rate_1, now_1, rises_1)
+    i, rate, rises = (i_1, rate_1, rises_1)
 
 
 def keep_faster(s: Lanes, here: Mask, speed: Floats, time: Floats, x: Floats, rate: Floats) -> None:
@@ -898,7 +898,7 @@ def start_moving(lane: Lanes, i: Index, rate: Floats) -> None:
     if i.size:
         note_lift_off(lane, i)
     i, rate = (i_1, rate_1)
-    update_peak(lane, i, rate, c[ix.TIME, i])
+    update_peak(lane, i, rate)
     c[ix.PENDING, i] = ix.READY
 
 
@@ -1203,79 +1203,6 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
     i, piece = (i_2, piece_2)
 
 
-def glides_on(lane: Lanes, i: Index, omega: Floats, length: Floats, net: Floats, by_drive: Floats,
-        by_load: Floats) -> Mask:
-    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends."""
-    c = lane.cells
-    after = c[lane.roles.drive, i] + by_drive
-    lowest = np.where(net < after, net, after)
-    slowest = omega + length * np.where(lowest < 0.0, lowest, 0.0)
-    peaks = (net >= 0.0) & (after < 0.0) & (omega + length * net >= np.abs(c[ix.PEAK_OMEGA, i]))
-    moves = (slowest > (1.0 - SURE) * omega) & (c[lane.roles.normal0,
-        i] + by_load > (1.0 - SURE) * np.abs(c[lane.roles.normal0, i]))
-    return moves & np.logical_not(peaks)
-
-
-def glide(lane: Lanes, i: Index, t: Table) -> None:
-    """Pass the pieces in which the net moment is linear in time and no event occurs."""
-    c = lane.cells
-    rise = lane.registers[t.register][1, i]
-    holds_1 = (c[ix.PENDING, i] == ix.READY) & (rise != 0.0) & (lane.registers[lane.roles.net][2,
-        i] == 0.0) & (c[ix.LIFTED, i] == 0.0)
-    i_1, rise_1 = (i, rise)
-    i, rise = among(holds_1, i_1, rise_1)
-    if i.size:
-        slope = lane.registers[lane.roles.net][1, i] / rise
-        grip = 0.0 * slope
-        if lane.roles.normal >= 0:
-            grip = lane.registers[lane.roles.normal][1, i] / rise
-        piece = integer(c[t.cells + ix.PIECE, i])
-        x = c[ix.X, i]
-        omega = c[ix.OMEGA, i]
-        now = c[ix.TIME, i]
-        net = c[lane.roles.drive, i] + slope * c[t.cells + ix.INC, i]
-        until = c[t.cells + ix.UPPER, i]
-        inc = c[t.cells + ix.LOWER, i]
-        i_2, slope_2, grip_2, piece_2, x_2, omega_2, now_2, net_2, until_2, inc_2 = (i, slope, grip, piece.copy(),
-            x.copy(), omega.copy(), now.copy(), net.copy(), until.copy(), inc.copy())
-        place_2 = np.arange(i.size)
-        while True:
-            i, slope, grip, piece, x, omega, now, net, until, inc, place_2 = among(passes_quietly(lane, i, t,
-                piece) & glides_on(lane, i, omega, until - now, net, slope * inc, grip * inc), i, slope, grip, piece, x,
-                omega, now, net, until, inc, place_2)
-            if not i.size:
-                break
-            length = until - now
-            after = c[lane.roles.drive, i] + slope * inc
-            x = x + length * (omega + length * (2.0 * net + after) / 6.0)
-            omega = omega + length * (net + after) / 2.0
-            now = until
-            net = after
-            piece = piece + 1
-            until = break_of(lane, i, t, piece + 1) / c[t.cells + ix.SCALE, i]
-            inc = value_at_break(lane, i, t, piece + 1) - c[t.cells + ix.VALUE, i]
-            piece_2[place_2] = piece
-            x_2[place_2] = x
-            omega_2[place_2] = omega
-            now_2[place_2] = now
-            net_2[place_2] = net
-            until_2[place_2] = until
-            inc_2[place_2] = inc
-        i, slope, grip, piece, x, omega, now, net, until, inc = (i_2, slope_2, grip_2, piece_2, x_2, omega_2, now_2,
-            net_2, until_2, inc_2)
-        holds_3 = piece > integer(c[t.cells + ix.PIECE, i])
-        i_3, piece_3, x_3, omega_3, now_3, net_3 = (i, piece, x, omega, now, net)
-        i, piece, x, omega, now, net = among(holds_3, i_3, piece_3, x_3, omega_3, now_3, net_3)
-        if i.size:
-            c[ix.X, i] = x
-            c[ix.OMEGA, i] = omega
-            update_peak(lane, i, net, now)
-            stand_before(lane, i, t, piece, now)
-            pass_break(lane, i, t)
-        i, piece, x, omega, now, net = (i_3, piece_3, x_3, omega_3, now_3, net_3)
-    i, rise = (i_1, rise_1)
-
-
 def path(time: Floats, omega: Floats, net: Floats, change: Floats) -> Floats:
     """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
     return time * (omega + time * (0.5 * net + SIXTH * time * change))
@@ -1515,9 +1442,6 @@ def on_limit(lane: Lanes, i: Index, rate: Floats) -> None:
     if not i.size:
         return
     pass_breaks(lane, i)
-    for t in lane.tables:
-        if lane.autonomous == 2 and lane.timed == 1 and (not lane.samples) and (t.terms == 2):
-            glide(lane, i, t)
 
 
 def settle(lane: Lanes, i: Index, rate: Floats, at_limit: Mask, endless: Mask) -> None:

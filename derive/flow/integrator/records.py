@@ -1,4 +1,4 @@
-"""Samples of a record that are passed without series.
+"""Samples of a record that are passed without series, by masses at rest and by frozen masses in motion.
 
 If only one piecewise linear function of time changes, net moment and normal force are linear in its value. This applies
 to a mass at rest, and to a moving mass with constant geometry and friction.
@@ -30,7 +30,7 @@ from derive.flow.integrator.one_lane import (
     sqrt,
     where,
 )
-from derive.flow.integrator.phases import advance_origin, keep_faster, update_peak, update_reach
+from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break
 
@@ -102,59 +102,6 @@ def rest_through(lane: Lane, t: T) -> None:
         if lane.samples:
             read_samples(lane, lane.time, now, 0, 0)
         stand_before(lane, t, piece, now)
-
-
-# --- in motion -------------------------------------------------------------------------------------------------------
-
-
-def glides_on(lane: Lane, omega: float, length: float, net: float, by_drive: float, by_load: float) -> bool:
-    """Return whether the mass certainly moves, in contact, through a piece and is fastest at one of its ends.
-
-    ``by_drive`` and ``by_load`` are the changes of net moment and normal force since the phase began.
-    """
-    after = lane.drive + by_drive
-    # For one lane `minimum` would be a C library call for each sample of a record.
-    lowest = where(net < after, net, after)
-    slowest = omega + length * where(lowest < 0.0, lowest, 0.0)
-    peaks = net >= 0.0 and after < 0.0 and omega + length * net >= abs(lane.peak_omega)
-    moves = slowest > (1.0 - SURE) * omega and lane.normal0 + by_load > (1.0 - SURE) * abs(lane.normal0)
-    return moves and not peaks
-
-
-def glide(lane: Lane, t: T) -> None:
-    """Pass the pieces in which the net moment is linear in time and no event occurs.
-
-    The rates of net moment and normal force are taken from the preceding step.
-    """
-    rise = t.series[1]
-    if lane.pending == Pending.READY and rise != 0.0 and lane.series.net[2] == 0.0 and lane.lifted == 0.0:
-        slope = lane.series.net[1] / rise
-        grip = 0.0 * slope
-        if lane.has.normal:
-            grip = lane.series.normal[1] / rise
-        piece = integer(t.piece)
-        x = lane.x
-        omega = lane.omega
-        now = lane.time
-        net = lane.drive + slope * t.inc
-        until = t.upper
-        inc = t.lower
-        while passes_quietly(lane, t, piece) and glides_on(lane, omega, until - now, net, slope * inc, grip * inc):
-            length = until - now
-            after = lane.drive + slope * inc
-            x = x + length * (omega + length * (2.0 * net + after) / 6.0)
-            omega = omega + length * (net + after) / 2.0
-            now = until
-            net = after
-            piece = piece + 1
-            until = break_of(lane, t, piece + 1) / t.scale
-            inc = value_at_break(lane, t, piece + 1) - t.value
-        if piece > integer(t.piece):
-            lane.x = x
-            lane.omega = omega
-            update_peak(lane, net, now)
-            stand_before(lane, t, piece, now)
-            pass_break(lane, t)
 
 
 # --- side by side ----------------------------------------------------------------------------------------------------

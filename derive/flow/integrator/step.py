@@ -29,7 +29,6 @@ from derive.flow.integrator.one_lane import (
     where,
 )
 from derive.flow.integrator.phases import advance_origin, face, keep_faster, note_lift_off, update_reach
-from derive.flow.integrator.records import glide
 from derive.flow.integrator.roots import (
     falling_root,
     first_root,
@@ -111,9 +110,6 @@ def on_limit(lane: Lane, rate: float) -> None:
         end_motion(lane, rate, Status.ENDED)
         return
     pass_breaks(lane)
-    for t in lane.tables:
-        if lane.autonomous == 2 and lane.timed == 1 and not lane.samples and t.terms == 2:
-            glide(lane, t)
 
 
 def settle(lane: Lane, rate: float, at_limit: bool, endless: bool) -> None:
