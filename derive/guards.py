@@ -100,7 +100,8 @@ def check(every: Sequence[Declaration]) -> None:
         _check_fields(e, e)
     in_text = re.findall(r"\w+", " ".join((FUNCTIONS, MODULES, ARGUMENTS, *emit.IMPORTS)))
     in_scenes = {*balance, "frozen", *TABLES.split()}
-    in_modules = {*in_text, *dir(builtins), *dir(np), *(q.name for q in QUOTIENTS)}
+    quotients = [q.name for q in QUOTIENTS]
+    in_modules = {*in_text, *dir(builtins), *dir(np), *quotients}
     of_formulas = {*SCALES, *BALANCE, *OF_GROWTH, VALUE} - {K_H, K_V}
     symbols = set(map(str, of_formulas))
     symbols.update(re.findall(r"\w+", repr(balance)))
@@ -232,14 +233,16 @@ def _check_law(law: Law) -> list[str]:
     by_symbol = _check_parameters(law, UNITS_OF_LAWS)
     formula = law.coefficient
     if formula is None:
-        if [(p.name, p.unit, p.kind) for p in law.parameters] not in TABLES_OF:
+        listed = [(p.name, p.unit, p.kind) for p in law.parameters]
+        if listed not in TABLES_OF:
             refuse(law, "coefficient", "none", "a formula, or two lists: slip, speed or time, and coefficient")
         if not 0 <= law.degree <= DEGREE:
             refuse(law, "degree", law.degree, f"0 to {DEGREE}")
         return []
     if law.degree:
         refuse(law, "degree", law.degree, "none, as it follows from the formula")
-    used = _check_formula(law, "coefficient", formula, MOTION | _units({p.name: p.unit for p in law.parameters}))
+    units = MOTION | _units({p.name: p.unit for p in law.parameters})
+    used = _check_formula(law, "coefficient", formula, units)
     if MOTION.keys() <= used:
         refuse(law, "coefficient", "slip and speed", "slip or speed: in a scene two laws multiply each other")
     _check_kinks(law, formula, by_symbol)
@@ -295,7 +298,8 @@ def _check_effect(effect: Effect) -> list[str]:
     used = set[Symbol]()
     for p in effect.symbols.values():
         what = f"parameter {p.name!r}, dimensionless"
-        found = _check_formula(effect, what, p.dimensionless, scales | {VALUE: of_unit(p.unit)})
+        units = scales | {VALUE: of_unit(p.unit)}
+        found = _check_formula(effect, what, p.dimensionless, units)
         if VALUE not in found:
             refuse(effect, what, p.dimensionless, "a formula of the value")
         used |= found
@@ -326,7 +330,8 @@ def _check_terms(effect: Effect) -> set[Symbol]:
 
 def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None:
     """Check that resistance and friction are nowhere negative, that no term has a pole, and that states are bounded."""
-    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST)) | {x: _range(p) for x, p in by_symbol.items()}
+    box = dict.fromkeys((*SCALES, *BALANCE), (0.01, STEEPEST))
+    box |= {x: _range(p) for x, p in by_symbol.items()}
     box |= dict.fromkeys((*MOTION, OMEGA, OMEGA_2, *effect.states), (0.0, STEEPEST))
     formulas = dict(effect.terms)
     for x, p in effect.symbols.items():
@@ -335,7 +340,9 @@ def _check_values(effect: Effect, by_symbol: Mapping[Symbol, Parameter]) -> None
         formulas[f"parameter {p.name!r}, dimensionless"] = p.dimensionless.subs(VALUE, value)
 
     def fault(e: Expr) -> str:
-        return domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in sorted(e.free_symbols, key=str)})[0]
+        symbols = sorted(e.free_symbols, key=str)
+        place, _ = domain.fault(e, {x: box.get(x, (0.0, STEEPEST)) for x in symbols})
+        return place
 
     for what, e in formulas.items():
         if place := fault(e if what in NEVER_NEGATIVE else e**2 + 1):

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3caa97c456fb6eee240413baea765bb50a995c91b55375d5de436055da3907eb
+# sha256 of the text below: e48d739eac56fa0415d1fef864bbedf96028e59771338eb906efe16346e89d18
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1229,7 +1229,7 @@ def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
     return before_last & (press > 0.0) & (until < c[ix.END_TIME] * (1.0 - 4.0 * EPS))
 
 
-def end_slide(lane: Lanes, i: Index, t: Table, piece: int, x: Floats, omega: Floats) -> None:
+def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
     """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     c = lane.cells
     c[ix.X, i] = x
@@ -1238,14 +1238,14 @@ def end_slide(lane: Lanes, i: Index, t: Table, piece: int, x: Floats, omega: Flo
     c[ix.STEPS, i] = 0.0
     c[ix.PASSED, i] = ix.NOTHING
     holds_1 = omega == 0.0
-    i_1, omega_1 = (i, omega)
-    i, omega = among(holds_1, i_1, omega_1)
+    i_1, piece_1, omega_1 = (i, piece, omega)
+    i, piece, omega = among(holds_1, i_1, piece_1, omega_1)
     if i.size:
         c[ix.TIME, i] = c[ix.REST_SINCE, i]
         update_reach(lane, i)
-    i, omega = (i_1, omega_1)
+    i, piece, omega = (i_1, piece_1, omega_1)
     advance_origin(lane, i)
-    stand_before(lane, i, t, np.full(i.size, piece), break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i])
+    stand_before(lane, i, t, piece, break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i])
     pass_break(lane, i, t)
     c[ix.PENDING, i] = ix.BEGIN_PHASE
 
@@ -1330,12 +1330,12 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         leaves = on & np.logical_not(inside)
         i = np.flatnonzero(leaves)
         if i.size:
-            end_slide(s, i, t, piece, x[i], omega[i])
+            end_slide(s, i, t, np.full(i.size, piece), x[i], omega[i])
         on = on & inside
 
 
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
-    """Move lanes at rest in the same piece that may start down-slope only; return lanes that follow in a later round."""
+    """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
     c = s.cells
     slope = s.registers[s.roles.net][1] / c[t.cells + ix.RISE]
     origin = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
@@ -1853,17 +1853,21 @@ def finish(s: Lanes, here: Mask, e: Floats, end: Floats, duration: Floats) -> No
 
 
 def swing(s: Lanes, which: Mask) -> Mask:
-    """Complete phases in the closed form where it applies, and return these lanes."""
+    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
     c = s.cells
+    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
+    fits = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
+    if not np.any(fits):
+        return fits
     e = np.zeros_like(s.registers[0])
     back = np.zeros_like(s.registers[0])
     f = np.zeros_like(s.registers[0])
     q = -2.0 * c[s.roles.net_square]
     factors(e, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q)
-    end = end_of_swing(e, c[s.roles.net_sine], which)
+    end = end_of_swing(e, c[s.roles.net_sine], fits)
     functions(f, np.minimum(end, FARTHEST), q)
     mirror(back, c[s.roles.drive], c[s.roles.net_sine], c[s.roles.net_vers], q, f)
-    fits = which & (end < FARTHEST) & (back[0] > 0.0)
+    fits = fits & (end < FARTHEST) & (back[0] > 0.0)
     fits = fits & (q >= 0.0) & (q * end < FADED)
     fits = fits & (c[s.roles.normal_square] >= 0.0)
     fits = fits & stays_positive(c[s.roles.normal_load], c[s.roles.upright_sine], c[s.roles.upright_vers], f)
@@ -1874,16 +1878,6 @@ def swing(s: Lanes, which: Mask) -> Mask:
         if np.any(fits):
             finish(s, fits, e, end, duration)
     return fits
-
-
-def leap(s: Lanes, which: Mask) -> Mask:
-    """Complete the phases that begin at rest and in contact, where they have a closed form, and return these lanes."""
-    c = s.cells
-    rests = (c[ix.X] == 0.0) & (c[ix.OMEGA] == 0.0)
-    begins = which & rests & (c[s.roles.drive] > 0.0) & (c[ix.LIFTED] == 0.0)
-    if np.any(begins):
-        begins = swing(s, begins)
-    return begins
 
 
 def look_for_lift_off(s: Lanes, here: Mask, top: int) -> None:
@@ -2059,7 +2053,7 @@ def advance(s: Lanes, here: Mask) -> None:
     moving = here & (c[ix.STATUS] == float(ix.MOVING))
     resting = here & (c[ix.STATUS] == float(ix.RESTING))
     if s.roles.net_sine >= 0 and (not s.samples):
-        moving = moving & np.logical_not(leap(s, moving))
+        moving = moving & np.logical_not(swing(s, moving))
     if np.any(moving) and np.count_nonzero(moving) >= np.count_nonzero(resting):
         make_step(s, moving)
     if np.count_nonzero(resting) > np.count_nonzero(moving):

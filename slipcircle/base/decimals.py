@@ -44,12 +44,6 @@ def _sine_and_cosine(x: Decimal) -> tuple[Decimal, Decimal]:
     return sine, cosine
 
 
-def limit_rest(theta_1: float, theta_2: float, limit: float) -> float:
-    """Return the limit friction (3.21) of an arc between two angles in rad minus its rounded value ``limit``."""
-    with localcontext(prec=_DIGITS):
-        return float(limit_friction(theta_1, theta_2) - Decimal(limit))
-
-
 @lru_cache(maxsize=4096)
 def limit_friction(theta_1: float, theta_2: float) -> Decimal:
     """Return the limit friction (3.21) of an arc between two angles in rad, with 50 digits."""
@@ -64,3 +58,11 @@ def limit_friction(theta_1: float, theta_2: float) -> Decimal:
         above, below = (CLOSED[name](arithmetic, alpha) for name in QUOTIENTS["weight_moment_per_radial_weight"])
         cotangent = cos(middle) / sin(middle)
         return abs(above / below * cotangent)
+
+
+def limit_parts(theta_1: float, theta_2: float) -> tuple[float, float]:
+    """Return the limit friction (3.21) of an arc between two angles in rad as its nearest float and the rest."""
+    exact = limit_friction(theta_1, theta_2)
+    rounded = float(exact)
+    with localcontext(prec=_DIGITS):
+        return rounded, float(exact - Decimal(rounded))
