@@ -28,8 +28,6 @@ GIVEN: Mapping[str, Bounds] = {
 class GivenArc(Arc[Numbers]):
     """Arc with tabulated instead of computed coefficients, which are valid only in its initial position."""
 
-    limit_parts = None
-
     def _mistakes(self) -> Texts:
         return super()._mistakes() + _given_mistakes(self.given)
 

@@ -30,11 +30,7 @@ from derive.flow.integrator.one_lane import (
     sqrt,
     where,
 )
-from derive.flow.integrator.phases import (
-    advance_origin,
-    keep_faster,
-    update_reach,
-)
+from derive.flow.integrator.phases import advance_origin, keep_faster, update_reach
 from derive.flow.integrator.series import normal_force
 from derive.flow.integrator.tables import end_of_piece, pass_break
 
@@ -128,13 +124,7 @@ def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     return t.places[minimum(piece + 1, last)] * per
 
 
-def passes(
-    s: Lanes,
-    t: T,
-    piece: N,
-    per: V,
-    press: V,
-) -> M:
+def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
     """Return the lanes that are pressed through a piece that ends before the end time and not at the last break."""
     until = end_of(s, t, piece, per)
     following = end_of(s, t, piece + 1, per)
@@ -142,13 +132,7 @@ def passes(
     return before_last and press > 0.0 and until < s.end_time * (1.0 - 4.0 * EPS)
 
 
-def end_slide(
-    lane: Lane,
-    t: T,
-    piece: int,
-    x: float,
-    omega: float,
-) -> None:
+def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
     """Place a lane at the left end of a piece, at rest or in motion. Another phase begins there."""
     lane.x = x
     lane.omega = omega
@@ -164,16 +148,7 @@ def end_slide(
     lane.pending = Pending.BEGIN_PHASE
 
 
-def lowest_speed(
-    s: Lanes,
-    here: M,
-    now: V,
-    length: V,
-    x: V,
-    omega: V,
-    net: V,
-    after: V,
-) -> V:
+def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> V:
     """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
     at = length * net / (net - after)
     extreme = omega + 0.5 * at * net
@@ -181,15 +156,7 @@ def lowest_speed(
     return where(here and net < 0.0, extreme, omega + 0.5 * length * (net + after))
 
 
-def turn(
-    s: Lanes,
-    here: M,
-    now: V,
-    length: V,
-    omega: V,
-    net: V,
-    after: V,
-) -> tuple[V, V]:
+def turn(s: Lanes, here: M, now: V, length: V, omega: V, net: V, after: V) -> tuple[V, V]:
     """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
     moves = omega > 0.0
     change = (after - net) / length
@@ -209,16 +176,7 @@ def turn(
     return where(starts and not again, speed, 0.0), path(stop, omega, net, change) + behind
 
 
-def pass_piece(
-    s: Lanes,
-    here: M,
-    now: V,
-    length: V,
-    x: V,
-    omega: V,
-    net: V,
-    after: V,
-) -> tuple[V, V]:
+def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
     """Return the speed at the end of a piece and the path through it."""
     ends: V = omega + 0.5 * length * (net + after)
     further: V = length * (omega + SIXTH * length * (2.0 * net + after))
@@ -237,16 +195,7 @@ def pass_piece(
     return ends, further
 
 
-def slide(
-    s: Lanes,
-    here: M,
-    t: T,
-    first: N,
-    slope: V,
-    base: V,
-    grip: V,
-    weight: V,
-) -> None:
+def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight: V) -> None:
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic.
 
     The net moment is ``base`` + ``slope`` times the record, the normal force is ``weight`` + ``grip`` times the record.
