@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "7ef9d98e08bd33c3cbbdc8fbdb971a9e941bac6dae1fff7a62827264583538f5"
+#define DIGEST "9a5e264f462aea6802048f52bf4896b41d8b354aeef1bf90381740b949136d7a"
 /* The integrator of lanes along their Taylor series.
  *
  * A lane is one motion: a column of numbers ("cells"), with what its scene gives, the state of its motion, and results.
@@ -2171,14 +2171,22 @@ static void rest_through(Batch *b, unsigned lane, int t)
 /* Return the path after a time at a speed with a rate ``net`` that changes linearly. */
 INLINE V path(V time, V omega, V net, V change)
 {
-    return time * (omega + (time * ((0.5 * net) + ((SIXTH * time) * change))));
+    V by_change = (SIXTH * time) * change;
+    V by_rate = (0.5 * net) + by_change;
+    V mean = omega + (time * by_rate);
+    return time * mean;
 }
 
 /* Return the first time at which a falling speed is zero. */
 INLINE V standstill(V omega, V net, V change)
 {
-    V root = sqrt_of(maximum((net * net) - ((2.0 * change) * omega), broadcast(0.0)));
-    return pick(net <= 0.0, (2.0 * omega) / (root - net), (net + root) / (0.0 - change));
+    V square = net * net;
+    V decrease = (2.0 * change) * omega;
+    V root = sqrt_of(maximum(square - decrease, broadcast(0.0)));
+    V twice = 2.0 * omega;
+    V falling = twice / (root - net);
+    V rising = (net + root) / (0.0 - change);
+    return pick(net <= 0.0, falling, rising);
 }
 
 /* Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale. */
@@ -2186,7 +2194,8 @@ INLINE V end_of(Batch *b, int t, int piece, V per)
 {
     const Job *const job = b->job;
     int last = (int)job->data[t].pieces - 1;
-    return job->data[t].breaks[(piece + 1) < last ? (piece + 1) : last] * per;
+    int following = (piece + 1) < last ? (piece + 1) : last;
+    return job->data[t].breaks[following] * per;
 }
 
 /* Return the lanes that are pressed through a piece that ends before the end time and not at the last break. */
@@ -2196,7 +2205,10 @@ INLINE M passes(Batch *b, int t, int piece, V per, V press)
     V until = end_of(b, t, piece, per);
     V following = end_of(b, t, piece + 1, per);
     M before_last = (until < following) & (following < INFINITY);
-    return before_last & (press > 0.0) & (until < (c[END_TIME] * (1.0 - (4.0 * EPS))));
+    V latest = c[END_TIME] * (1.0 - (4.0 * EPS));
+    M in_time = until < latest;
+    M pressed = press > 0.0;
+    return before_last & in_time & pressed;
 }
 
 /* Place a lane at the left end of a piece, at rest or in motion. Another phase begins there. */
@@ -2214,7 +2226,9 @@ static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, d
         update_reach(b, lane);
     }
     advance_origin(b, lane);
-    stand_before(b, lane, t, piece, break_of(b, lane, t, piece) / c[job->table[t].cell + SCALE][lane]);
+    double edge = break_of(b, lane, t, piece);
+    double now = edge / c[job->table[t].cell + SCALE][lane];
+    stand_before(b, lane, t, piece, now);
     pass_break(b, lane, t);
     c[PENDING][lane] = BEGIN_PHASE;
 }
@@ -2222,10 +2236,29 @@ static void end_slide(Batch *b, unsigned lane, int t, int64_t piece, double x, d
 /* Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed. */
 INLINE V lowest_speed(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
-    V at = (length * net) / (net - after);
-    V extreme = omega + ((0.5 * at) * net);
-    keep_faster(b, here & (net > 0.0), extreme, now + at, x + (at * (omega + (((2.0 * SIXTH) * at) * net))), broadcast(0.0));
-    return pick(here & (net < 0.0), extreme, omega + ((0.5 * length) * (net + after)));
+    V share = net / (net - after);
+    V at = length * share;
+    V gain = at * net;
+    V extreme = omega + (0.5 * gain);
+    V mean = omega + ((2.0 * SIXTH) * gain);
+    V there = x + (at * mean);
+    M rises = here & (net > 0.0);
+    keep_faster(b, rises, extreme, now + at, there, broadcast(0.0));
+    M falls = here & (net < 0.0);
+    V twice = net + after;
+    V half = 0.5 * length;
+    V end = omega + (half * twice);
+    return pick(falls, extreme, end);
+}
+
+/* Count phases that begin down-slope. */
+INLINE void count_starts(Batch *b, M here)
+{
+    V *const c = b->c;
+    M back = c[LAST_WAY] < 0.0;
+    c[PHASES] = pick(here, c[PHASES] + 1.0, c[PHASES]);
+    c[TURNS] = pick(here, c[TURNS] + pick(back, broadcast(1.0), broadcast(0.0)), c[TURNS]);
+    c[LAST_WAY] = pick(here, broadcast(1.0), c[LAST_WAY]);
 }
 
 /* Stop lanes within a piece, start them, or both; return the speed at its end and the path. */
@@ -2233,44 +2266,65 @@ INLINE Pair turn(Batch *b, M here, V now, V length, V omega, V net, V after)
 {
     V *const c = b->c;
     M moves = omega > 0.0;
-    V change = (after - net) / length;
-    V stop = pick(moves, standstill(omega, net, change), broadcast(0.0));
-    V start = pick(net < 0.0, (net / (net - after)) * length, broadcast(0.0));
-    M starts = ((after > 0.0) & (start >= stop)) | ((net > 0.0) & ~moves);
+    V rise = after - net;
+    V change = rise / length;
+    V root = standstill(omega, net, change);
+    V stop = pick(moves, root, broadcast(0.0));
+    V share = net / (net - after);
+    V zero = share * length;
+    V start = pick(net < 0.0, zero, broadcast(0.0));
+    M drives_later = (after > 0.0) & (start >= stop);
+    M drives = (net > 0.0) & ~moves;
+    M starts = drives_later | drives;
     V push = maximum(net, broadcast(0.0));
     V left = length - start;
-    V speed = left * (push + ((0.5 * left) * change));
+    V by_change = (0.5 * left) * change;
+    V rate = push + by_change;
+    V speed = left * rate;
     M again = starts & (speed <= 0.0);
-    V span = pick(again, ((-2.0) * push) / change, left);
-    c[REST_SINCE] = pick(here, pick(again, now + span, pick(moves, now + stop, c[REST_SINCE])), c[REST_SINCE]);
-    c[PHASES] = pick(here, c[PHASES] + pick(starts, broadcast(1.0), broadcast(0.0)), c[PHASES]);
-    c[TURNS] = pick(here, c[TURNS] + pick(starts & (c[LAST_WAY] < 0.0), broadcast(1.0), broadcast(0.0)), c[TURNS]);
-    c[LAST_WAY] = pick(here, pick(starts, broadcast(1.0), c[LAST_WAY]), c[LAST_WAY]);
-    V behind = pick(starts, path(span, 0.0 * span, push, change), broadcast(0.0));
-    return (Pair){pick(starts & ~again, speed, broadcast(0.0)), (path(stop, omega, net, change) + behind)};
+    V to_stop = ((-2.0) * push) / change;
+    V span = pick(again, to_stop, left);
+    V since = pick(moves, now + stop, c[REST_SINCE]);
+    c[REST_SINCE] = pick(here, pick(again, now + span, since), c[REST_SINCE]);
+    count_starts(b, here & starts);
+    V nothing = 0.0 * span;
+    V behind = path(span, nothing, push, change);
+    V further = pick(starts, behind, broadcast(0.0));
+    M goes_on = starts & ~again;
+    V end = pick(goes_on, speed, broadcast(0.0));
+    V before = path(stop, omega, net, change);
+    return (Pair){end, (before + further)};
 }
 
 /* Return the speed at the end of a piece and the path through it. */
 INLINE Pair pass_piece(Batch *b, M here, V now, V length, V x, V omega, V net, V after)
 {
-    V ends = omega + ((0.5 * length) * (net + after));
-    V further = length * (omega + ((SIXTH * length) * ((2.0 * net) + after)));
-    V lowest = ends;
-    M crosses = here & ((net * after) < 0.0);
+    V twice = net + after;
+    V half = 0.5 * length;
+    V end = omega + (half * twice);
+    V by_rates = net + twice;
+    V sixth = SIXTH * length;
+    V mean = omega + (sixth * by_rates);
+    V further = length * mean;
+    V lowest = end;
+    V opposite = net * after;
+    M crosses = here & (opposite < 0.0);
     if (bits(crosses)) {
         lowest = lowest_speed(b, crosses, now, length, x, omega, net, after);
     }
-    M stays = (omega > 0.0) & (lowest > 0.0);
-    M turns = here & ~stays & ((omega > 0.0) | (net > 0.0) | (after > 0.0));
-    ends = pick(stays, ends, broadcast(0.0));
+    M moves = omega > 0.0;
+    M stays = moves & (lowest > 0.0);
+    M drives = (net > 0.0) | (after > 0.0);
+    M turns = here & ~stays & (moves | drives);
+    end = pick(stays, end, broadcast(0.0));
     further = pick(stays, further, broadcast(0.0));
     if (bits(turns)) {
         const Pair speed_way = turn(b, turns, now, length, omega, net, after);
         V speed = speed_way.one, way = speed_way.other;
-        ends = pick(turns, speed, ends);
+        end = pick(turns, speed, end);
         further = pick(turns, way, further);
     }
-    return (Pair){ends, further};
+    return (Pair){end, further};
 }
 
 /* Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic. The net
@@ -2281,9 +2335,11 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
     const Job *const job = b->job;
     V *const c = b->c;
     V per = 1.0 / c[job->table[t].cell + SCALE];
+    int last = (int)job->data[t].pieces - 1;
     int piece = first;
     V now = c[TIME];
-    V net = base + (slope * (c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC]));
+    V current = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V net = base + (slope * current);
     V value = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
     V omega = broadcast(0.0);
     V x = broadcast(0.0);
@@ -2299,9 +2355,11 @@ static void slide(Batch *b, M here, int t, int first, V slope, V base, V grip, V
         now = until;
         net = after;
         piece = piece + 1;
-        int last = (int)job->data[t].pieces - 1;
-        value = job->data[t].coefficients[2 * ((piece + 1) < last ? (piece + 1) : last)] * c[job->table[t].cell + SCALED_BY];
-        M inside = passes(b, t, piece, per, weight + (grip * value));
+        int following = (piece + 1) < last ? (piece + 1) : last;
+        double height = job->data[t].coefficients[2 * following];
+        value = height * c[job->table[t].cell + SCALED_BY];
+        V press = weight + (grip * value);
+        M inside = passes(b, t, piece, per, press);
         M leaves = on & ~inside;
         EACH(lane, bits(leaves)) {
             end_slide(b, lane, t, piece, x[lane], omega[lane]);
@@ -2316,20 +2374,29 @@ static M slide_together(Batch *b, M here, int t)
 {
     const Job *const job = b->job;
     V *const c = b->c;
-    V slope = (b->r + job->role->net)[1] / c[job->table[t].cell + RISE];
+    V *net = b->r + job->role->net;
+    V slope = net[1] / c[job->table[t].cell + RISE];
     V origin = c[job->table[t].cell + VALUE] + c[job->table[t].cell + INC];
+    V base = net[0] - (slope * origin);
     V grip = broadcast(0.0);
     if (job->role->normal >= 0) {
         grip = (b->r + job->role->normal)[1] / c[job->table[t].cell + RISE];
     }
-    V weight = normal_force(b) - (grip * origin);
-    M linear = here & ((b->r + job->role->net)[2] == 0.0) & (c[job->table[t].cell + RISE] != 0.0);
-    M forward = linear & (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0) & (c[LIFTED] == 0.0);
+    V force = normal_force(b);
+    V weight = force - (grip * origin);
+    M straight = net[2] == 0.0;
+    M linear = here & straight & (c[job->table[t].cell + RISE] != 0.0);
+    M down_slope = (c[ONE_WAY] > 0.0) & (c[DIRECTION] > 0.0);
+    M forward = linear & down_slope & (c[LIFTED] == 0.0);
     int piece = greatest(pick(forward, c[job->table[t].cell + PIECE], broadcast(-1.0)));
-    M there = forward & (c[job->table[t].cell + PIECE] == (double)piece);
+    M same = c[job->table[t].cell + PIECE] == (double)piece;
+    M there = forward & same;
     if (bits(there)) {
-        M inside = there & passes(b, t, piece, 1.0 / c[job->table[t].cell + SCALE], weight + (grip * (c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER])));
-        slide(b, inside, t, piece, slope, (b->r + job->role->net)[0] - (slope * origin), grip, weight);
+        V per = 1.0 / c[job->table[t].cell + SCALE];
+        V ahead = c[job->table[t].cell + VALUE] + c[job->table[t].cell + LOWER];
+        V press = weight + (grip * ahead);
+        M inside = there & passes(b, t, piece, per, press);
+        slide(b, inside, t, piece, slope, base, grip, weight);
     }
     return forward & ~there;
 }

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e48d739eac56fa0415d1fef864bbedf96028e59771338eb906efe16346e89d18
+# sha256 of the text below: 485c96d95f536b309854ee46bbde670e92aa24f328dc8a4d349a181246315230
 """Integrator of lanes in NumPy: steps, events, phases of slip and of rest, from the same text as the compiled one.
 
 The text of the integrator is in `derive/flow/integrator`, for this module and for ``_flow.c``. A lane is a column of
@@ -1205,19 +1205,28 @@ def rest_through(lane: Lanes, i: Index, t: Table) -> None:
 
 def path(time: Floats, omega: Floats, net: Floats, change: Floats) -> Floats:
     """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
-    return time * (omega + time * (0.5 * net + SIXTH * time * change))
+    by_change = SIXTH * time * change
+    by_rate = 0.5 * net + by_change
+    mean = omega + time * by_rate
+    return time * mean
 
 
 def standstill(omega: Floats, net: Floats, change: Floats) -> Floats:
     """Return the first time at which a falling speed is zero."""
-    root = np.sqrt(np.maximum(net * net - 2.0 * change * omega, 0.0))
-    return np.where(net <= 0.0, 2.0 * omega / (root - net), (net + root) / (0.0 - change))
+    square = net * net
+    decrease = 2.0 * change * omega
+    root = np.sqrt(np.maximum(square - decrease, 0.0))
+    twice = 2.0 * omega
+    falling = twice / (root - net)
+    rising = (net + root) / (0.0 - change)
+    return np.where(net <= 0.0, falling, rising)
 
 
 def end_of(s: Lanes, t: Table, piece: int, per: Floats) -> Floats:
     """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
     last = t.pieces - 1
-    return t.places[min(piece + 1, last)] * per
+    following = min(piece + 1, last)
+    return t.places[following] * per
 
 
 def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
@@ -1226,7 +1235,10 @@ def passes(s: Lanes, t: Table, piece: int, per: Floats, press: Floats) -> Mask:
     until = end_of(s, t, piece, per)
     following = end_of(s, t, piece + 1, per)
     before_last = (until < following) & (following < INFINITY)
-    return before_last & (press > 0.0) & (until < c[ix.END_TIME] * (1.0 - 4.0 * EPS))
+    latest = c[ix.END_TIME] * (1.0 - 4.0 * EPS)
+    in_time = until < latest
+    pressed = press > 0.0
+    return before_last & in_time & pressed
 
 
 def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: Floats) -> None:
@@ -1245,7 +1257,9 @@ def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: F
         update_reach(lane, i)
     i, piece, omega = (i_1, piece_1, omega_1)
     advance_origin(lane, i)
-    stand_before(lane, i, t, piece, break_of(lane, i, t, piece) / c[t.cells + ix.SCALE, i])
+    edge = break_of(lane, i, t, piece)
+    now = edge / c[t.cells + ix.SCALE, i]
+    stand_before(lane, i, t, piece, now)
     pass_break(lane, i, t)
     c[ix.PENDING, i] = ix.BEGIN_PHASE
 
@@ -1253,10 +1267,28 @@ def end_slide(lane: Lanes, i: Index, t: Table, piece: Index, x: Floats, omega: F
 def lowest_speed(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
         after: Floats) -> Floats:
     """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
-    at = length * net / (net - after)
-    extreme = omega + 0.5 * at * net
-    keep_faster(s, here & (net > 0.0), extreme, now + at, x + at * (omega + 2.0 * SIXTH * at * net), 0.0)
-    return np.where(here & (net < 0.0), extreme, omega + 0.5 * length * (net + after))
+    share = net / (net - after)
+    at = length * share
+    gain = at * net
+    extreme = omega + 0.5 * gain
+    mean = omega + 2.0 * SIXTH * gain
+    there = x + at * mean
+    rises = here & (net > 0.0)
+    keep_faster(s, rises, extreme, now + at, there, 0.0)
+    falls = here & (net < 0.0)
+    twice = net + after
+    half = 0.5 * length
+    end = omega + half * twice
+    return np.where(falls, extreme, end)
+
+
+def count_starts(s: Lanes, here: Mask) -> None:
+    """Count phases that begin down-slope."""
+    c = s.cells
+    back = c[ix.LAST_WAY] < 0.0
+    c[ix.PHASES] = np.where(here, c[ix.PHASES] + 1.0, c[ix.PHASES])
+    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(back, 1.0, 0.0), c[ix.TURNS])
+    c[ix.LAST_WAY] = np.where(here, 1.0, c[ix.LAST_WAY])
 
 
 def turn(s: Lanes, here: Mask, now: Floats, length: Floats, omega: Floats, net: Floats, after: Floats) -> tuple[Floats,
@@ -1264,42 +1296,62 @@ def turn(s: Lanes, here: Mask, now: Floats, length: Floats, omega: Floats, net: 
     """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
     c = s.cells
     moves = omega > 0.0
-    change = (after - net) / length
-    stop = np.where(moves, standstill(omega, net, change), 0.0)
-    start = np.where(net < 0.0, net / (net - after) * length, 0.0)
-    starts = (after > 0.0) & (start >= stop) | (net > 0.0) & np.logical_not(moves)
+    rise = after - net
+    change = rise / length
+    root = standstill(omega, net, change)
+    stop = np.where(moves, root, 0.0)
+    share = net / (net - after)
+    zero = share * length
+    start = np.where(net < 0.0, zero, 0.0)
+    drives_later = (after > 0.0) & (start >= stop)
+    drives = (net > 0.0) & np.logical_not(moves)
+    starts = drives_later | drives
     push = np.maximum(net, 0.0)
     left = length - start
-    speed = left * (push + 0.5 * left * change)
+    by_change = 0.5 * left * change
+    rate = push + by_change
+    speed = left * rate
     again = starts & (speed <= 0.0)
-    span = np.where(again, -2.0 * push / change, left)
-    c[ix.REST_SINCE] = np.where(here, np.where(again, now + span, np.where(moves, now + stop, c[ix.REST_SINCE])),
-        c[ix.REST_SINCE])
-    c[ix.PHASES] = np.where(here, c[ix.PHASES] + np.where(starts, 1.0, 0.0), c[ix.PHASES])
-    c[ix.TURNS] = np.where(here, c[ix.TURNS] + np.where(starts & (c[ix.LAST_WAY] < 0.0), 1.0, 0.0), c[ix.TURNS])
-    c[ix.LAST_WAY] = np.where(here, np.where(starts, 1.0, c[ix.LAST_WAY]), c[ix.LAST_WAY])
-    behind = np.where(starts, path(span, 0.0 * span, push, change), 0.0)
-    return (np.where(starts & np.logical_not(again), speed, 0.0), path(stop, omega, net, change) + behind)
+    to_stop = -2.0 * push / change
+    span = np.where(again, to_stop, left)
+    since = np.where(moves, now + stop, c[ix.REST_SINCE])
+    c[ix.REST_SINCE] = np.where(here, np.where(again, now + span, since), c[ix.REST_SINCE])
+    count_starts(s, here & starts)
+    nothing = 0.0 * span
+    behind = path(span, nothing, push, change)
+    further = np.where(starts, behind, 0.0)
+    goes_on = starts & np.logical_not(again)
+    end = np.where(goes_on, speed, 0.0)
+    before = path(stop, omega, net, change)
+    return (end, before + further)
 
 
 def pass_piece(s: Lanes, here: Mask, now: Floats, length: Floats, x: Floats, omega: Floats, net: Floats,
         after: Floats) -> tuple[Floats, Floats]:
     """Return the speed at the end of a piece and the path through it."""
-    ends = omega + 0.5 * length * (net + after)
-    further = length * (omega + SIXTH * length * (2.0 * net + after))
-    lowest = ends
-    crosses = here & (net * after < 0.0)
+    twice = net + after
+    half = 0.5 * length
+    end = omega + half * twice
+    by_rates = net + twice
+    sixth = SIXTH * length
+    mean = omega + sixth * by_rates
+    further = length * mean
+    lowest = end
+    opposite = net * after
+    crosses = here & (opposite < 0.0)
     if np.any(crosses):
         lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
-    stays = (omega > 0.0) & (lowest > 0.0)
-    turns = here & np.logical_not(stays) & ((omega > 0.0) | (net > 0.0) | (after > 0.0))
-    ends = np.where(stays, ends, 0.0)
+    moves = omega > 0.0
+    stays = moves & (lowest > 0.0)
+    drives = (net > 0.0) | (after > 0.0)
+    turns = here & np.logical_not(stays) & (moves | drives)
+    end = np.where(stays, end, 0.0)
     further = np.where(stays, further, 0.0)
     if np.any(turns):
         speed, way = turn(s, turns, now, length, omega, net, after)
-        ends = np.where(turns, speed, ends)
+        end = np.where(turns, speed, end)
         further = np.where(turns, way, further)
-    return (ends, further)
+    return (end, further)
 
 
 def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Floats, grip: Floats,
@@ -1307,9 +1359,11 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
     """Move lanes at rest through the pieces of a record, exactly: omega is quadratic in time, and x cubic."""
     c = s.cells
     per = 1.0 / c[t.cells + ix.SCALE]
+    last = t.pieces - 1
     piece = first
     now = c[ix.TIME].copy()
-    net = base + slope * (c[t.cells + ix.VALUE] + c[t.cells + ix.INC])
+    current = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    net = base + slope * current
     value = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
     omega: Floats = 0.0
     x: Floats = 0.0
@@ -1324,9 +1378,11 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
         now = until
         net = after
         piece = piece + 1
-        last = t.pieces - 1
-        value = t.heights[2 * min(piece + 1, last)] * c[t.cells + ix.SCALED_BY]
-        inside = passes(s, t, piece, per, weight + grip * value)
+        following = min(piece + 1, last)
+        height = t.heights[2 * following]
+        value = height * c[t.cells + ix.SCALED_BY]
+        press = weight + grip * value
+        inside = passes(s, t, piece, per, press)
         leaves = on & np.logical_not(inside)
         i = np.flatnonzero(leaves)
         if i.size:
@@ -1337,20 +1393,28 @@ def slide(s: Lanes, here: Mask, t: Table, first: int, slope: Floats, base: Float
 def slide_together(s: Lanes, here: Mask, t: Table) -> Mask:
     """Move lanes that rest in the same piece and start down-slope only; return lanes that follow in a later round."""
     c = s.cells
-    slope = s.registers[s.roles.net][1] / c[t.cells + ix.RISE]
+    net = s.registers[s.roles.net]
+    slope = net[1] / c[t.cells + ix.RISE]
     origin = c[t.cells + ix.VALUE] + c[t.cells + ix.INC]
+    base = net[0] - slope * origin
     grip: Floats = 0.0
     if s.roles.normal >= 0:
         grip = s.registers[s.roles.normal][1] / c[t.cells + ix.RISE]
-    weight = normal_force(s) - grip * origin
-    linear = here & (s.registers[s.roles.net][2] == 0.0) & (c[t.cells + ix.RISE] != 0.0)
-    forward = linear & (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0) & (c[ix.LIFTED] == 0.0)
+    force = normal_force(s)
+    weight = force - grip * origin
+    straight = net[2] == 0.0
+    linear = here & straight & (c[t.cells + ix.RISE] != 0.0)
+    down_slope = (c[ix.ONE_WAY] > 0.0) & (c[ix.DIRECTION] > 0.0)
+    forward = linear & down_slope & (c[ix.LIFTED] == 0.0)
     piece = greatest(np.where(forward, c[t.cells + ix.PIECE], -1.0))
-    there = forward & (c[t.cells + ix.PIECE] == float(piece))
+    same = c[t.cells + ix.PIECE] == float(piece)
+    there = forward & same
     if np.any(there):
-        inside = there & passes(s, t, piece, 1.0 / c[t.cells + ix.SCALE],
-            weight + grip * (c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]))
-        slide(s, inside, t, piece, slope, s.registers[s.roles.net][0] - slope * origin, grip, weight)
+        per = 1.0 / c[t.cells + ix.SCALE]
+        ahead = c[t.cells + ix.VALUE] + c[t.cells + ix.LOWER]
+        press = weight + grip * ahead
+        inside = there & passes(s, t, piece, per, press)
+        slide(s, inside, t, piece, slope, base, grip, weight)
     return forward & np.logical_not(there)
 
 

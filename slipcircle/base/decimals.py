@@ -1,5 +1,6 @@
 """Closed forms in decimal arithmetic, for differences of nearly equal numbers."""
 
+import math
 import sys
 from decimal import Decimal, localcontext
 from functools import lru_cache
@@ -61,8 +62,13 @@ def limit_friction(theta_1: float, theta_2: float) -> Decimal:
 
 
 def limit_parts(theta_1: float, theta_2: float) -> tuple[float, float]:
-    """Return the limit friction (3.21) of an arc between two angles in rad as its nearest float and the rest."""
+    """Return the limit friction (3.21) of an arc between two angles in rad as the next float above and the rest.
+
+    A friction equal to the float holds the mass, and the float below it does not.
+    """
     exact = limit_friction(theta_1, theta_2)
     rounded = float(exact)
+    if Decimal(rounded) < exact:
+        rounded = math.nextafter(rounded, math.inf)
     with localcontext(prec=_DIGITS):
         return rounded, float(exact - Decimal(rounded))

@@ -109,19 +109,28 @@ def rest_through(lane: Lane, t: T) -> None:
 
 def path(time: V, omega: V, net: V, change: V) -> V:
     """Return the path after a time at a speed with a rate ``net`` that changes linearly."""
-    return time * (omega + time * (0.5 * net + SIXTH * time * change))
+    by_change = SIXTH * time * change
+    by_rate = 0.5 * net + by_change
+    mean = omega + time * by_rate
+    return time * mean
 
 
 def standstill(omega: V, net: V, change: V) -> V:
     """Return the first time at which a falling speed is zero."""
-    root = sqrt(maximum(net * net - 2.0 * change * omega, 0.0))
-    return where(net <= 0.0, 2.0 * omega / (root - net), (net + root) / (0.0 - change))
+    square = net * net
+    decrease = 2.0 * change * omega
+    root = sqrt(maximum(square - decrease, 0.0))
+    twice = 2.0 * omega
+    falling = twice / (root - net)
+    rising = (net + root) / (0.0 - change)
+    return where(net <= 0.0, falling, rising)
 
 
 def end_of(s: Lanes, t: T, piece: N, per: V) -> V:
     """Return the time at which a piece ends, or at which the last piece begins, where ``per`` is 1 over the scale."""
     last: N = t.pieces - 1
-    return t.places[minimum(piece + 1, last)] * per
+    following: N = minimum(piece + 1, last)
+    return t.places[following] * per
 
 
 def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
@@ -129,7 +138,10 @@ def passes(s: Lanes, t: T, piece: N, per: V, press: V) -> M:
     until = end_of(s, t, piece, per)
     following = end_of(s, t, piece + 1, per)
     before_last = until < following and following < INFINITY
-    return before_last and press > 0.0 and until < s.end_time * (1.0 - 4.0 * EPS)
+    latest = s.end_time * (1.0 - 4.0 * EPS)
+    in_time = until < latest
+    pressed = press > 0.0
+    return before_last and in_time and pressed
 
 
 def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
@@ -143,56 +155,96 @@ def end_slide(lane: Lane, t: T, piece: int, x: float, omega: float) -> None:
         lane.time = lane.rest_since
         update_reach(lane)
     advance_origin(lane)
-    stand_before(lane, t, piece, break_of(lane, t, piece) / t.scale)
+    edge = break_of(lane, t, piece)
+    now = edge / t.scale
+    stand_before(lane, t, piece, now)
     pass_break(lane, t)
     lane.pending = Pending.BEGIN_PHASE
 
 
 def lowest_speed(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> V:
     """Return the lowest speed within a piece in which the net moment changes its sign; record the greatest speed."""
-    at = length * net / (net - after)
-    extreme = omega + 0.5 * at * net
-    keep_faster(s, here and net > 0.0, extreme, now + at, x + at * (omega + 2.0 * SIXTH * at * net), 0.0)
-    return where(here and net < 0.0, extreme, omega + 0.5 * length * (net + after))
+    share = net / (net - after)
+    at = length * share
+    gain = at * net
+    extreme = omega + 0.5 * gain
+    mean = omega + 2.0 * SIXTH * gain
+    there = x + at * mean
+    rises = here and net > 0.0
+    keep_faster(s, rises, extreme, now + at, there, 0.0)
+    falls = here and net < 0.0
+    twice = net + after
+    half = 0.5 * length
+    end = omega + half * twice
+    return where(falls, extreme, end)
+
+
+def count_starts(s: Lanes, here: M) -> None:
+    """Count phases that begin down-slope."""
+    back = s.last_way < 0.0
+    s.phases = s.phases + 1.0
+    s.turns = s.turns + where(back, 1.0, 0.0)
+    s.last_way = 1.0
 
 
 def turn(s: Lanes, here: M, now: V, length: V, omega: V, net: V, after: V) -> tuple[V, V]:
     """Stop lanes within a piece, start them, or both; return the speed at its end and the path."""
     moves = omega > 0.0
-    change = (after - net) / length
-    stop = where(moves, standstill(omega, net, change), 0.0)
-    start = where(net < 0.0, net / (net - after) * length, 0.0)
-    starts = (after > 0.0 and start >= stop) or (net > 0.0 and not moves)
+    rise = after - net
+    change = rise / length
+    root = standstill(omega, net, change)
+    stop = where(moves, root, 0.0)
+    share = net / (net - after)
+    zero = share * length
+    start = where(net < 0.0, zero, 0.0)
+    drives_later = after > 0.0 and start >= stop
+    drives = net > 0.0 and not moves
+    starts = drives_later or drives
     push = maximum(net, 0.0)
     left = length - start
-    speed = left * (push + 0.5 * left * change)
+    by_change = 0.5 * left * change
+    rate = push + by_change
+    speed = left * rate
     again = starts and speed <= 0.0
-    span = where(again, -2.0 * push / change, left)
-    s.rest_since = where(again, now + span, where(moves, now + stop, s.rest_since))
-    s.phases = s.phases + where(starts, 1.0, 0.0)
-    s.turns = s.turns + where(starts and s.last_way < 0.0, 1.0, 0.0)
-    s.last_way = where(starts, 1.0, s.last_way)
-    behind = where(starts, path(span, 0.0 * span, push, change), 0.0)
-    return where(starts and not again, speed, 0.0), path(stop, omega, net, change) + behind
+    to_stop = -2.0 * push / change
+    span = where(again, to_stop, left)
+    since = where(moves, now + stop, s.rest_since)
+    s.rest_since = where(again, now + span, since)
+    count_starts(s, here and starts)
+    nothing = 0.0 * span
+    behind = path(span, nothing, push, change)
+    further = where(starts, behind, 0.0)
+    goes_on = starts and not again
+    end = where(goes_on, speed, 0.0)
+    before = path(stop, omega, net, change)
+    return end, before + further
 
 
 def pass_piece(s: Lanes, here: M, now: V, length: V, x: V, omega: V, net: V, after: V) -> tuple[V, V]:
     """Return the speed at the end of a piece and the path through it."""
-    ends: V = omega + 0.5 * length * (net + after)
-    further: V = length * (omega + SIXTH * length * (2.0 * net + after))
-    lowest: V = ends
-    crosses = here and net * after < 0.0
+    twice = net + after
+    half = 0.5 * length
+    end: V = omega + half * twice
+    by_rates = net + twice
+    sixth = SIXTH * length
+    mean = omega + sixth * by_rates
+    further: V = length * mean
+    lowest: V = end
+    opposite = net * after
+    crosses = here and opposite < 0.0
     if any_lane(crosses):
         lowest = lowest_speed(s, crosses, now, length, x, omega, net, after)
-    stays = omega > 0.0 and lowest > 0.0
-    turns = here and not stays and (omega > 0.0 or net > 0.0 or after > 0.0)
-    ends = where(stays, ends, 0.0)
+    moves = omega > 0.0
+    stays = moves and lowest > 0.0
+    drives = net > 0.0 or after > 0.0
+    turns = here and not stays and (moves or drives)
+    end = where(stays, end, 0.0)
     further = where(stays, further, 0.0)
     if any_lane(turns):
         speed, way = turn(s, turns, now, length, omega, net, after)
-        ends = where(turns, speed, ends)
+        end = where(turns, speed, end)
         further = where(turns, way, further)
-    return ends, further
+    return end, further
 
 
 def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight: V) -> None:
@@ -202,9 +254,11 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
     A lane leaves before a piece in which it may lift.
     """
     per = 1.0 / t.scale
+    last: N = t.pieces - 1
     piece: N = first
     now: V = s.time
-    net: V = base + slope * (t.value + t.inc)
+    current = t.value + t.inc
+    net: V = base + slope * current
     value: V = t.value + t.lower
     omega: V = 0.0
     x: V = 0.0
@@ -219,9 +273,11 @@ def slide(s: Lanes, here: M, t: T, first: N, slope: V, base: V, grip: V, weight:
         now = until
         net = after
         piece = piece + 1
-        last: N = t.pieces - 1
-        value = t.heights[2 * minimum(piece + 1, last)] * t.scaled_by
-        inside = passes(s, t, piece, per, weight + grip * value)
+        following: N = minimum(piece + 1, last)
+        height = t.heights[2 * following]
+        value = height * t.scaled_by
+        press = weight + grip * value
+        inside = passes(s, t, piece, per, press)
         leaves = on and not inside
         if leaves:
             end_slide(s, t, piece, x, omega)
@@ -233,17 +289,26 @@ def slide_together(s: Lanes, here: M, t: T) -> M:
 
     So the numbers of a lane do not depend on other lanes.
     """
-    slope = s.series.net[1] / t.rise
+    net = s.series.net
+    slope = net[1] / t.rise
     origin = t.value + t.inc
+    base = net[0] - slope * origin
     grip: V = 0.0
     if s.has.normal:
         grip = s.series.normal[1] / t.rise
-    weight = normal_force(s) - grip * origin
-    linear = here and s.series.net[2] == 0.0 and t.rise != 0.0
-    forward = linear and s.one_way > 0.0 and s.direction > 0.0 and s.lifted == 0.0
+    force = normal_force(s)
+    weight = force - grip * origin
+    straight = net[2] == 0.0
+    linear = here and straight and t.rise != 0.0
+    down_slope = s.one_way > 0.0 and s.direction > 0.0
+    forward = linear and down_slope and s.lifted == 0.0
     piece: N = greatest(where(forward, t.piece, -1.0))
-    there = forward and t.piece == number(piece)
+    same = t.piece == number(piece)
+    there = forward and same
     if any_lane(there):
-        inside = there and passes(s, t, piece, 1.0 / t.scale, weight + grip * (t.value + t.lower))
-        slide(s, inside, t, piece, slope, s.series.net[0] - slope * origin, grip, weight)
+        per = 1.0 / t.scale
+        ahead = t.value + t.lower
+        press = weight + grip * ahead
+        inside = there and passes(s, t, piece, per, press)
+        slide(s, inside, t, piece, slope, base, grip, weight)
     return forward and not there

@@ -57,7 +57,7 @@ class Problem:
         Function that extends the functions of the rotation.
     near : tuple
         Least margin of a decision at rest, in units of rounding, for which the rounded limit friction suffices, and the
-        function that returns the exact limit friction of some lanes as its nearest float and the rest.
+        function that returns the exact limit friction of some lanes as the next float above and the rest.
     """
 
     recipe: Recipe

@@ -257,7 +257,7 @@ class Arc(Mass, Generic[Numbers]):
         return limit_friction, static, polar_per_inertia
 
     def limit_parts(self, shape: Shape, lanes: Any) -> Any:
-        """Return the exact limit friction of some lanes as the nearest float and the rest, (2, lanes)."""
+        """Return the exact limit friction of some lanes as the next float above and the rest, (2, lanes)."""
         ends = [np.broadcast_to(x, shape).reshape(-1)[lanes].tolist() for x in (self.theta_1, self.theta_2)]
         return np.array([*map(lazy_import("decimals").limit_parts, *ends)]).T
 
